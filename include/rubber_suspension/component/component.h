@@ -1,0 +1,98 @@
+// A component: elements in parallel, what lies between actuator and specimen, and what scales the specimen's force.
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/maxwell.h"
+
+namespace rubber_suspension {
+
+/// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a copy.
+class ComponentState {
+ public:
+  double displacement() const { return displacement_; }  ///< at the last sample [m]
+  const std::vector<double>& memory() const { return memory_; }
+
+  /// Continue from numbers that memory() and displacement() gave. Throws std::invalid_argument on another size or on
+  /// numbers that are not finite.
+  void restore(double displacement, const std::vector<double>& memory);
+
+ private:
+  friend class Component;
+
+  double displacement_ = 0.0;
+  std::vector<double> memory_;   // of all elements, one block after the other
+  std::vector<double> scratch_;  // trial memory of the series solve; derived, not saved
+  // Coefficients of the Maxwell elements for the step length last used; derived, not saved.
+  double prepared_dt_ = -1.0;
+  std::vector<MaxwellStep> maxwell_steps_;
+};
+
+/// Signal path: displacement -> delay, series mount, free play -> specimen (elements in parallel) -> softening, heating
+/// -> plus what sits on the rig (inertia, offset, drift) -> force.
+///
+/// Parameters are fixed at construction; all history is in ComponentState, so one component may serve several threads.
+class Component {
+ public:
+  /// Throws std::invalid_argument that names entry, parameter, value and what is accepted.
+  explicit Component(const std::vector<ElementDescription>& elements);
+
+  /// A state of the right size, at rest at zero displacement.
+  ComponentState makeState() const;
+
+  /// Put the component at rest at a displacement [m], relaxed since long and never loaded before.
+  ComponentForce rest(ComponentState& state, double displacement) const;
+
+  /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
+  ComponentForce step(ComponentState& state, double dt, double displacement) const;
+
+  /// True if all elements are linear, so that complexStiffness has a value.
+  bool linear() const;
+
+  /// K* = dynamic stiffness at a frequency [Hz], [N/m]; nothing if an element is nonlinear.
+  std::optional<std::complex<double>> complexStiffness(double frequency) const;
+
+  /// The entries that the component was made of, defaults filled in.
+  const std::vector<ElementDescription>& elements() const { return descriptions_; }
+
+ private:
+  template <class Law>
+  struct Placed {
+    std::shared_ptr<const Law> law;
+    std::size_t offset;  // of its memory in the state
+  };
+
+  void place(const ElementPointer& element);
+  std::size_t reserve(std::size_t size);
+  void prepare(ComponentState& state, double dt) const;
+  ComponentForce specimenRest(double displacement, double* memory) const;
+  ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;
+  double behindMountAtRest(ComponentState& state, double displacement) const;
+  double behindMount(ComponentState& state, const Motion& motion) const;
+
+  std::vector<ElementDescription> descriptions_;
+  std::size_t memory_size_ = 0;
+
+  // Spring, dashpot and Maxwell elements are kept as plain numbers: they are most of every component.
+  double spring_stiffness_ = 0.0;
+  double dashpot_damping_ = 0.0;
+  struct MaxwellParameters {
+    double stiffness;
+    double relaxation_time;
+  };
+  std::vector<MaxwellParameters> maxwells_;  // their forces lead the memory
+
+  std::vector<Placed<ParallelElement>> specimen_;
+  std::vector<Placed<ParallelElement>> rig_;
+  std::vector<Placed<DisplacementEffect>> displacement_effects_;
+  std::vector<Placed<ForceEffect>> force_effects_;
+  double mount_compliance_ = 0.0;       // sum of 1/K_s of all series mounts [m/N]
+  std::size_t behind_effects_slot_ = 0;  // memory: displacement behind the displacement effects
+  std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount
+};
+
+}  // namespace rubber_suspension

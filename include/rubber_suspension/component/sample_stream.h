@@ -1,0 +1,76 @@
+// The rules for time: which samples of a stream are accepted, in node and replay alike.
+#pragma once
+
+#include <cstdint>
+
+#include "rubber_suspension/component/component.h"
+
+namespace rubber_suspension {
+
+/// What became of a sample.
+enum class Verdict {
+  accepted,
+  restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
+  bridged,       ///< accepted after a gap longer than max_gap, bridged exactly with displacement linear in between
+  not_finite,    ///< dropped
+  repeated,      ///< dropped: same stamp as the sample before
+  stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
+};
+
+inline bool isAccepted(Verdict verdict) { return verdict <= Verdict::bridged; }
+
+/// How often each verdict was given.
+struct StreamCounters {
+  std::uint64_t accepted = 0;  ///< all accepted, restarts and bridged gaps among them
+  std::uint64_t restarted = 0;
+  std::uint64_t bridged = 0;
+  std::uint64_t not_finite = 0;
+  std::uint64_t repeated = 0;
+  std::uint64_t stepped_back = 0;
+
+  std::uint64_t dropped() const { return not_finite + repeated + stepped_back; }
+};
+
+struct StreamForce {
+  Verdict verdict;
+  ComponentForce force;  ///< of an accepted sample only
+};
+
+/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same log
+/// gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
+class SampleStream {
+ public:
+  static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
+  static constexpr std::int64_t kRestartJump = kNanosecondsPerSecond;
+
+  /// The component must outlive the stream. max_gap in [s].
+  explicit SampleStream(const Component& component, double max_gap = 0.5);
+
+  /// Take one sample: stamp [ns], displacement [m]. The first one after construction or reset() finds the component at
+  /// rest at its displacement. A dropped sample leaves the state as it was. Allocates nothing.
+  StreamForce push(std::int64_t stamp, double displacement);
+
+  /// Back to a new specimen at rest; the next sample starts anew. Counters stay.
+  void reset();
+
+  const StreamCounters& counters() const { return counters_; }
+  const ComponentState& state() const { return state_; }
+  bool started() const { return started_; }
+  std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
+
+  /// Continue where another stream of the same component stopped. Throws as ComponentState::restore does.
+  void restore(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
+
+ private:
+  Verdict judge(std::int64_t stamp, double displacement) const;
+  void count(Verdict verdict);
+
+  const Component& component_;
+  std::int64_t max_gap_;
+  ComponentState state_;
+  StreamCounters counters_;
+  std::int64_t last_stamp_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace rubber_suspension

@@ -1,0 +1,56 @@
+// Berg's friction element, with a dead band that keeps measurement noise from being taken for reversals.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// Rate-independent friction that rises smoothly from each reversal towards its maximum.
+///
+/// From the reference point (z_s, F_s), with mu = F_s/F_max:
+///   z > z_s: F = F_s + (z - z_s)(F_max - F_s)/(z2 (1 - mu) + z - z_s)
+///   z < z_s: F = F_s + (z - z_s)(F_max + F_s)/(z2 (1 + mu) - (z - z_s))
+/// The reference point moves to the turning point once the motion has backed off from it by more than the dead band;
+/// until then the force goes back along the branch that it came from. With sensor noise of standard deviation sigma a
+/// dead band of 6 sigma keeps peak force and loss within 3 % (0 for simulated displacements).
+/// Minor loops do not close (the element has no memory of earlier reversals); `iwan` closes them.
+/// Source: M. Berg, Proc. IMechE F 211 (1997) 95-108; Vehicle System Dynamics 30 (1998) 197-212.
+class BergFriction final : public ParallelElement {
+ public:
+  BergFriction(double maximum_force /* F_max [N] */, double displacement /* z2, half of F_max from rest [m] */,
+               double dead_band /* [m] */)
+      : maximum_force_(maximum_force), displacement_(displacement), dead_band_(dead_band) {}
+
+  double maximumForce() const { return maximum_force_; }
+  double displacement() const { return displacement_; }
+  double deadBand() const { return dead_band_; }
+
+  std::size_t memorySize() const override { return kMemorySize; }
+  double rest(double displacement, double* memory) const override;
+  double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
+  Part part() const override { return Part::friction; }
+
+  /// Start on the settled loop of this amplitude at its lower turning point: z = centre - amplitude, F = -F_f0.
+  double startSettled(double amplitude, double centre, double* memory) const;
+
+  /// Advance to a displacement [m]; returns the force [N]. Rate does not matter.
+  double advance(double displacement, double* memory) const;
+
+  /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
+  double settledForce(double amplitude) const;
+
+  /// Energy lost per cycle of the settled loop at this amplitude [m], [J].
+  double settledLoss(double amplitude) const;
+
+ private:
+  static constexpr std::size_t kMemorySize = 4;
+  double branch(double displacement, double reference_displacement, double reference_force) const;
+
+  double maximum_force_;
+  double displacement_;
+  double dead_band_;
+};
+
+ElementType bergFrictionType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,42 @@
+// The list of all laws by the name that a component file uses; a new law is one file here and one line in the list.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension {
+
+using ElementPointer =
+    std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
+                 std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
+
+/// A law as users see it: its name, what it is for, its parameters and how to make one.
+struct ElementType {
+  std::string name;
+  std::string documentation;
+  std::vector<ParameterInfo> parameters;
+  /// Makes the law from values that are complete and in range. Throws std::invalid_argument where a combination of
+  /// values that are each in range makes no sense.
+  std::function<ElementPointer(const ElementDescription&)> make;
+};
+
+/// All laws, in the order of the reference page.
+const std::vector<ElementType>& elementTypes();
+
+/// The law of that name, or nullptr.
+const ElementType* findElementType(const std::string& name);
+
+/// Check an entry against its table, fill in defaults, make the law.
+/// Throws std::invalid_argument that names type, parameter, value and what is accepted.
+ElementPointer makeElement(const ElementDescription& description);
+
+/// The entry with defaults filled in; throws as makeElement does.
+ElementDescription complete(const ElementDescription& description);
+
+}  // namespace rubber_suspension

@@ -1,0 +1,55 @@
+// Maxwell element: spring and dashpot in series.
+#pragma once
+
+#include <cmath>
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// Coefficients of the exact step of a Maxwell element for one step length.
+struct MaxwellStep {
+  double decay;  ///< e = exp(-dt/tau) [-]
+  double gain;   ///< k tau (1 - e)/dt [N/m], tends to k as dt tends to 0
+
+  MaxwellStep() = default;
+  MaxwellStep(double stiffness, double relaxation_time, double dt) {
+    const double ratio = dt / relaxation_time;
+    const double one_minus_decay = -std::expm1(-ratio);
+    decay = 1.0 - one_minus_decay;
+    gain = stiffness * (one_minus_decay / ratio);
+  }
+};
+
+/// dF/dt = k dz/dt - F/tau with tau = 1/(2 pi f_b), f_b the break frequency.
+/// The step F+ = e F + k tau (dz/dt)(1 - e), e = exp(-dt/tau), is exact for a displacement that is linear between
+/// samples, at any step length. Memory: the force.
+/// Source: Polach (IAVSD 2015), Eqs. 13 to 19.
+class Maxwell final : public ParallelElement {
+ public:
+  Maxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */)
+      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * M_PI * break_frequency)) {}
+
+  double stiffness() const { return stiffness_; }
+  double relaxationTime() const { return relaxation_time_; }  ///< tau [s]
+
+  std::size_t memorySize() const override { return 1; }
+  double rest(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
+  double step(const Motion& motion, double* memory) const override {
+    const MaxwellStep coefficients(stiffness_, relaxation_time_, motion.dt);
+    return memory[0] = coefficients.decay * memory[0] + coefficients.gain * motion.increment;
+  }
+  Part part() const override { return Part::viscous; }
+  std::optional<std::complex<double>> complexStiffness(double omega) const override {
+    const std::complex<double> iwt(0.0, omega * relaxation_time_);
+    return stiffness_ * iwt / (1.0 + iwt);
+  }
+
+ private:
+  double stiffness_;
+  double relaxation_time_;
+};
+
+ElementType maxwellType();
+
+}  // namespace rubber_suspension

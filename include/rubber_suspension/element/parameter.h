@@ -1,0 +1,53 @@
+// What a user may write for a parameter: one table from which checks, errors and reference pages follow.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension {
+
+/// An interval of admissible values; an open end excludes the bound itself.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool open_lower = false;
+  bool open_upper = false;
+
+  bool contains(double value) const;
+
+  static Range any() { return {}; }
+  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true, false}; }
+  static Range nonNegative() { return {0.0, std::numeric_limits<double>::infinity(), false, false}; }
+  static Range closed(double lower, double upper) { return {lower, upper, false, false}; }
+  static Range open(double lower, double upper) { return {lower, upper, true, true}; }
+};
+
+/// Text such as "greater than 0" or "in [0, 1)"; what an error message offers as accepted.
+std::string describe(const Range& range);
+
+/// One row of a table of parameters.
+struct ParameterInfo {
+  std::string name;                      ///< the YAML key
+  std::string unit;                      ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
+  Range range;                           ///< admissible values, in that unit
+  std::optional<double> default_value;   ///< absent: the parameter is required
+  std::string documentation;             ///< one sentence for reference page and errors
+  bool is_list = false;                  ///< takes a list of numbers in place of one
+};
+
+/// Values by parameter name; a scalar is a list of one.
+using ParameterValues = std::map<std::string, std::vector<double>>;
+
+/// An entry of `elements:` or `add:`: the name of a law and the values of its parameters [SI].
+struct ElementDescription {
+  std::string type;
+  ParameterValues values;
+
+  /// The scalar parameter of that name. Throws std::out_of_range where it is missing.
+  double value(const std::string& name) const { return values.at(name).at(0); }
+};
+
+}  // namespace rubber_suspension

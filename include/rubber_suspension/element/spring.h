@@ -1,0 +1,27 @@
+// Linear spring.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// F = k z. Valid while the component's static characteristic is straight.
+/// Source: Polach (IAVSD 2015), element k0 of every model.
+class Spring final : public ParallelElement {
+ public:
+  explicit Spring(double stiffness /* [N/m] */) : stiffness_(stiffness) {}
+
+  double stiffness() const { return stiffness_; }
+
+  double rest(double displacement, double* /*memory*/) const override { return stiffness_ * displacement; }
+  double step(const Motion& motion, double* /*memory*/) const override { return stiffness_ * motion.displacement; }
+  Part part() const override { return Part::elastic; }
+  std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return stiffness_; }
+
+ private:
+  double stiffness_;
+};
+
+ElementType springType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,67 @@
+// From what a data sheet says to the elements of a model: the specification, the models, the estimation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension {
+
+/// The models of a component file, in the order of the paper.
+enum class Model {
+  kelvin_voigt,      ///< M1
+  maxwell,           ///< M2 with one element
+  maxwell_dashpot,   ///< M3
+  friction,          ///< M4
+  friction_dashpot,  ///< M5
+  berg,              ///< M6
+  multi_maxwell,     ///< M2 with n_M elements
+  elements,          ///< a list of elements, nothing to estimate
+};
+
+/// The name in a component file.
+std::string toString(Model model);
+
+/// The model of that name, or nothing.
+std::optional<Model> modelFromString(const std::string& name);
+
+/// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
+class Specification {
+ public:
+  bool has(const std::string& name) const { return values_.count(name) != 0; }
+  /// Throws std::out_of_range where it is missing.
+  double at(const std::string& name) const { return values_.at(name); }
+  double valueOr(const std::string& name, double fallback) const { return has(name) ? at(name) : fallback; }
+  void set(const std::string& name, double value) { values_[name] = value; }
+  void erase(const std::string& name) { values_.erase(name); }
+  const std::map<std::string, double>& values() const { return values_; }
+
+ private:
+  std::map<std::string, double> values_;
+};
+
+/// The table of everything that `specification:` may hold.
+const std::vector<ParameterInfo>& specificationParameters();
+
+/// What a model takes from its specification.
+struct ModelInfo {
+  Model model;
+  std::string documentation;
+  std::vector<std::string> required;
+  std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one
+  std::vector<std::string> optional;
+};
+
+const ModelInfo& modelInfo(Model model);
+
+/// Check the specification against the tables: unknown, missing, superfluous, out of range.
+/// Throws std::invalid_argument that names key, value and what is accepted.
+void checkSpecification(Model model, const Specification& specification);
+
+/// The elements of the model that meets the specification.
+/// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
+std::vector<ElementDescription> estimate(Model model, const Specification& specification);
+
+}  // namespace rubber_suspension

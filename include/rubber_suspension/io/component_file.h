@@ -1,0 +1,47 @@
+// The component file: YAML that the node and all commands load alike, and write.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension {
+
+/// One component as a file describes it.
+struct ComponentDescription {
+  std::string name;  ///< a ROS base name
+  Model model = Model::elements;
+  Specification specification;               ///< of every model but `elements`
+  std::vector<ElementDescription> elements;  ///< of the model `elements` only
+  std::vector<ElementDescription> add;       ///< effects on top
+
+  /// All elements: those that the model estimates, or lists, and those added.
+  /// Throws std::invalid_argument where the specification has no solution.
+  std::vector<ElementDescription> allElements() const;
+
+  Component makeComponent() const { return Component(allElements()); }
+};
+
+/// A file that was refused. what() is one line: file:line, component, key, value and what would be accepted.
+class ComponentFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Load and check everything, estimation included. Throws ComponentFileError.
+std::vector<ComponentDescription> loadComponentFile(const std::string& path);
+
+/// The same from text; `source` stands for the file's name in errors.
+std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source);
+
+/// The component of that name; with an empty name the only one. Throws ComponentFileError that lists the names.
+const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
+                                            const std::string& name);
+
+/// YAML that parseComponentFile reads back to the same numbers, bit by bit.
+std::string toYaml(const std::vector<ComponentDescription>& components);
+
+}  // namespace rubber_suspension

@@ -1,0 +1,54 @@
+// Figures: what a command wants drawn, as data; drawn by Matplotlib in a process of its own.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension {
+
+/// One curve, or a set of markers.
+struct Curve {
+  std::string label;  ///< empty: not in the legend
+  std::vector<double> x;
+  std::vector<double> y;
+  std::string style = "-";  ///< Matplotlib's line or marker format, "-", "--", "o", ...
+  int colour = -1;          ///< index into the palette; -1: the next one
+};
+
+/// A map of values over a grid, drawn as an image with a colour bar.
+struct HeatMap {
+  std::vector<double> x_edges;
+  std::vector<double> y_edges;
+  std::vector<double> values;  ///< row by row along y; NaN is left blank
+  std::string label;           ///< of the colour bar, with unit
+};
+
+struct Axes {
+  std::string title;
+  std::string x_label;  ///< with unit: "frequency [Hz]"
+  std::string y_label;
+  bool log_x = false;
+  bool log_y = false;
+  std::vector<Curve> curves;
+  std::vector<HeatMap> maps;  ///< none or one
+};
+
+struct Figure {
+  std::string title;
+  std::vector<Axes> axes;
+  int columns = 2;  ///< of the grid of axes
+};
+
+class FigureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Draw to FILE.svg or FILE.png, by the extension. Throws FigureError.
+void drawFigure(const Figure& figure, const std::string& path);
+
+/// Draw several figures in one process, as SVG texts to be put into HTML. Throws FigureError.
+std::vector<std::string> drawSvg(const std::vector<Figure>& figures);
+
+}  // namespace rubber_suspension

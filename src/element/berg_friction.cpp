@@ -1,0 +1,91 @@
+// Berg's friction element.
+#include "rubber_suspension/element/berg_friction.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rubber_suspension {
+namespace {
+
+// Layout of the memory: reference point, running extremum since it, and the direction of the branch (+1, -1, 0 at rest).
+enum Slot { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection };
+
+// Keeps 0/0 away at the reference point itself once friction is at its maximum.
+constexpr double kTiny = std::numeric_limits<double>::min();
+
+}  // namespace
+
+double BergFriction::rest(double displacement, double* memory) const {
+  memory[kReferenceDisplacement] = displacement;
+  memory[kReferenceForce] = 0.0;
+  memory[kExtremum] = displacement;
+  memory[kDirection] = 0.0;
+  return 0.0;
+}
+
+double BergFriction::startSettled(double amplitude, double centre, double* memory) const {
+  memory[kReferenceDisplacement] = centre - amplitude;
+  memory[kReferenceForce] = -settledForce(amplitude);
+  memory[kExtremum] = centre - amplitude;
+  memory[kDirection] = 1.0;
+  return memory[kReferenceForce];
+}
+
+double BergFriction::branch(double displacement, double reference_displacement, double reference_force) const {
+  const double way = displacement - reference_displacement;
+  const double mu = reference_force / maximum_force_;
+  if (way >= 0.0) {
+    return reference_force + way * (maximum_force_ - reference_force) / (displacement_ * (1.0 - mu) + way + kTiny);
+  }
+  return reference_force + way * (maximum_force_ + reference_force) / (displacement_ * (1.0 + mu) - way + kTiny);
+}
+
+double BergFriction::advance(double displacement, double* memory) const {
+  const double direction = memory[kDirection];
+  const double beyond = (displacement - memory[kExtremum]) * direction;
+  if (direction == 0.0) {
+    if (displacement != memory[kReferenceDisplacement]) {
+      memory[kDirection] = displacement > memory[kReferenceDisplacement] ? 1.0 : -1.0;
+      memory[kExtremum] = displacement;
+    }
+  } else if (beyond >= 0.0) {
+    memory[kExtremum] = displacement;
+  } else if (-beyond > dead_band_) {
+    const double turning_point = memory[kExtremum];
+    memory[kReferenceForce] = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+    memory[kReferenceDisplacement] = turning_point;
+    memory[kExtremum] = displacement;
+    memory[kDirection] = -direction;
+  }
+  return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
+}
+
+double BergFriction::settledForce(double amplitude) const {
+  const double z2 = displacement_;
+  const double z0 = amplitude;
+  return maximum_force_ / (2.0 * z2) * (std::sqrt(z2 * z2 + z0 * z0 + 6.0 * z2 * z0) - z2 - z0);
+}
+
+double BergFriction::settledLoss(double amplitude) const {
+  const double reach = displacement_ * (1.0 + settledForce(amplitude) / maximum_force_);
+  const double mu_factor = 1.0 + settledForce(amplitude) / maximum_force_;
+  const double way = 2.0 * amplitude;
+  return 2.0 * maximum_force_ * (way - displacement_ * mu_factor * mu_factor * std::log1p(way / reach));
+}
+
+ElementType bergFrictionType() {
+  return {"friction",
+          "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
+          {{"maximum_force", "N", Range::positive(), std::nullopt, "force F_max that friction tends to"},
+           {"displacement", "m", Range::positive(), std::nullopt,
+            "displacement z2 from rest at which friction reaches half of its maximum"},
+           {"dead_band", "m", Range::nonNegative(), 0.0,
+            "way back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const BergFriction>(description.value("maximum_force"),
+                                                        description.value("displacement"),
+                                                        description.value("dead_band"));
+          }};
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,102 @@
+// The list of all laws and the check of an entry against its table.
+#include "rubber_suspension/element/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/spring.h"
+
+namespace rubber_suspension {
+namespace {
+
+std::string parameterNames(const ElementType& type) {
+  std::string names;
+  for (const ParameterInfo& parameter : type.parameters) {
+    names += (names.empty() ? "" : ", ") + parameter.name;
+  }
+  return names;
+}
+
+const ParameterInfo* findParameter(const ElementType& type, const std::string& name) {
+  const auto found = std::find_if(type.parameters.begin(), type.parameters.end(),
+                                  [&](const ParameterInfo& parameter) { return parameter.name == name; });
+  return found == type.parameters.end() ? nullptr : &*found;
+}
+
+const ElementType& requireType(const std::string& name) {
+  if (const ElementType* type = findElementType(name)) {
+    return *type;
+  }
+  std::string names;
+  for (const ElementType& type : elementTypes()) {
+    names += (names.empty() ? "" : ", ") + type.name;
+  }
+  throw std::invalid_argument(fmt::format("type: '{}' is not an element; accepted: {}", name, names));
+}
+
+void checkValue(const ElementType& type, const ParameterInfo& parameter, const std::vector<double>& values) {
+  if (!parameter.is_list && values.size() != 1) {
+    throw std::invalid_argument(fmt::format("{}.{}: takes one number, not {}", type.name, parameter.name, values.size()));
+  }
+  for (const double value : values) {
+    if (!parameter.range.contains(value)) {
+      throw std::invalid_argument(fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type.name, parameter.name,
+                                              value, parameter.unit, describe(parameter.range)));
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<ElementType>& elementTypes() {
+  static const std::vector<ElementType> types = {
+      springType(),
+      dashpotType(),
+      maxwellType(),
+      bergFrictionType(),
+  };
+  return types;
+}
+
+const ElementType* findElementType(const std::string& name) {
+  const auto& types = elementTypes();
+  const auto found =
+      std::find_if(types.begin(), types.end(), [&](const ElementType& type) { return type.name == name; });
+  return found == types.end() ? nullptr : &*found;
+}
+
+ElementDescription complete(const ElementDescription& description) {
+  const ElementType& type = requireType(description.type);
+  for (const auto& [name, values] : description.values) {
+    const ParameterInfo* parameter = findParameter(type, name);
+    if (parameter == nullptr) {
+      throw std::invalid_argument(
+          fmt::format("{}.{}: unknown key; accepted: {}", type.name, name, parameterNames(type)));
+    }
+    checkValue(type, *parameter, values);
+  }
+  ElementDescription result = description;
+  for (const ParameterInfo& parameter : type.parameters) {
+    if (result.values.count(parameter.name) != 0) {
+      continue;
+    }
+    if (!parameter.default_value) {
+      throw std::invalid_argument(fmt::format("{}.{}: missing; needed is {} [{}], {}", type.name, parameter.name,
+                                              parameter.documentation, parameter.unit, describe(parameter.range)));
+    }
+    result.values[parameter.name] = {*parameter.default_value};
+  }
+  return result;
+}
+
+ElementPointer makeElement(const ElementDescription& description) {
+  const ElementDescription full = complete(description);
+  return requireType(full.type).make(full);
+}
+
+}  // namespace rubber_suspension

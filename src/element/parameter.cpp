@@ -1,0 +1,32 @@
+// Text and membership of ranges of parameters.
+#include "rubber_suspension/element/parameter.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rubber_suspension {
+
+bool Range::contains(double value) const {
+  const bool above = open_lower ? value > lower : value >= lower;
+  const bool below = open_upper ? value < upper : value <= upper;
+  return std::isfinite(value) && above && below;
+}
+
+std::string describe(const Range& range) {
+  const bool bounded_below = std::isfinite(range.lower);
+  const bool bounded_above = std::isfinite(range.upper);
+  if (bounded_below && bounded_above) {
+    return fmt::format("in {}{:g}, {:g}{}", range.open_lower ? "(" : "[", range.lower, range.upper,
+                       range.open_upper ? ")" : "]");
+  }
+  if (bounded_below) {
+    return fmt::format("{} {:g}", range.open_lower ? "greater than" : "at least", range.lower);
+  }
+  if (bounded_above) {
+    return fmt::format("{} {:g}", range.open_upper ? "less than" : "at most", range.upper);
+  }
+  return "any finite number";
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,15 @@
+// Linear spring.
+#include "rubber_suspension/element/spring.h"
+
+namespace rubber_suspension {
+
+ElementType springType() {
+  return {"spring",
+          "Linear spring, F = k z.",
+          {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness k"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const Spring>(description.value("stiffness"));
+          }};
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,2 @@
+// Specification, models and their tables.
+#include "rubber_suspension/estimation/specification.h"

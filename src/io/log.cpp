@@ -1,0 +1,2 @@
+// Logs.
+#include "rubber_suspension/io/log.h"
