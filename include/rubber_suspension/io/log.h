@@ -1,7 +1,9 @@
 // A recorded log: displacement and force over time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,12 +12,12 @@ namespace rubber_suspension {
 
 /// A log in SI units; all vectors that are not empty have the same length.
 struct Log {
-  std::string name;                   ///< file name without folder and extension
-  std::vector<std::int64_t> stamp;    ///< [ns]
-  std::vector<double> displacement;   ///< [m]
-  std::vector<double> force;          ///< measured [N]; empty if the log has none
-  std::vector<double> temperature;    ///< [degC]; empty if the log has none
-  std::vector<std::string> notes;     ///< what was ignored and why
+  std::string name;                  ///< file name without folder and extension
+  std::vector<std::int64_t> stamp;   ///< [ns]
+  std::vector<double> displacement;  ///< [m]
+  std::vector<double> force;         ///< measured [N]; empty if the log has none
+  std::vector<double> temperature;   ///< [degC]; empty if the log has none
+  std::vector<std::string> notes;    ///< what was ignored and why
 
   std::size_t size() const { return stamp.size(); }
   double time(std::size_t i) const { return static_cast<double>(stamp[i]) * 1e-9; }  ///< [s]
@@ -27,11 +29,38 @@ class LogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Read a CSV log (columns time_s, displacement_<unit>, force_<unit>, temperature_degC). Throws LogError.
-/// Time has to increase from row to row; every number has to be finite.
-Log readCsvLog(const std::string& path);
+/// How to find time, displacement and force in a file whose columns do not follow the rule of names.
+struct LogFormat {
+  std::string time_column;          ///< empty: time_s
+  std::string displacement_column;  ///< empty: displacement_<unit>
+  std::string force_column;         ///< empty: force_<unit>
+  std::string temperature_column;   ///< empty: temperature_degC
+  std::string displacement_unit;    ///< of a mapped column without unit in its name; empty: m
+  std::string force_unit;           ///< likewise; empty: N
+  std::optional<double> rate;       ///< sampling rate [Hz] of a log without time column; the first sample is at 0 s
+};
 
-/// Write `time_s,displacement_m,force_N`, 17 digits, so that it reads back bit by bit. Throws LogError.
+/// The format that options of a command describe: `--columns displacement=D force=F`, `--unit mm,kN`, `--rate 1000`
+/// (rate 0: not given). Throws std::invalid_argument that names option, value and what is accepted.
+LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
+
+/// Bounds on a CSV log; a file beyond them is refused.
+constexpr std::size_t kMaximumLogRows = 20000000;   // 5.5 hours at 1 kHz
+constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
+
+/// Read a CSV log: a header with columns time_s, displacement_<m|mm|um>, force_<N|kN|MN> (optional), temperature_degC
+/// (optional); then one row per sample. Separator is the comma; line ends LF or CRLF, UTF-8 with or without byte order
+/// mark. Any further column is ignored with a note. Refused, with file, line and reason: a field that is no finite
+/// number, a row of another length, a blank line between rows, time that does not increase from row to row, less than
+/// two rows. Time becomes the nearest integer nanosecond. Throws LogError.
+Log readCsvLog(const std::string& path, const LogFormat& format = {});
+
+/// Check a log from any source: lengths agree, time increases, all is finite, at least two samples.
+/// Throws LogError that names log, sample and value.
+void checkLog(const Log& log);
+
+/// Write `time_s,displacement_m,force_N`; time as exact decimal, the others with 17 digits: all reads back bit by bit.
+/// Throws LogError.
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force);
 
 }  // namespace rubber_suspension

@@ -1,0 +1,22 @@
+// Small helpers on text that the readers share.
+#pragma once
+
+#include <locale.h>
+
+#include <string>
+
+namespace rubber_suspension {
+
+/// The locale in which a decimal point is a point, whatever the user's is.
+inline locale_t cLocale() {
+  static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
+  return locale;
+}
+
+/// The text without blanks at its ends.
+inline std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace rubber_suspension
