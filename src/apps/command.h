@@ -1,0 +1,60 @@
+// The frame of every command: options, --version, exit status, errors in one line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace rubber_suspension {
+
+/// Options that are each right, but not together: exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2 };
+
+/// What a command does once its options are read; returns the exit status.
+using CommandBody = std::function<int()>;
+
+inline void printError(const std::string& command, std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << command << ": " << message << '\n';
+}
+
+/// Run a command. `define` adds the options to the parser and returns the body; the variables that the options fill
+/// have to live as long as the body, so let it own them (a shared_ptr). An exception of the body is printed as one line
+/// on stderr and ends in exit status 1, wrong options in 2.
+inline int runCommand(int argc, char** argv, const std::string& name, const std::string& description,
+                      const std::function<CommandBody(CLI::App&)>& define) {
+  try {
+    CLI::App app(description, name);
+    app.set_version_flag("--version", name + " " + RUBBER_SUSPENSION_VERSION);
+    const CommandBody body = define(app);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& request) {  // --help, --version
+      return app.exit(request);
+    } catch (const CLI::ParseError& error) {
+      throw UsageError(std::string(error.what()) + " (see --help)");
+    }
+    const int status = body();
+    if (!std::cout.flush()) {
+      throw std::runtime_error("standard output cannot be written");
+    }
+    return status;
+  } catch (const UsageError& error) {
+    printError(name, error.what());
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    printError(name, error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace rubber_suspension
