@@ -1,2 +1,293 @@
-// Specification, models and their tables.
+// Tables of the specification and of the models, their check, and the dispatch of the estimation.
 #include "rubber_suspension/estimation/specification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "models.h"
+#include "solvability.h"
+
+namespace rubber_suspension {
+namespace {
+
+// More than this ratio of dynamic to static stiffness is a slip of a power of ten, not rubber (1.1 to about 4).
+constexpr double kLargestStiffnessRatio = 10.0;
+
+struct NamedModel {
+  ModelInfo info;
+  std::string name;
+  std::optional<Obstacle> (*obstacle)(const Specification&);
+  std::vector<ElementDescription> (*elements)(const Specification&);
+};
+
+std::optional<Obstacle> noObstacle(const Specification& /*specification*/) { return std::nullopt; }
+std::vector<ElementDescription> noElements(const Specification& /*specification*/) { return {}; }
+
+const std::vector<NamedModel>& models() {
+  static const std::vector<NamedModel> table = {
+      {{Model::kelvin_voigt,
+        "M1: spring and dashpot; the spring is K_n, static stiffness takes no part",
+        {"dynamic_stiffness", "nominal_frequency"},
+        {{"relative_damping", "loss_angle"}},
+        {"static_stiffness"},
+        {}},
+       "kelvin_voigt",
+       noObstacle,
+       estimateKelvinVoigt},
+      {{Model::maxwell,
+        "M2: spring and one Maxwell element",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency"},
+        {{"break_frequency", "loss_angle", "relative_damping", "maximum_stiffness"}},
+        {},
+        {}},
+       "maxwell",
+       maxwellObstacle,
+       estimateMaxwell},
+      {{Model::maxwell_dashpot,
+        "M3: spring, one Maxwell element and dashpot",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "break_frequency"},
+        {{"relative_damping", "loss_angle"}},
+        {},
+        {}},
+       "maxwell_dashpot",
+       maxwellDashpotObstacle,
+       estimateMaxwellDashpot},
+      {{Model::friction,
+        "M4: spring and Berg friction",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "nominal_amplitude"},
+        {{"relative_damping", "loss_angle"}},
+        {},
+        {}},
+       "friction",
+       frictionObstacle,
+       estimateFriction},
+      {{Model::friction_dashpot,
+        "M5: spring, Berg friction and dashpot; K_n holds between the turning points, where the dashpot has no force",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "nominal_amplitude"},
+        {{"relative_damping", "loss_angle"}},
+        {"viscous_share"},
+        {}},
+       "friction_dashpot",
+       frictionDashpotObstacle,
+       estimateFrictionDashpot},
+      {{Model::berg,
+        "M6: spring, Berg friction and one Maxwell element",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency", "nominal_amplitude", "break_frequency"},
+        {{"relative_damping", "loss_angle"}},
+        {"viscous_share"},
+        {}},
+       "berg",
+       bergObstacle,
+       estimateBerg},
+      {{Model::multi_maxwell,
+        "M2 with n_M Maxwell elements from five inputs; without low_frequency it is n_M f_h/10^(n_M-1), which is a "
+        "reconstruction of the paper's illegible Eq. 22",
+        {"static_stiffness", "dynamic_stiffness", "nominal_frequency"},
+        {},
+        {"maxwell_elements", "low_frequency"},
+        {{"maximum_stiffness", "high_frequency", "loss_angle"}}},
+       "multi_maxwell",
+       multiMaxwellObstacle,
+       estimateMultiMaxwell},
+      {{Model::elements, "a list of elements, nothing to estimate", {}, {}, {}, {}},
+       "elements",
+       noObstacle,
+       noElements},
+  };
+  return table;
+}
+
+const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
+
+const ParameterInfo* findParameter(const std::string& name) {
+  const auto& table = specificationParameters();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+std::vector<std::string> acceptedKeys(const ModelInfo& info) {
+  std::vector<std::string> keys = info.required;
+  for (const auto& groups : {info.one_of, info.two_of}) {
+    for (const auto& group : groups) {
+      keys.insert(keys.end(), group.begin(), group.end());
+    }
+  }
+  keys.insert(keys.end(), info.optional.begin(), info.optional.end());
+  return keys;
+}
+
+void checkKeys(const NamedModel& model, const Specification& specification) {
+  const std::vector<std::string> accepted = acceptedKeys(model.info);
+  for (const auto& [key, value] : specification.values()) {
+    if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
+      const std::string what = findParameter(key) == nullptr ? "unknown key" : "not an input of model " + model.name;
+      throw std::invalid_argument(
+          fmt::format("{}: {}; accepted: {}", key, what, accepted.empty() ? "no specification" : join(accepted)));
+    }
+  }
+}
+
+void checkRange(const std::string& key, double value) {
+  const ParameterInfo& parameter = *findParameter(key);
+  if (!parameter.range.contains(value)) {
+    throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
+                                            parameter.unit == "1" ? "" : " " + parameter.unit,
+                                            describe(parameter.range), parameter.documentation));
+  }
+  if (key == "maxwell_elements" && value != std::floor(value)) {
+    throw std::invalid_argument(fmt::format("{}: {:g} is not a whole number; accepted: whole numbers {}", key, value,
+                                            describe(parameter.range)));
+  }
+}
+
+void checkGroup(const NamedModel& model, const Specification& specification, const std::vector<std::string>& group,
+                std::size_t needed) {
+  std::vector<std::string> given;
+  std::copy_if(group.begin(), group.end(), std::back_inserter(given),
+               [&](const std::string& key) { return specification.has(key); });
+  if (given.size() != needed) {
+    throw std::invalid_argument(fmt::format("{}: model {} takes exactly {} of {}, given: {}", join(group), model.name,
+                                            needed == 1 ? "one" : "two", join(group),
+                                            given.empty() ? "none" : join(given)));
+  }
+}
+
+void checkPresence(const NamedModel& model, const Specification& specification) {
+  for (const std::string& key : model.info.required) {
+    if (!specification.has(key)) {
+      throw std::invalid_argument(
+          fmt::format("{}: missing; model {} requires {}", key, model.name, join(model.info.required)));
+    }
+  }
+  for (const auto& group : model.info.one_of) {
+    checkGroup(model, specification, group, 1);
+  }
+  for (const auto& group : model.info.two_of) {
+    checkGroup(model, specification, group, 2);
+  }
+}
+
+std::optional<Obstacle> findObstacle(const NamedModel& model, const Specification& specification) {
+  if (auto obstacle = stiffnessObstacle(specification)) {
+    return obstacle;
+  }
+  return model.obstacle(specification);
+}
+
+[[noreturn]] void refuse(const NamedModel& model, const Specification& specification, const Obstacle& obstacle) {
+  const std::string remedy = describeSolvableInputs(
+      specification, [&](const Specification& changed) { return !findObstacle(model, changed).has_value(); });
+  throw std::invalid_argument(fmt::format(
+      "{} {}; accepted: {}", inputText(specification, obstacle.key), obstacle.reason,
+      remedy.empty() ? "no value of any single input with the others kept" : remedy + " (each with the others kept)"));
+}
+
+}  // namespace
+
+std::string toString(Model model) { return entry(model).name; }
+
+std::optional<Model> modelFromString(const std::string& name) {
+  for (const NamedModel& model : models()) {
+    if (model.name == name) {
+      return model.info.model;
+    }
+  }
+  return std::nullopt;
+}
+
+const std::vector<ParameterInfo>& specificationParameters() {
+  static const std::vector<ParameterInfo> table = {
+      {"static_stiffness", "N/m", Range::positive(), std::nullopt, "static stiffness K_st"},
+      {"dynamic_stiffness", "N/m", Range::positive(), std::nullopt, "dynamic stiffness K_n at the nominal frequency"},
+      {"nominal_frequency", "Hz", Range::positive(), std::nullopt, "frequency f_n at which K_n and loss angle hold"},
+      {"maximum_stiffness", "N/m", Range::positive(), std::nullopt, "stiffness K_max at very high frequency"},
+      {"high_frequency", "Hz", Range::positive(), std::nullopt, "upper end f_h of the frequencies of interest"},
+      {"low_frequency", "Hz", Range::positive(), std::nullopt,
+       "lower end f_l of the frequencies of interest; n_M f_h/10^(n_M-1) if absent"},
+      {"maxwell_elements", "1", Range::closed(2, 20), 5.0,
+       "number n_M of Maxwell elements; one element is the model maxwell"},
+      {"nominal_amplitude",
+       "m",
+       {0.0, 1.0, true, false},
+       std::nullopt,
+       "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
+      {"loss_angle", "rad", Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle at the nominal frequency"},
+      {"relative_damping",
+       "1",
+       {0.0, 1.0, true, false},
+       std::nullopt,
+       "relative damping D_n = tan(loss angle)/2, 0.05 for 5 %"},
+      {"break_frequency", "Hz", Range::positive(), std::nullopt, "break frequency f_b of the Maxwell element"},
+      {"viscous_share", "1", {0.0, 1.0, false, true}, 0.2, "viscous share of the loss energy at (f_n, A_n)"},
+  };
+  return table;
+}
+
+const ModelInfo& modelInfo(Model model) { return entry(model).info; }
+
+void checkSpecification(Model model, const Specification& specification) {
+  checkKeys(entry(model), specification);
+  for (const auto& [key, value] : specification.values()) {
+    checkRange(key, value);
+  }
+  checkPresence(entry(model), specification);
+}
+
+std::vector<ElementDescription> estimate(Model model, const Specification& specification) {
+  checkSpecification(model, specification);
+  if (const auto obstacle = findObstacle(entry(model), specification)) {
+    refuse(entry(model), specification, *obstacle);
+  }
+  return entry(model).elements(specification);
+}
+
+double lossAngle(const Specification& specification) {
+  return specification.has("loss_angle") ? specification.at("loss_angle")
+                                         : std::atan(2.0 * specification.at("relative_damping"));
+}
+
+double valueOrDefault(const Specification& specification, const std::string& key) {
+  return specification.has(key) ? specification.at(key) : findParameter(key)->default_value.value();
+}
+
+std::string inputText(const Specification& specification, const std::string& key) {
+  const std::string unit = findParameter(key)->unit;
+  return fmt::format("{}: {:.6g}{}", key, specification.at(key), unit == "1" ? "" : " " + unit);
+}
+
+std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
+  const auto compare = [&](const char* low, const char* high) -> std::optional<Obstacle> {
+    if (specification.has(low) && specification.has(high) && specification.at(high) <= specification.at(low)) {
+      return Obstacle{high, "is not above " + inputText(specification, low)};
+    }
+    return std::nullopt;
+  };
+  if (auto obstacle = compare("static_stiffness", "dynamic_stiffness")) {
+    return obstacle;
+  }
+  if (auto obstacle = compare("dynamic_stiffness", "maximum_stiffness")) {
+    return obstacle;
+  }
+  for (const char* key : {"dynamic_stiffness", "maximum_stiffness"}) {
+    if (specification.has("static_stiffness") && specification.has(key) &&
+        specification.at(key) > kLargestStiffnessRatio * specification.at("static_stiffness")) {
+      return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
+                                       kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubber_suspension

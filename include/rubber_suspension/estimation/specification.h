@@ -52,6 +52,7 @@ struct ModelInfo {
   std::vector<std::string> required;
   std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one
   std::vector<std::string> optional;
+  std::vector<std::vector<std::string>> two_of;  ///< of each group exactly two
 };
 
 const ModelInfo& modelInfo(Model model);

@@ -1,0 +1,157 @@
+// M4 (Berg friction), M5 (with dashpot) and M6 (with Maxwell element), from stiffness and loss at (f_n, A_n).
+// Sources: Polach (IAVSD 2015); M. Berg, Proc. IMechE F 211 (1997) 95-108.
+#include <fmt/format.h>
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <complex>
+
+#include "models.h"
+
+namespace rubber_suspension {
+namespace {
+
+// The settled Berg loop of amplitude z0 follows from one number, u = 2 z0/(z2 (1 + mu0)), mu0 = F_f0/F_max:
+// that the branch which starts at -F_f0 ends at F_f0 gives mu0 = u/(2 + u). u -> 0 is a spring, u -> inf is Coulomb.
+double settledMu(double u) { return u / (2.0 + u); }
+
+// Loss of the settled loop over F_f0 z0: 4 ((2 + u) u - 2 (1 + u) ln(1 + u))/u^2, rising from 0 to 4 (Coulomb).
+double lossRatio(double u) {
+  if (u > 0.1) {
+    return 4.0 * ((2.0 + u) * u - 2.0 * (1.0 + u) * std::log1p(u)) / (u * u);
+  }
+  // The difference cancels at small u; its series is 8 sum over n >= 3 of (-1)^(n+1) u^(n-2)/(n (n-1)).
+  double sum = 0.0;
+  double power = u;
+  for (int n = 3; n < 20; ++n) {
+    sum += power / (n * (n - 1));
+    power *= -u;
+  }
+  return 8.0 * sum;
+}
+
+constexpr double kCoulombLossRatio = 4.0;
+// Keeps the root away from Coulomb friction, u = infinity.
+constexpr double kMargin = 1e-12;
+
+// Root of an increasing function of u, which may lie decades away.
+template <class Function>
+double solveForU(Function function) {
+  boost::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::bracket_and_solve_root(
+      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+// Berg element whose settled loop of this amplitude has this u and this peak force.
+ElementDescription bergElement(double u, double peak_force, double amplitude) {
+  const double mu = settledMu(u);
+  return {"friction", {{"maximum_force", {peak_force / mu}}, {"displacement", {2.0 * amplitude / (u * (1.0 + mu))}}}};
+}
+
+// What the working point asks for, loss and stiffness over amplitude.
+struct WorkingPoint {
+  double k_st;            // [N/m]
+  double k_n;             // [N/m]
+  double loss_stiffness;  // K_n sin(delta): loss per cycle over pi A^2 [N/m]
+  double viscous_share;   // of the loss [-]
+  double amplitude;       // [m]
+
+  double viscousLossStiffness() const { return viscous_share * loss_stiffness; }
+  // Loss per cycle of the friction over A^2 [N/m].
+  double frictionLoss() const { return M_PI * (1.0 - viscous_share) * loss_stiffness; }
+};
+
+WorkingPoint workingPoint(const Specification& specification, double viscous_share) {
+  const double k_n = specification.at("dynamic_stiffness");
+  return {specification.at("static_stiffness"), k_n, k_n * std::sin(lossAngle(specification)), viscous_share,
+          specification.at("nominal_amplitude")};
+}
+
+double viscousShare(const Specification& specification) { return valueOrDefault(specification, "viscous_share"); }
+
+// Even Coulomb friction, which loses most for its force, cannot lose what is asked: its stiffness is too high already.
+Obstacle tooLossy(double k_lowest) {
+  return {"dynamic_stiffness",
+          fmt::format("is less than the {:.6g} N/m that friction with this loss per cycle brings at least", k_lowest)};
+}
+
+// M4 and M5. A dashpot has no force at the turning points, where the stiffness is taken: K_n = K_st + F_f0/A_n.
+std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
+  const double k_lowest = point.k_st + point.frictionLoss() / kCoulombLossRatio;
+  return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
+}
+
+ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
+  const double friction_stiffness = point.k_n - point.k_st;
+  const double ratio = point.frictionLoss() / friction_stiffness;
+  const double u = solveForU([&](double trial) { return lossRatio(trial) - ratio; });
+  return bergElement(u, friction_stiffness * point.amplitude, point.amplitude);
+}
+
+// M6: K* of spring and Maxwell element at f_n, the latter with the viscous share of the loss.
+std::complex<double> linearStiffness(const WorkingPoint& point, double frequency_ratio /* f_n/f_b */) {
+  const double loss = point.viscousLossStiffness();
+  return {point.k_st + loss * frequency_ratio, loss};
+}
+
+// Peak force over amplitude of the settled loop: Eq. 1 with the true peak, which the viscous part puts a little before
+// the turning point. phase: angle before the turning point.
+double peakStiffness(std::complex<double> linear, double u, double friction_stiffness /* F_f0/A */) {
+  const double mu = settledMu(u);
+  const auto minus_force = [&](double phase) {
+    const double way = u * 0.5 * (1.0 + std::cos(phase));  // from the reference point, over z2 (1 + mu)
+    const double friction = friction_stiffness * (-1.0 + (1.0 / mu + 1.0) * way / (1.0 + way));
+    return -(linear.real() * std::cos(phase) + linear.imag() * std::sin(phase) + friction);
+  };
+  return -boost::math::tools::brent_find_minima(minus_force, 0.0, 0.5 * M_PI, 40).second;
+}
+
+}  // namespace
+
+std::optional<Obstacle> frictionObstacle(const Specification& specification) {
+  return turningPointObstacle(workingPoint(specification, 0.0));
+}
+
+std::optional<Obstacle> frictionDashpotObstacle(const Specification& specification) {
+  return turningPointObstacle(workingPoint(specification, viscousShare(specification)));
+}
+
+std::optional<Obstacle> bergObstacle(const Specification& specification) {
+  const WorkingPoint point = workingPoint(specification, viscousShare(specification));
+  const double ratio = specification.at("nominal_frequency") / specification.at("break_frequency");
+  const double k_lowest = std::abs(linearStiffness(point, ratio)) + point.frictionLoss() / kCoulombLossRatio;
+  return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
+}
+
+std::vector<ElementDescription> estimateFriction(const Specification& specification) {
+  const WorkingPoint point = workingPoint(specification, 0.0);
+  return {{"spring", {{"stiffness", {point.k_st}}}}, frictionAtTurningPoint(point)};
+}
+
+std::vector<ElementDescription> estimateFrictionDashpot(const Specification& specification) {
+  const WorkingPoint point = workingPoint(specification, viscousShare(specification));
+  const double damping = point.viscousLossStiffness() / (2.0 * M_PI * specification.at("nominal_frequency"));
+  return {
+      {"spring", {{"stiffness", {point.k_st}}}}, frictionAtTurningPoint(point), {"dashpot", {{"damping", {damping}}}}};
+}
+
+std::vector<ElementDescription> estimateBerg(const Specification& specification) {
+  const WorkingPoint point = workingPoint(specification, viscousShare(specification));
+  const double break_frequency = specification.at("break_frequency");
+  const double ratio = specification.at("nominal_frequency") / break_frequency;
+  const std::complex<double> linear = linearStiffness(point, ratio);
+  const auto frictionStiffness = [&](double u) { return point.frictionLoss() / lossRatio(u); };
+  const double u =
+      solveForU([&](double trial) { return point.k_n - peakStiffness(linear, trial, frictionStiffness(trial)); });
+  std::vector<ElementDescription> elements = {{"spring", {{"stiffness", {point.k_st}}}},
+                                              bergElement(u, frictionStiffness(u) * point.amplitude, point.amplitude)};
+  if (point.viscous_share > 0.0) {
+    const double stiffness = point.viscousLossStiffness() * (ratio + 1.0 / ratio);
+    elements.push_back({"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}});
+  }
+  return elements;
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,106 @@
+// M1 (Kelvin-Voigt), M2 with one Maxwell element and M3 (Maxwell element and dashpot): closed forms.
+// Source: Polach (IAVSD 2015), Eqs. 10 to 16.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+
+#include "models.h"
+
+namespace rubber_suspension {
+namespace {
+
+// Stiffness k1 that gives |K*(f_n)| = K_n at a break frequency; positive root of
+// k1^2 + 2 K_st k1 = (K_n^2 - K_st^2)(1 + (f_b/f_n)^2).
+double maxwellStiffness(const Specification& specification, double break_frequency) {
+  const double k_st = specification.at("static_stiffness");
+  const double k_n = specification.at("dynamic_stiffness");
+  const double ratio = break_frequency / specification.at("nominal_frequency");
+  const double right = (k_n - k_st) * (k_n + k_st) * (1.0 + ratio * ratio);
+  return right / (k_st + std::sqrt(k_st * k_st + right));
+}
+
+}  // namespace
+
+double breakFrequencyForLossAngle(const Specification& specification) {
+  const std::complex<double> dynamic = std::polar(specification.at("dynamic_stiffness"), lossAngle(specification));
+  return specification.at("nominal_frequency") * dynamic.imag() /
+         (dynamic.real() - specification.at("static_stiffness"));
+}
+
+double breakFrequencyForMaximum(const Specification& specification) {
+  const double k_st = specification.at("static_stiffness");
+  const double k_n = specification.at("dynamic_stiffness");
+  const double k_max = specification.at("maximum_stiffness");
+  return specification.at("nominal_frequency") *
+         std::sqrt((k_max - k_n) * (k_max + k_n) / ((k_n - k_st) * (k_n + k_st)));
+}
+
+std::optional<Obstacle> storageObstacle(const Specification& specification) {
+  const double angle = lossAngle(specification);
+  const double storage = specification.at("dynamic_stiffness") * std::cos(angle);
+  if (storage > specification.at("static_stiffness")) {
+    return std::nullopt;
+  }
+  const std::string key = specification.has("loss_angle") ? "loss_angle" : "relative_damping";
+  return Obstacle{key, fmt::format("leaves a storage stiffness K_n cos(delta) of {:.6g} N/m, not above {}", storage,
+                                   inputText(specification, "static_stiffness"))};
+}
+
+std::optional<Obstacle> maxwellObstacle(const Specification& specification) {
+  const bool by_angle = specification.has("loss_angle") || specification.has("relative_damping");
+  return by_angle ? storageObstacle(specification) : std::nullopt;
+}
+
+std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specification) {
+  if (auto obstacle = storageObstacle(specification)) {
+    return obstacle;
+  }
+  const double limit = breakFrequencyForLossAngle(specification);
+  if (specification.at("break_frequency") < limit) {
+    return std::nullopt;
+  }
+  return Obstacle{"break_frequency",
+                  fmt::format("makes the Maxwell element alone lose more than the loss angle allows, which leaves no "
+                              "dashpot; its limit is {:.6g} Hz",
+                              limit)};
+}
+
+std::vector<ElementDescription> estimateKelvinVoigt(const Specification& specification) {
+  // tan(delta) = 2 pi f c0/k0 = 2 D: Eq. 11. K_n is the storage stiffness; |K*| = K_n/cos(delta).
+  const double stiffness = specification.at("dynamic_stiffness");
+  const double damping =
+      stiffness * std::tan(lossAngle(specification)) / (2.0 * M_PI * specification.at("nominal_frequency"));
+  return {{"spring", {{"stiffness", {stiffness}}}}, {"dashpot", {{"damping", {damping}}}}};
+}
+
+std::vector<ElementDescription> estimateMaxwell(const Specification& specification) {
+  const double k_st = specification.at("static_stiffness");
+  double stiffness = 0.0;
+  double break_frequency = 0.0;
+  if (specification.has("maximum_stiffness")) {
+    break_frequency = breakFrequencyForMaximum(specification);
+    stiffness = specification.at("maximum_stiffness") - k_st;
+  } else {
+    break_frequency = specification.has("break_frequency") ? specification.at("break_frequency")
+                                                           : breakFrequencyForLossAngle(specification);
+    stiffness = maxwellStiffness(specification, break_frequency);
+  }
+  return {{"spring", {{"stiffness", {k_st}}}},
+          {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}}};
+}
+
+std::vector<ElementDescription> estimateMaxwellDashpot(const Specification& specification) {
+  const double k_st = specification.at("static_stiffness");
+  const double f_n = specification.at("nominal_frequency");
+  const double f_b = specification.at("break_frequency");
+  const std::complex<double> dynamic = std::polar(specification.at("dynamic_stiffness"), lossAngle(specification));
+  const double storage = dynamic.real() - k_st;              // of the Maxwell element
+  const double loss = dynamic.imag() - storage * f_b / f_n;  // of the dashpot
+  const double stiffness = storage * (1.0 + (f_b / f_n) * (f_b / f_n));
+  return {{"spring", {{"stiffness", {k_st}}}},
+          {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {f_b}}}},
+          {"dashpot", {{"damping", {loss / (2.0 * M_PI * f_n)}}}}};
+}
+
+}  // namespace rubber_suspension

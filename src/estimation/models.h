@@ -1,0 +1,61 @@
+// What each model family gives to the estimation: why a specification has no solution, and the elements if it has one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension {
+
+/// Why a specification has no solution.
+struct Obstacle {
+  std::string key;     ///< the input that is named first
+  std::string reason;  ///< continues "key: value ..."
+};
+
+/// Loss angle at the nominal frequency [rad], from loss_angle or from relative_damping D = tan(delta)/2 (Polach Eq.
+/// 10).
+double lossAngle(const Specification& specification);
+
+/// What all models ask of their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
+std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
+
+/// "key 4.2e+06 N/m", for reasons that compare two inputs.
+std::string inputText(const Specification& specification, const std::string& key);
+
+/// The input, or the default of its table.
+double valueOrDefault(const Specification& specification, const std::string& key);
+
+/// Break frequency [Hz] at which one Maxwell element of K_max - K_st meets K_n:
+/// f_b = f_n sqrt((K_max^2 - K_n^2)/(K_n^2 - K_st^2)).
+double breakFrequencyForMaximum(const Specification& specification);
+
+/// Break frequency [Hz] at which one Maxwell element meets K_n and the loss angle together:
+/// f_b = f_n K_n sin(delta)/(K_n cos(delta) - K_st), as its loss and its storage stiffness relate as f_b to f_n.
+double breakFrequencyForLossAngle(const Specification& specification);
+
+/// The storage stiffness K_n cos(delta) has to exceed K_st, else nothing is left for a Maxwell element.
+std::optional<Obstacle> storageObstacle(const Specification& specification);
+
+// M1 to M3 and one element of M2 (linear_models.cpp).
+std::optional<Obstacle> maxwellObstacle(const Specification& specification);
+std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specification);
+std::vector<ElementDescription> estimateKelvinVoigt(const Specification& specification);
+std::vector<ElementDescription> estimateMaxwell(const Specification& specification);
+std::vector<ElementDescription> estimateMaxwellDashpot(const Specification& specification);
+
+// M4 to M6 (friction_models.cpp).
+std::optional<Obstacle> frictionObstacle(const Specification& specification);
+std::optional<Obstacle> frictionDashpotObstacle(const Specification& specification);
+std::optional<Obstacle> bergObstacle(const Specification& specification);
+std::vector<ElementDescription> estimateFriction(const Specification& specification);
+std::vector<ElementDescription> estimateFrictionDashpot(const Specification& specification);
+std::vector<ElementDescription> estimateBerg(const Specification& specification);
+
+// M2 with n_M elements (multi_maxwell.cpp).
+std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification);
+std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification);
+
+}  // namespace rubber_suspension
