@@ -3,6 +3,7 @@
 
 #include <locale.h>
 
+#include <cstddef>
 #include <string>
 
 namespace rubber_suspension {
@@ -18,5 +19,8 @@ inline std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
+
+/// The content of a file of at most that many bytes. Throws std::runtime_error with the reason.
+std::string readFile(const std::string& path, std::size_t maximum_size);
 
 }  // namespace rubber_suspension

@@ -1,6 +1,7 @@
 // The component file: YAML that the node and all commands load alike, and write.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,7 +32,15 @@ class ComponentFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Load and check everything, estimation included. Throws ComponentFileError.
+/// Bounds on a component file; one beyond them is refused.
+constexpr std::size_t kMaximumComponentFileSize = 1024 * 1024;  // bytes
+constexpr std::size_t kMaximumComponents = 256;
+constexpr std::size_t kMaximumElements = 1000;     // entries of one `elements` or `add`
+constexpr std::size_t kMaximumListLength = 10000;  // numbers of one list
+
+/// Load and check everything, estimation included. Numbers are SI, text carries its unit. Refused are unknown, missing
+/// and repeated keys, wrong types, units of another dimension, values out of range or not finite, names that are no ROS
+/// base name, and specifications without solution. Throws ComponentFileError.
 std::vector<ComponentDescription> loadComponentFile(const std::string& path);
 
 /// The same from text; `source` stands for the file's name in errors.

@@ -1,0 +1,435 @@
+// The component file: a strict loader, driven by the tables of laws and models, and the writer.
+#include "rubber_suspension/io/component_file.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "rubber_suspension/io/units.h"
+#include "text.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr std::size_t kMaximumNameLength = 100;
+
+std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::vector<std::string> namesOf(const std::vector<ParameterInfo>& table) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& parameter : table) {
+    names.push_back(parameter.name);
+  }
+  return names;
+}
+
+std::vector<std::string> modelNames() {
+  std::vector<std::string> names;
+  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
+    names.push_back(toString(static_cast<Model>(i)));
+  }
+  return names;
+}
+
+std::vector<std::string> elementTypeNames() {
+  std::vector<std::string> names;
+  for (const ElementType& type : elementTypes()) {
+    names.push_back(type.name);
+  }
+  return names;
+}
+
+const ParameterInfo* findRow(const std::vector<ParameterInfo>& table, const std::string& name) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string accepted(const ParameterInfo& parameter) {
+  const Range& range = parameter.range;
+  const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
+  const std::string number = bounded ? "a number " + describe(range) : describe(range);
+  if (parameter.unit == "1") {
+    return number + ", or text such as '5 %'";
+  }
+  return fmt::format("{}, in {}, or text with such a unit", number, parameter.unit);
+}
+
+bool isBaseName(const std::string& name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && name.size() <= kMaximumNameLength && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+// Text that a user wrote, fit for one line of an error.
+std::string quoted(const std::string& text) {
+  std::string shown = text.substr(0, 60);
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return fmt::format("'{}{}'", shown, text.size() > shown.size() ? "..." : "");
+}
+
+std::string kindOf(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Scalar:
+      return quoted(node.Scalar());
+    case YAML::NodeType::Sequence:
+      return "a list";
+    case YAML::NodeType::Map:
+      return "a map";
+    default:
+      return "nothing";
+  }
+}
+
+// One file while it is read. `path` is where in the component a node stands: "specification.loss_angle", "add[0].type".
+class Loader {
+ public:
+  explicit Loader(std::string source) : source_(std::move(source)) {}
+
+  std::vector<ComponentDescription> load(const std::string& text) {
+    const YAML::Node root = parse(text);
+    if (!root.IsMap()) {
+      refuse(root, "", fmt::format("{}; accepted: a map with the key 'components'", kindOf(root)));
+    }
+    checkKeys(root, "", {"components"});
+    const YAML::Node components = require(root, "", "components", "a map of components by name");
+    if (!components.IsMap() || components.size() == 0) {
+      refuse(components, "components", fmt::format("{}; accepted: a map of components by name", kindOf(components)));
+    }
+    if (components.size() > kMaximumComponents) {
+      refuse(components, "components",
+             fmt::format("{} components; accepted: at most {}", components.size(), kMaximumComponents));
+    }
+    checkUnique(components, "components");
+    std::vector<ComponentDescription> result;
+    for (const auto& entry : components) {
+      result.push_back(loadComponent(entry.first, entry.second));
+      component_.clear();
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void refuseLine(int line, const std::string& path, const std::string& problem) const {
+    throw ComponentFileError(fmt::format("{}:{}: {}{}{}{}", source_, line,
+                                         component_.empty() ? "" : fmt::format("component '{}': ", component_), path,
+                                         path.empty() ? "" : ": ", problem));
+  }
+
+  [[noreturn]] void refuse(const YAML::Node& node, const std::string& path, const std::string& problem) const {
+    refuseLine(std::max(node.Mark().line + 1, 1), path, problem);
+  }
+
+  YAML::Node parse(const std::string& text) const {
+    if (text.size() > kMaximumComponentFileSize) {
+      refuseLine(1, "", fmt::format("{} bytes; accepted: at most {}", text.size(), kMaximumComponentFileSize));
+    }
+    const std::size_t zero = text.find('\0');
+    if (zero != std::string::npos) {
+      refuseLine(1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n')),
+                 "", "holds a 0 byte; accepted: text in UTF-8");
+    }
+    try {
+      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+      if (documents.size() > 1) {
+        refuse(documents[1], "", "a second YAML document; accepted: one");
+      }
+      if (documents.empty() || documents[0].IsNull()) {
+        refuseLine(1, "", "the file is empty; accepted: a map with the key 'components'");
+      }
+      return documents[0];
+    } catch (const YAML::Exception& error) {
+      refuseLine(std::max(error.mark.line + 1, 1), "",
+                 fmt::format("not YAML: {}; accepted: a component file", error.msg));
+    }
+  }
+
+  void checkUnique(const YAML::Node& map, const std::string& path) const {
+    std::set<std::string> seen;
+    for (const auto& entry : map) {
+      if (!entry.first.IsScalar()) {
+        refuse(entry.first, path, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
+      }
+      if (!seen.insert(entry.first.Scalar()).second) {
+        refuse(entry.first, child(path, entry.first.Scalar()), "stands twice; accepted: once");
+      }
+    }
+  }
+
+  void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) const {
+    checkUnique(map, path);
+    for (const auto& entry : map) {
+      const std::string& key = entry.first.Scalar();
+      if (std::find(names.begin(), names.end(), key) == names.end()) {
+        refuse(entry.first, child(path, key), fmt::format("unknown key; accepted: {}", join(names)));
+      }
+    }
+  }
+
+  static std::string child(const std::string& path, const std::string& key) {
+    const std::string shown = isBaseName(key) ? key : quoted(key);
+    return path.empty() ? shown : path + "." + shown;
+  }
+
+  YAML::Node require(const YAML::Node& map, const std::string& path, const std::string& key,
+                     const std::string& what) const {
+    const YAML::Node node = map[key];
+    if (!node.IsDefined()) {
+      refuse(map, child(path, key), fmt::format("missing; accepted: {}", what));
+    }
+    return node;
+  }
+
+  ComponentDescription loadComponent(const YAML::Node& key, const YAML::Node& node) {
+    if (!isBaseName(key.Scalar())) {
+      refuse(
+          key, "components",
+          fmt::format("{} is not a name of a component; accepted: a letter, then letters, digits and underscores, at "
+                      "most {} in all",
+                      quoted(key.Scalar()), kMaximumNameLength));
+    }
+    component_ = key.Scalar();
+    if (!node.IsMap()) {
+      refuse(node.IsNull() ? key : node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
+    }
+    ComponentDescription description;
+    description.name = component_;
+    description.model = loadModel(node);
+    loadContent(node, description);
+    try {
+      description.makeComponent();
+    } catch (const std::invalid_argument& error) {
+      refuse(key, "", error.what());
+    }
+    return description;
+  }
+
+  Model loadModel(const YAML::Node& node) const {
+    const YAML::Node model = require(node, "", "model", join(modelNames()));
+    const std::optional<Model> found = model.IsScalar() ? modelFromString(model.Scalar()) : std::nullopt;
+    if (!found) {
+      refuse(model, "model", fmt::format("{} is not a model; accepted: {}", kindOf(model), join(modelNames())));
+    }
+    return *found;
+  }
+
+  void loadContent(const YAML::Node& node, ComponentDescription& description) const {
+    if (description.model == Model::elements) {
+      checkKeys(node, "", {"model", "elements", "add"});
+      description.elements = loadEntries(require(node, "", "elements", "a list of elements"), "elements");
+      if (description.elements.empty()) {
+        refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
+      }
+    } else {
+      checkKeys(node, "", {"model", "specification", "add"});
+      description.specification = loadSpecification(require(node, "", "specification", "a map"), description.model);
+    }
+    if (const YAML::Node add = node["add"]) {
+      description.add = loadEntries(add, "add");
+    }
+  }
+
+  Specification loadSpecification(const YAML::Node& node, Model model) const {
+    if (!node.IsMap()) {
+      refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
+    }
+    const std::vector<ParameterInfo>& table = specificationParameters();
+    checkKeys(node, "specification", namesOf(table));
+    Specification specification;
+    for (const auto& entry : node) {
+      const std::string& key = entry.first.Scalar();
+      specification.set(key, loadNumber(entry.second, child("specification", key), *findRow(table, key)));
+    }
+    try {
+      checkSpecification(model, specification);
+      estimate(model, specification);
+    } catch (const std::invalid_argument& error) {
+      refuseSpecification(node, error.what());
+    }
+    return specification;
+  }
+
+  // The message begins with the key that is to blame, whose line it gets; without one, that of the whole map.
+  [[noreturn]] void refuseSpecification(const YAML::Node& map, const std::string& message) const {
+    const YAML::Node value = map[message.substr(0, message.find(':'))];
+    refuse(value.IsDefined() ? value : map, "", "specification." + message);
+  }
+
+  double loadNumber(const YAML::Node& node, const std::string& path, const ParameterInfo& parameter) const {
+    if (!node.IsScalar()) {
+      refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
+    }
+    double value = 0.0;
+    try {
+      value = parseQuantity(node.Scalar(), parameter.unit);
+    } catch (const std::invalid_argument& error) {
+      refuse(node, path, fmt::format("{}: {}; accepted: {}", quoted(node.Scalar()), error.what(), accepted(parameter)));
+    }
+    if (!parameter.range.contains(value)) {
+      refuse(node, path,
+             fmt::format("{} is {}; accepted: {}", quoted(node.Scalar()),
+                         std::isfinite(value) ? "out of range" : "not finite", accepted(parameter)));
+    }
+    return value;
+  }
+
+  std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
+                                  const ParameterInfo& parameter) const {
+    if (!parameter.is_list || node.IsScalar()) {
+      return {loadNumber(node, path, parameter)};
+    }
+    if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumListLength) {
+      refuse(node, path,
+             fmt::format("{}{}; accepted: a list of 1 to {} numbers, each {}", kindOf(node),
+                         node.IsSequence() ? fmt::format(" of {}", node.size()) : "", kMaximumListLength,
+                         accepted(parameter)));
+    }
+    std::vector<double> values;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      values.push_back(loadNumber(node[i], fmt::format("{}[{}]", path, i), parameter));
+    }
+    return values;
+  }
+
+  std::vector<ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) const {
+    if (!node.IsSequence()) {
+      refuse(node, path, fmt::format("{}; accepted: a list of elements", kindOf(node)));
+    }
+    if (node.size() > kMaximumElements) {
+      refuse(node, path, fmt::format("{} elements; accepted: at most {}", node.size(), kMaximumElements));
+    }
+    std::vector<ElementDescription> entries;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      entries.push_back(loadEntry(node[i], fmt::format("{}[{}]", path, i)));
+    }
+    return entries;
+  }
+
+  const ElementType& loadType(const YAML::Node& node, const std::string& path) const {
+    if (!node.IsMap()) {
+      refuse(node, path, fmt::format("{}; accepted: a map with the key 'type'", kindOf(node)));
+    }
+    const YAML::Node type = require(node, path, "type", join(elementTypeNames()));
+    const ElementType* found = type.IsScalar() ? findElementType(type.Scalar()) : nullptr;
+    if (found == nullptr) {
+      refuse(type, child(path, "type"),
+             fmt::format("{} is not an element; accepted: {}", kindOf(type), join(elementTypeNames())));
+    }
+    return *found;
+  }
+
+  ElementDescription loadEntry(const YAML::Node& node, const std::string& path) const {
+    const ElementType& type = loadType(node, path);
+    std::vector<std::string> keys = namesOf(type.parameters);
+    keys.insert(keys.begin(), "type");
+    checkKeys(node, path, keys);
+    ElementDescription description;
+    description.type = type.name;
+    for (const ParameterInfo& parameter : type.parameters) {
+      if (parameter.default_value && !node[parameter.name].IsDefined()) {
+        continue;
+      }
+      const YAML::Node value = require(node, path, parameter.name, accepted(parameter));
+      description.values[parameter.name] = loadNumbers(value, child(path, parameter.name), parameter);
+    }
+    try {
+      makeElement(description);
+    } catch (const std::invalid_argument& error) {
+      refuse(node, path, error.what());
+    }
+    return description;
+  }
+
+  std::string source_;
+  std::string component_;  // the one being read, for errors
+};
+
+// The shortest text that reads back as the same number.
+std::string number(double value) { return fmt::format("{}", value); }
+
+std::string flowMap(const ElementDescription& description) {
+  std::string text = fmt::format("{{type: {}", description.type);
+  for (const auto& [name, values] : description.values) {
+    std::vector<std::string> numbers(values.size());
+    std::transform(values.begin(), values.end(), numbers.begin(), number);
+    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", join(numbers)));
+  }
+  return text + "}";
+}
+
+std::string entriesYaml(const std::string& key, const std::vector<ElementDescription>& entries) {
+  std::string text = entries.empty() ? "" : fmt::format("    {}:\n", key);
+  for (const ElementDescription& entry : entries) {
+    text += fmt::format("      - {}\n", flowMap(entry));
+  }
+  return text;
+}
+
+std::string specificationYaml(const Specification& specification) {
+  std::string text = "    specification:\n";
+  for (const ParameterInfo& parameter : specificationParameters()) {
+    if (specification.has(parameter.name)) {
+      text += fmt::format("      {}: {}{}\n", parameter.name, number(specification.at(parameter.name)),
+                          parameter.unit == "1" ? "" : fmt::format("  # [{}]", parameter.unit));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<ElementDescription> ComponentDescription::allElements() const {
+  std::vector<ElementDescription> all = model == Model::elements ? elements : estimate(model, specification);
+  all.insert(all.end(), add.begin(), add.end());
+  return all;
+}
+
+std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source) {
+  return Loader(source).load(text);
+}
+
+std::vector<ComponentDescription> loadComponentFile(const std::string& path) {
+  std::string text;
+  try {
+    text = readFile(path, kMaximumComponentFileSize);
+  } catch (const std::runtime_error& error) {
+    throw ComponentFileError(fmt::format("{}: {}", path, error.what()));
+  }
+  return parseComponentFile(text, path);
+}
+
+const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
+                                            const std::string& name) {
+  if (name.empty() && components.size() == 1) {
+    return components.front();
+  }
+  std::vector<std::string> names;
+  for (const ComponentDescription& component : components) {
+    if (component.name == name) {
+      return component;
+    }
+    names.push_back(component.name);
+  }
+  throw ComponentFileError(name.empty()
+                               ? fmt::format("more than one component; accepted: the name of one of {}", join(names))
+                               : fmt::format("no component '{}'; accepted: {}", name, join(names)));
+}
+
+std::string toYaml(const std::vector<ComponentDescription>& components) {
+  std::string text = "components:\n";
+  for (const ComponentDescription& component : components) {
+    text += fmt::format("  {}:\n    model: {}\n", component.name, toString(component.model));
+    text += component.model == Model::elements ? entriesYaml("elements", component.elements)
+                                               : specificationYaml(component.specification);
+    text += entriesYaml("add", component.add);
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension

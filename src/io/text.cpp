@@ -1,0 +1,30 @@
+// Small helpers on text and files that the readers share.
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+namespace rubber_suspension {
+
+std::string readFile(const std::string& path, std::size_t maximum_size) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) {
+    throw std::runtime_error(std::strerror(errno));
+  }
+  std::string text(maximum_size + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get()) != 0) {
+    throw std::runtime_error(std::strerror(errno));
+  }
+  if (text.size() > maximum_size) {
+    throw std::runtime_error(fmt::format("more than {} bytes; accepted: that many at most", maximum_size));
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension

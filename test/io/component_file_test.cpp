@@ -1,0 +1,193 @@
+// The component file: what is accepted, what is written reads back to the same numbers.
+#include "rubber_suspension/io/component_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "io/temporary_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+const char* const kExample = R"(components:
+  left_secondary:
+    model: multi_maxwell
+    specification:
+      static_stiffness: 3.0e6
+      dynamic_stiffness: "4.2 kN/mm"
+      nominal_frequency: 4.0
+      maximum_stiffness: 4.9 MN/m
+      high_frequency: 25
+    add:
+      - {type: friction, maximum_force: 6 kN, displacement: 2.2 mm}
+  bush:
+    model: elements
+    elements:
+      - type: spring
+        stiffness: 1e6
+)";
+
+std::vector<ComponentDescription> parse(const std::string& text) { return parseComponentFile(text, "file.yaml"); }
+
+std::string errorOf(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const ComponentFileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
+  const auto components = parse(kExample);
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].name, "left_secondary");
+  EXPECT_EQ(components[0].model, Model::multi_maxwell);
+  EXPECT_EQ(components[0].specification.at("static_stiffness"), 3.0e6);
+  EXPECT_DOUBLE_EQ(components[0].specification.at("dynamic_stiffness"), 4.2e6);
+  EXPECT_DOUBLE_EQ(components[0].specification.at("maximum_stiffness"), 4.9e6);
+  ASSERT_EQ(components[0].add.size(), 1u);
+  EXPECT_EQ(components[0].add[0].type, "friction");
+  EXPECT_EQ(components[0].add[0].value("maximum_force"), 6000.0);
+  EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
+  EXPECT_EQ(components[1].model, Model::elements);
+  EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
+  // Spring, five Maxwell elements and the friction added.
+  EXPECT_EQ(components[0].allElements().size(), 7u);
+}
+
+TEST(ComponentFile, AnglesAndPercentAreConverted) {
+  const auto components = parse(R"(components:
+  a:
+    model: kelvin_voigt
+    specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4, loss_angle: 5.7 deg}
+  b:
+    model: kelvin_voigt
+    specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4, relative_damping: 5 %}
+)");
+  EXPECT_DOUBLE_EQ(components[0].specification.at("loss_angle"), 5.7 * M_PI / 180.0);
+  EXPECT_DOUBLE_EQ(components[1].specification.at("relative_damping"), 0.05);
+}
+
+// A parameter server hands on "3.0e6" as text: YAML 1.1 wants a sign in the exponent.
+TEST(ComponentFile, ANumberAsTextIsInSiUnits) {
+  const auto components = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: '3.0e6'}]}}");
+  EXPECT_EQ(components[0].elements[0].value("stiffness"), 3.0e6);
+}
+
+TEST(ComponentFile, AnAliasIsAPlainCopy) {
+  const auto components = parse(R"(components:
+  a:
+    model: elements
+    elements: &bush
+      - {type: spring, stiffness: 1.0e+6}
+  b:
+    model: elements
+    elements: *bush
+)");
+  EXPECT_EQ(components[1].elements[0].value("stiffness"), 1e6);
+}
+
+TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
+  std::string text = "a0: &a0 [x, x]\n";
+  for (int i = 1; i < 60; ++i) {  // 2^60 leaves if it were expanded
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + ", *a" +
+            std::to_string(i - 1) + "]\n";
+  }
+  EXPECT_THAT(errorOf(text), HasSubstr("unknown key"));
+  EXPECT_THAT(errorOf("components: &c\n  a: *c\n"), HasSubstr("file.yaml:"));
+}
+
+TEST(ComponentFile, DeepNestingIsRefused) {
+  EXPECT_THAT(errorOf("components: " + std::string(500000, '[')), HasSubstr("file.yaml:1: not YAML"));
+  std::string nested;
+  for (int depth = 0; depth < 1200; ++depth) {
+    nested += std::string(static_cast<std::size_t>(depth), ' ') + "a:\n";
+  }
+  EXPECT_THAT(errorOf(nested), HasSubstr("file.yaml:"));
+  std::string dashes;
+  for (int i = 0; i < 200000; ++i) {
+    dashes += "- ";
+  }
+  EXPECT_THAT(errorOf(dashes), HasSubstr("file.yaml:"));
+}
+
+TEST(ComponentFile, SizesAreBounded) {
+  EXPECT_THAT(errorOf(std::string(kMaximumComponentFileSize + 1, '#')), HasSubstr("bytes; accepted: at most 1048576"));
+
+  std::string many = "components:\n";
+  for (std::size_t i = 0; i <= kMaximumComponents; ++i) {
+    many += "  c" + std::to_string(i) + ": {}\n";
+  }
+  EXPECT_THAT(errorOf(many), HasSubstr("257 components; accepted: at most 256"));
+
+  std::string entries = "components: {a: {model: elements, elements: [";
+  for (std::size_t i = 0; i <= kMaximumElements; ++i) {
+    entries += "{},";
+  }
+  EXPECT_THAT(errorOf(entries + "]}}"), HasSubstr("elements: 1001 elements; accepted: at most 1000"));
+}
+
+TEST(ComponentFile, ErrorsAreOneLine) {
+  const std::string error = errorOf("components: {a: {model: \"bad\\nmodel\\n" + std::string(1000, 'x') + "\"}}");
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+  EXPECT_LT(error.size(), 400u);
+}
+
+TEST(ComponentFile, NamesAFileThatCannotBeRead) {
+  EXPECT_THROW(loadComponentFile("/nonexistent/file.yaml"), ComponentFileError);
+  EXPECT_THROW(loadComponentFile("/"), ComponentFileError);
+  EXPECT_THROW(loadComponentFile("/dev/zero"), ComponentFileError);
+}
+
+TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
+  const auto two = parse(kExample);
+  EXPECT_EQ(selectComponent(two, "bush").name, "bush");
+  EXPECT_THROW(selectComponent(two, "brush"), ComponentFileError);
+  EXPECT_THROW(selectComponent(two, ""), ComponentFileError);
+  const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");
+  EXPECT_EQ(selectComponent(one, "").name, "a");
+}
+
+// Values over the whole range of exponents, and parameters of every law that takes them.
+TEST(ToYaml, ReadsBackBitByBit) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-300.0, 300.0);
+  ComponentDescription component;
+  component.name = "random";
+  component.model = Model::elements;
+  for (int i = 0; i < 200; ++i) {
+    component.elements.push_back({"spring", {{"stiffness", {std::pow(10.0, exponent(random))}}}});
+    component.add.push_back({"maxwell",
+                             {{"stiffness", {std::pow(10.0, exponent(random))}},
+                              {"break_frequency", {std::pow(10.0, exponent(random) / 10.0)}}}});
+  }
+  component.elements.push_back({"spring", {{"stiffness", {std::numeric_limits<double>::min()}}}});
+  const auto read = parse(toYaml({component}));
+  ASSERT_EQ(read.size(), 1u);
+  ASSERT_EQ(read[0].elements.size(), component.elements.size());
+  for (std::size_t i = 0; i < component.elements.size(); ++i) {
+    EXPECT_EQ(read[0].elements[i].values, component.elements[i].values);
+  }
+  ASSERT_EQ(read[0].add.size(), component.add.size());
+  for (std::size_t i = 0; i < component.add.size(); ++i) {
+    EXPECT_EQ(read[0].add[i].values, component.add[i].values);
+  }
+}
+
+TEST(ToYaml, ReadsBackASpecification) {
+  const auto components = parse(kExample);
+  const auto read = parse(toYaml(components));
+  ASSERT_EQ(read.size(), components.size());
+  EXPECT_EQ(read[0].specification.values(), components[0].specification.values());
+  EXPECT_EQ(read[0].add[0].values, components[0].add[0].values);
+  EXPECT_EQ(toYaml(read), toYaml(components));
+}
+
+}  // namespace
+}  // namespace rubber_suspension
