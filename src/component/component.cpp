@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/maxwell_bank.h"
 #include "rubber_suspension/element/spring.h"
 
 namespace rubber_suspension {
@@ -36,24 +38,36 @@ void scale(ComponentForce& force, double factor) {
   force.friction *= factor;
 }
 
-// Root of mismatch(z) = z + compliance F(z) - z_actuator. As no element has a negative tangent stiffness the slope is 1
-// or more, so the root lies between the guess and the guess less its mismatch.
+// Root of mismatch(z) = z + compliance F(z) - z_actuator next to the guess. Where no tangent stiffness is negative the
+// slope is 1 or more, and the root lies between the guess and the guess less its mismatch; otherwise a step or more
+// beyond, each twice as far. NaN where there is none: the specimen has given way.
 template <class Mismatch>
 double solveSeries(Mismatch mismatch, double guess) {
+  constexpr int kWidenings = 60;
+  constexpr int kPrecision = 51;  // bits, all but the last two
   const double at_guess = mismatch(guess);
   if (at_guess == 0.0 || !std::isfinite(at_guess)) {
     return guess;
   }
-  const double other = guess - at_guess;
-  const double at_other = mismatch(other);
-  if (at_other == 0.0 || (at_other > 0.0) == (at_guess > 0.0)) {
-    return other;  // equal signs only by rounding: the mismatch is at its last bits
+  double other = guess - at_guess;
+  double at_other = mismatch(other);
+  // Equal signs may come from rounding alone, when the mismatch is at its last bits.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(guess) + std::abs(other));
+  for (int i = 0; i < kWidenings && at_other * at_guess > 0.0 && std::abs(at_other) > rounding; ++i) {
+    other = guess + 2.0 * (other - guess);
+    at_other = mismatch(other);
+  }
+  if (std::abs(at_other) <= rounding) {
+    return other;
+  }
+  if (!(at_other * at_guess < 0.0)) {
+    return std::numeric_limits<double>::quiet_NaN();
   }
   const bool ascending = other > guess;
-  boost::uintmax_t iterations = 60;
+  boost::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
       mismatch, ascending ? guess : other, ascending ? other : guess, ascending ? at_guess : at_other,
-      ascending ? at_other : at_guess, boost::math::tools::eps_tolerance<double>(50), iterations);
+      ascending ? at_other : at_guess, boost::math::tools::eps_tolerance<double>(kPrecision), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -74,26 +88,63 @@ void ComponentState::restore(double displacement, const std::vector<double>& mem
 }
 
 Component::Component(const std::vector<ElementDescription>& elements) {
-  std::vector<ElementPointer> made;
   for (const ElementDescription& description : elements) {
     descriptions_.push_back(complete(description));
-    made.push_back(makeElement(description));
-    if (const auto* law = std::get_if<std::shared_ptr<const ParallelElement>>(&made.back())) {
-      if (const auto* maxwell = dynamic_cast<const Maxwell*>(law->get())) {
-        maxwells_.push_back({maxwell->stiffness(), maxwell->relaxationTime()});
+    const ElementPointer element = makeElement(description);
+    if (const auto* effect = std::get_if<std::shared_ptr<const DisplacementEffect>>(&element)) {
+      displacement_effects_.push_back({*effect, 0});
+    } else if (const auto* factor = std::get_if<std::shared_ptr<const ForceEffect>>(&element)) {
+      force_effects_.push_back({*factor, 0});
+    } else if (const auto* mount = std::get_if<std::shared_ptr<const SeriesElement>>(&element)) {
+      mount_compliance_ += 1.0 / (*mount)->stiffness();
+    } else {
+      const auto& law = std::get<std::shared_ptr<const ParallelElement>>(element);
+      if (law->onRig()) {
+        rig_.push_back({law, 0});
+      } else {
+        placeSpecimen(law);
       }
     }
   }
-  memory_size_ = maxwells_.size();
-  for (const ElementPointer& element : made) {
-    place(element);
+  reserveMemory();
+}
+
+void Component::placeSpecimen(const std::shared_ptr<const ParallelElement>& law) {
+  const auto addMaxwell = [this](const Maxwell& maxwell) {
+    maxwells_.push_back({maxwell.stiffness(), maxwell.relaxationTime()});
+  };
+  if (const auto* spring = dynamic_cast<const Spring*>(law.get())) {
+    spring_stiffness_ += spring->stiffness();
+  } else if (const auto* dashpot = dynamic_cast<const Dashpot*>(law.get())) {
+    dashpot_damping_ += dashpot->damping();
+  } else if (const auto* maxwell = dynamic_cast<const Maxwell*>(law.get())) {
+    addMaxwell(*maxwell);
+  } else if (const auto* bank = dynamic_cast<const MaxwellBank*>(law.get())) {
+    std::for_each(bank->elements().begin(), bank->elements().end(), addMaxwell);
+  } else if (const auto* berg = dynamic_cast<const BergFriction*>(law.get())) {
+    bergs_.push_back(*berg);
+  } else {
+    specimen_.push_back({law, 0});
   }
-  if (!displacement_effects_.empty()) {
-    behind_effects_slot_ = reserve(1);
+}
+
+template <class Law>
+void Component::placeAll(std::vector<Placed<Law>>& placed) {
+  for (Placed<Law>& element : placed) {
+    element.offset = reserve(element.law->memorySize());
   }
-  if (mount_compliance_ > 0.0) {
-    behind_mount_slot_ = reserve(1);
-  }
+}
+
+void Component::reserveMemory() {
+  reserve(maxwells_.size());
+  bergs_offset_ = reserve(bergs_.size() * BergFriction::kMemorySize);
+  placeAll(specimen_);
+  placeAll(force_effects_);
+  trial_size_ = memory_size_;
+  placeAll(displacement_effects_);
+  placeAll(rig_);
+  behind_effects_slot_ = reserve(displacement_effects_.empty() ? 0 : 1);
+  behind_mount_slot_ = reserve(mount_compliance_ > 0.0 ? 1 : 0);
 }
 
 std::size_t Component::reserve(std::size_t size) {
@@ -102,29 +153,10 @@ std::size_t Component::reserve(std::size_t size) {
   return offset;
 }
 
-void Component::place(const ElementPointer& element) {
-  if (const auto* effect = std::get_if<std::shared_ptr<const DisplacementEffect>>(&element)) {
-    displacement_effects_.push_back({*effect, reserve((*effect)->memorySize())});
-  } else if (const auto* factor = std::get_if<std::shared_ptr<const ForceEffect>>(&element)) {
-    force_effects_.push_back({*factor, reserve((*factor)->memorySize())});
-  } else if (const auto* mount = std::get_if<std::shared_ptr<const SeriesElement>>(&element)) {
-    mount_compliance_ += 1.0 / (*mount)->stiffness();
-  } else {
-    const auto& law = std::get<std::shared_ptr<const ParallelElement>>(element);
-    if (const auto* spring = dynamic_cast<const Spring*>(law.get())) {
-      spring_stiffness_ += spring->stiffness();
-    } else if (const auto* dashpot = dynamic_cast<const Dashpot*>(law.get())) {
-      dashpot_damping_ += dashpot->damping();
-    } else if (dynamic_cast<const Maxwell*>(law.get()) == nullptr) {
-      (law->onRig() ? rig_ : specimen_).push_back({law, reserve(law->memorySize())});
-    }
-  }
-}
-
 ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
-  state.scratch_.resize(mount_compliance_ > 0.0 ? memory_size_ : 0);
+  state.scratch_.resize(mount_compliance_ > 0.0 ? trial_size_ : 0);
   state.maxwell_steps_.resize(maxwells_.size());
   rest(state, 0.0);
   return state;
@@ -140,15 +172,22 @@ void Component::prepare(ComponentState& state, double dt) const {
   state.prepared_dt_ = dt;
 }
 
-ComponentForce Component::specimenRest(double displacement, double* memory) const {
+ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {
   std::fill(memory, memory + maxwells_.size(), 0.0);
   ComponentForce force;
   force.elastic = force.total = spring_stiffness_ * displacement;
+  for (std::size_t i = 0; i < bergs_.size(); ++i) {
+    add(force, Part::friction, bergs_[i].rest(displacement, memory + bergs_offset_ + i * BergFriction::kMemorySize));
+  }
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
   }
   for (const auto& effect : force_effects_) {
-    effect.law->rest(displacement, memory + effect.offset);
+    if (as_new) {
+      effect.law->rest(displacement, memory + effect.offset);
+    } else {
+      scale(force, effect.law->recover(displacement, memory + effect.offset));
+    }
   }
   return force;
 }
@@ -162,7 +201,10 @@ ComponentForce Component::specimenStep(const ComponentState& state, const Motion
     memory[i] = coefficients.decay * memory[i] + coefficients.gain * motion.increment;
     force.viscous += memory[i];
   }
-  force.total = force.elastic + force.viscous;
+  for (std::size_t i = 0; i < bergs_.size(); ++i) {
+    force.friction += bergs_[i].advance(motion.displacement, memory + bergs_offset_ + i * BergFriction::kMemorySize);
+  }
+  force.total = force.elastic + force.viscous + force.friction;
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }
@@ -172,10 +214,12 @@ ComponentForce Component::specimenStep(const ComponentState& state, const Motion
   return force;
 }
 
-double Component::behindMountAtRest(ComponentState& state, double displacement) const {
+double Component::behindMountAtRest(ComponentState& state, double displacement, bool as_new) const {
   return solveSeries(
       [&](double specimen) {
-        return specimen + mount_compliance_ * specimenRest(specimen, state.scratch_.data()).total - displacement;
+        std::copy_n(state.memory_.begin(), trial_size_, state.scratch_.begin());
+        return specimen + mount_compliance_ * specimenRest(specimen, as_new, state.scratch_.data()).total -
+               displacement;
       },
       displacement);
 }
@@ -184,7 +228,7 @@ double Component::behindMount(ComponentState& state, const Motion& motion) const
   const double before = state.memory_[behind_mount_slot_];
   return solveSeries(
       [&](double specimen) {
-        std::copy(state.memory_.begin(), state.memory_.end(), state.scratch_.begin());
+        std::copy_n(state.memory_.begin(), trial_size_, state.scratch_.begin());
         const Motion trial{motion.dt, specimen, specimen - before};
         return specimen + mount_compliance_ * specimenStep(state, trial, state.scratch_.data()).total -
                motion.displacement;
@@ -192,7 +236,7 @@ double Component::behindMount(ComponentState& state, const Motion& motion) const
       before + motion.increment);
 }
 
-ComponentForce Component::rest(ComponentState& state, double displacement) const {
+ComponentForce Component::settle(ComponentState& state, double displacement, bool as_new) const {
   double* memory = state.memory_.data();
   double specimen = displacement;
   for (const auto& effect : displacement_effects_) {
@@ -202,15 +246,23 @@ ComponentForce Component::rest(ComponentState& state, double displacement) const
     memory[behind_effects_slot_] = specimen;
   }
   if (mount_compliance_ > 0.0) {
-    specimen = behindMountAtRest(state, specimen);
+    specimen = behindMountAtRest(state, specimen, as_new);
     memory[behind_mount_slot_] = specimen;
   }
-  ComponentForce force = specimenRest(specimen, memory);
+  ComponentForce force = specimenRest(specimen, as_new, memory);
   for (const auto& element : rig_) {
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
   }
   state.displacement_ = displacement;
   return force;
+}
+
+ComponentForce Component::rest(ComponentState& state, double displacement) const {
+  return settle(state, displacement, true);
+}
+
+ComponentForce Component::recover(ComponentState& state, double displacement) const {
+  return settle(state, displacement, false);
 }
 
 ComponentForce Component::step(ComponentState& state, double dt, double displacement) const {
@@ -238,26 +290,45 @@ ComponentForce Component::step(ComponentState& state, double dt, double displace
   return force;
 }
 
+Tangent Component::tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const {
+  constexpr double kDistance = 1e-8;  // [m]
+  trial = state;
+  const ComponentForce above = step(trial, dt, displacement + kDistance);
+  trial = state;
+  const ComponentForce below = step(trial, dt, displacement - kDistance);
+  const double distance = (displacement + kDistance) - (displacement - kDistance);
+  const double retained = (above.elastic - below.elastic) + (above.friction - below.friction);
+  return {retained / distance, dt * (above.viscous - below.viscous) / distance};
+}
+
 bool Component::linear() const { return complexStiffness(1.0).has_value(); }
 
-std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
-  if (!force_effects_.empty()) {
+std::optional<std::complex<double>> Component::specimenStiffness(double omega) const {
+  if (!force_effects_.empty() || !bergs_.empty()) {
     return std::nullopt;
   }
-  const double omega = 2.0 * M_PI * frequency;
-  std::complex<double> specimen(spring_stiffness_, omega * dashpot_damping_);
+  std::complex<double> sum(spring_stiffness_, omega * dashpot_damping_);
   for (const auto& maxwell : maxwells_) {
     const std::complex<double> iwt(0.0, omega * maxwell.relaxation_time);
-    specimen += maxwell.stiffness * iwt / (1.0 + iwt);
+    sum += maxwell.stiffness * iwt / (1.0 + iwt);
   }
   for (const auto& element : specimen_) {
     const auto stiffness = element.law->complexStiffness(omega);
     if (!stiffness) {
       return std::nullopt;
     }
-    specimen += *stiffness;
+    sum += *stiffness;
   }
-  std::complex<double> total = specimen / (1.0 + mount_compliance_ * specimen);
+  return sum;
+}
+
+std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
+  const double omega = 2.0 * M_PI * frequency;
+  const auto specimen = specimenStiffness(omega);
+  if (!specimen) {
+    return std::nullopt;
+  }
+  std::complex<double> total = *specimen / (1.0 + mount_compliance_ * *specimen);
   for (const auto& effect : displacement_effects_) {
     const auto transfer = effect.law->transfer(omega);
     if (!transfer) {

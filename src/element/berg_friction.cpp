@@ -1,13 +1,15 @@
 // Berg's friction element.
 #include "rubber_suspension/element/berg_friction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace rubber_suspension {
 namespace {
 
-// Layout of the memory: reference point, running extremum since it, and the direction of the branch (+1, -1, 0 at rest).
+// Layout of the memory: reference point, running extremum since it, and the direction of the branch (+1, -1, 0 at
+// rest).
 enum Slot { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection };
 
 // Keeps 0/0 away at the reference point itself once friction is at its maximum.
@@ -52,7 +54,8 @@ double BergFriction::advance(double displacement, double* memory) const {
     memory[kExtremum] = displacement;
   } else if (-beyond > dead_band_) {
     const double turning_point = memory[kExtremum];
-    memory[kReferenceForce] = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+    const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+    memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
     memory[kReferenceDisplacement] = turning_point;
     memory[kExtremum] = displacement;
     memory[kDirection] = -direction;
@@ -82,9 +85,8 @@ ElementType bergFrictionType() {
            {"dead_band", "m", Range::nonNegative(), 0.0,
             "way back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const BergFriction>(description.value("maximum_force"),
-                                                        description.value("displacement"),
-                                                        description.value("dead_band"));
+            return std::make_shared<const BergFriction>(
+                description.value("maximum_force"), description.value("displacement"), description.value("dead_band"));
           }};
 }
 

@@ -6,10 +6,26 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/bump_stop.h"
+#include "rubber_suspension/element/coulomb_friction.h"
+#include "rubber_suspension/element/creep.h"
 #include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/force_drift.h"
+#include "rubber_suspension/element/force_offset.h"
+#include "rubber_suspension/element/free_play.h"
+#include "rubber_suspension/element/inertia.h"
+#include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/progressive_stiffness.h"
+#include "rubber_suspension/element/self_heating.h"
+#include "rubber_suspension/element/series_compliance.h"
 #include "rubber_suspension/element/spring.h"
+#include "rubber_suspension/element/spring_table.h"
+#include "rubber_suspension/element/springpot.h"
+#include "rubber_suspension/element/stress_softening.h"
+#include "rubber_suspension/element/time_delay.h"
 
 namespace rubber_suspension {
 namespace {
@@ -41,12 +57,12 @@ const ElementType& requireType(const std::string& name) {
 
 void checkValue(const ElementType& type, const ParameterInfo& parameter, const std::vector<double>& values) {
   if (!parameter.is_list && values.size() != 1) {
-    throw std::invalid_argument(fmt::format("{}.{}: takes one number, not {}", type.name, parameter.name, values.size()));
+    throw std::invalid_argument(
+        fmt::format("{}.{}: takes one number, not {}", type.name, parameter.name, values.size()));
   }
   for (const double value : values) {
     if (!parameter.range.contains(value)) {
-      throw std::invalid_argument(fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type.name, parameter.name,
-                                              value, parameter.unit, describe(parameter.range)));
+      refuseValue(type.name, parameter.name, value, parameter.unit, describe(parameter.range));
     }
   }
 }
@@ -56,9 +72,26 @@ void checkValue(const ElementType& type, const ParameterInfo& parameter, const s
 const std::vector<ElementType>& elementTypes() {
   static const std::vector<ElementType> types = {
       springType(),
+      progressiveStiffnessType(),
+      asymmetricStiffnessType(),
+      springTableType(),
+      bumpStopType(),
       dashpotType(),
       maxwellType(),
+      springpotType(),
+      creepType(),
       bergFrictionType(),
+      coulombFrictionType(),
+      iwanType(),
+      iwanTableType(),
+      stressSofteningType(),
+      selfHeatingType(),
+      freePlayType(),
+      seriesComplianceType(),
+      timeDelayType(),
+      inertiaType(),
+      forceOffsetType(),
+      forceDriftType(),
   };
   return types;
 }

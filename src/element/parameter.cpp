@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace rubber_suspension {
 
@@ -27,6 +28,12 @@ std::string describe(const Range& range) {
     return fmt::format("{} {:g}", range.open_upper ? "less than" : "at most", range.upper);
   }
   return "any finite number";
+}
+
+void refuseValue(const std::string& type, const std::string& parameter, double value, const std::string& unit,
+                 const std::string& accepted) {
+  throw std::invalid_argument(
+      fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type, parameter, value, unit, accepted));
 }
 
 }  // namespace rubber_suspension

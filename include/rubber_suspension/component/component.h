@@ -6,12 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/maxwell.h"
 
 namespace rubber_suspension {
 
-/// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a copy.
+/// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a
+/// copy.
 class ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
@@ -32,6 +34,13 @@ class ComponentState {
   std::vector<MaxwellStep> maxwell_steps_;
 };
 
+/// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
+/// stiffness + damping/dt.
+struct Tangent {
+  double stiffness;  ///< derivative of the elastic and friction parts by the displacement at the end of the step [N/m]
+  double damping;    ///< dt times that of the viscous part [N s/m]
+};
+
 /// Signal path: displacement -> delay, series mount, free play -> specimen (elements in parallel) -> softening, heating
 /// -> plus what sits on the rig (inertia, offset, drift) -> force.
 ///
@@ -47,8 +56,18 @@ class Component {
   /// Put the component at rest at a displacement [m], relaxed since long and never loaded before.
   ComponentForce rest(ComponentState& state, double displacement) const;
 
+  /// The same component after a long rest at a displacement [m]: relaxed and cooled, what is permanent (stress
+  /// softening) stays.
+  ComponentForce recover(ComponentState& state, double displacement) const;
+
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
   ComponentForce step(ComponentState& state, double dt, double displacement) const;
+
+  /// Linearise the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two trial
+  /// steps 10 nm to either side (relative error about 1e-7 for friction that turns within 0.1 mm, 1e-9 for linear
+  /// laws). At a reversal, where friction has two slopes, it is their mean. `trial` is working space from makeState().
+  /// Neither `state` nor memory allocation is touched.
+  Tangent tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const;
 
   /// True if all elements are linear, so that complexStiffness has a value.
   bool linear() const;
@@ -66,31 +85,41 @@ class Component {
     std::size_t offset;  // of its memory in the state
   };
 
-  void place(const ElementPointer& element);
+  void placeSpecimen(const std::shared_ptr<const ParallelElement>& law);
+  template <class Law>
+  void placeAll(std::vector<Placed<Law>>& placed);
   std::size_t reserve(std::size_t size);
+  void reserveMemory();
   void prepare(ComponentState& state, double dt) const;
-  ComponentForce specimenRest(double displacement, double* memory) const;
+  ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;
-  double behindMountAtRest(ComponentState& state, double displacement) const;
+  ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
+  double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
   double behindMount(ComponentState& state, const Motion& motion) const;
+  std::optional<std::complex<double>> specimenStiffness(double omega) const;
 
   std::vector<ElementDescription> descriptions_;
   std::size_t memory_size_ = 0;
 
-  // Spring, dashpot and Maxwell elements are kept as plain numbers: they are most of every component.
+  // The elements that most components consist of are kept as plain numbers and values, apart from the general ones.
+  // Order of the memory: Maxwell forces, Berg friction, other elements of the specimen, force effects (all that a trial
+  // step of the series solve changes), then displacement effects, rig, and the two displacements below.
   double spring_stiffness_ = 0.0;
   double dashpot_damping_ = 0.0;
   struct MaxwellParameters {
     double stiffness;
     double relaxation_time;
   };
-  std::vector<MaxwellParameters> maxwells_;  // their forces lead the memory
+  std::vector<MaxwellParameters> maxwells_;
+  std::vector<BergFriction> bergs_;
+  std::size_t bergs_offset_ = 0;
 
   std::vector<Placed<ParallelElement>> specimen_;
   std::vector<Placed<ParallelElement>> rig_;
   std::vector<Placed<DisplacementEffect>> displacement_effects_;
   std::vector<Placed<ForceEffect>> force_effects_;
-  double mount_compliance_ = 0.0;       // sum of 1/K_s of all series mounts [m/N]
+  double mount_compliance_ = 0.0;        // sum of 1/K_s of all series mounts [m/N]
+  std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes
   std::size_t behind_effects_slot_ = 0;  // memory: displacement behind the displacement effects
   std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount
 };

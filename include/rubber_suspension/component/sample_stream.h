@@ -36,8 +36,8 @@ struct StreamForce {
   ComponentForce force;  ///< of an accepted sample only
 };
 
-/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same log
-/// gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
+/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same
+/// log gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
 class SampleStream {
  public:
   static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;

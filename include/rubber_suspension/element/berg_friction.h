@@ -25,6 +25,7 @@ class BergFriction final : public ParallelElement {
   double displacement() const { return displacement_; }
   double deadBand() const { return dead_band_; }
 
+  static constexpr std::size_t kMemorySize = 4;
   std::size_t memorySize() const override { return kMemorySize; }
   double rest(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
@@ -43,7 +44,6 @@ class BergFriction final : public ParallelElement {
   double settledLoss(double amplitude) const;
 
  private:
-  static constexpr std::size_t kMemorySize = 4;
   double branch(double displacement, double reference_displacement, double reference_force) const;
 
   double maximum_force_;

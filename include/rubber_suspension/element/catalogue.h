@@ -12,9 +12,8 @@
 
 namespace rubber_suspension {
 
-using ElementPointer =
-    std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
-                 std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
+using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
+                                    std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
 
 /// A law as users see it: its name, what it is for, its parameters and how to make one.
 struct ElementType {

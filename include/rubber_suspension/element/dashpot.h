@@ -6,8 +6,8 @@
 namespace rubber_suspension {
 
 /// F = c dz/dt, the rate being that of the piecewise linear displacement: the force of a sampled sine lags by half a
-/// step, an error of phase of pi f dt. Its stiffness grows without limit with frequency, so it suits a narrow band only.
-/// Source: Polach (IAVSD 2015), element c0 of M1, M3 and M5.
+/// step, an error of phase of pi f dt. Its stiffness grows without limit with frequency, so it suits a narrow band
+/// only. Source: Polach (IAVSD 2015), element c0 of M1, M3 and M5.
 class Dashpot final : public ParallelElement {
  public:
   explicit Dashpot(double damping /* [N s/m] */) : damping_(damping) {}

@@ -72,7 +72,15 @@ class DisplacementEffect : public Element {
 /// A law that scales the specimen's force by its history: stress softening, self-heating.
 class ForceEffect : public Element {
  public:
+  /// Initialise the memory for a new specimen at rest at this displacement [m]; the factor is then 1.
   virtual void rest(double displacement, double* memory) const = 0;
+
+  /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
+  /// factor on the force there.
+  virtual double recover(double displacement, double* memory) const {
+    rest(displacement, memory);
+    return 1.0;
+  }
 
   /// Advance over one step; returns the factor on the specimen's force, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;

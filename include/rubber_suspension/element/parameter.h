@@ -30,12 +30,12 @@ std::string describe(const Range& range);
 
 /// One row of a table of parameters.
 struct ParameterInfo {
-  std::string name;                      ///< the YAML key
-  std::string unit;                      ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
-  Range range;                           ///< admissible values, in that unit
-  std::optional<double> default_value;   ///< absent: the parameter is required
-  std::string documentation;             ///< one sentence for reference page and errors
-  bool is_list = false;                  ///< takes a list of numbers in place of one
+  std::string name;                     ///< the YAML key
+  std::string unit;                     ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
+  Range range;                          ///< admissible values, in that unit
+  std::optional<double> default_value;  ///< absent: the parameter is required
+  std::string documentation;            ///< one sentence for reference page and errors
+  bool is_list = false;                 ///< takes a list of numbers in place of one
 };
 
 /// Values by parameter name; a scalar is a list of one.
@@ -49,5 +49,9 @@ struct ElementDescription {
   /// The scalar parameter of that name. Throws std::out_of_range where it is missing.
   double value(const std::string& name) const { return values.at(name).at(0); }
 };
+
+/// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.
+[[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
+                              const std::string& unit, const std::string& accepted);
 
 }  // namespace rubber_suspension

@@ -1,0 +1,34 @@
+// Even part of a characteristic: a component that is stiffer in one direction than in the other.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// F = k2 z^2 + k_t max(z, 0), to be added to a linear spring. No loss.
+/// Under a sine of amplitude A the first term shifts the mean force by k2 A^2/2 and adds a second harmonic of as much.
+/// Validity: the coefficients may have either sign, so the tangent stiffness of the component becomes negative where
+/// the linear spring no longer outweighs them, below z = -k/(2 k2) for k2 > 0; keep well within.
+/// Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1.
+class AsymmetricStiffness final : public ParallelElement {
+ public:
+  AsymmetricStiffness(double quadratic /* k2 [N/m^2] */, double tension_stiffness /* k_t [N/m] */)
+      : quadratic_(quadratic), tension_stiffness_(tension_stiffness) {}
+
+  double force(double displacement) const {
+    const double tension = displacement > 0.0 ? tension_stiffness_ : 0.0;
+    return displacement * (quadratic_ * displacement + tension);
+  }
+
+  double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
+  Part part() const override { return Part::elastic; }
+
+ private:
+  double quadratic_;
+  double tension_stiffness_;
+};
+
+ElementType asymmetricStiffnessType();
+
+}  // namespace rubber_suspension

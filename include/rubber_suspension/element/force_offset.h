@@ -1,0 +1,25 @@
+// Constant force: zero error of a load cell, or a preload that the displacement does not know of.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// F = F_0. Changes the mean force and nothing else, so its dynamic stiffness is 0.
+class ForceOffset final : public ParallelElement {
+ public:
+  explicit ForceOffset(double offset /* F_0 [N] */) : offset_(offset) {}
+
+  double rest(double /*displacement*/, double* /*memory*/) const override { return offset_; }
+  double step(const Motion& /*motion*/, double* /*memory*/) const override { return offset_; }
+  Part part() const override { return Part::elastic; }
+  bool onRig() const override { return true; }
+  std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return 0.0; }
+
+ private:
+  double offset_;
+};
+
+ElementType forceOffsetType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,33 @@
+// Iwan's friction: a bank of Jenkins sliders with the backbone of Berg's element, or with sliders given one by one.
+#pragma once
+
+#include "rubber_suspension/element/slider_bank.h"
+
+namespace rubber_suspension {
+
+/// Sliders whose backbone lies on a hyperbola like Berg's, F = c z/(z2' + z), at each yield displacement, with F =
+/// F_max/2 at z2 and F = F_max at the greatest yield displacement. The yield displacements are in geometric progression
+/// up to 50 z2, the middle one being z2 itself; with n sliders their ratio is 50^(1/(n - n/2)). Below the least one the
+/// element is a spring without loss. With equal F_max and z2 its settled peak force is higher than that of Berg's
+/// element (for amplitude 2, F_max 5, z2 2.2: 2.37 against 1.99), so parameters do not carry over from one to the
+/// other.
+std::vector<JenkinsSlider> iwanSliders(double maximum_force /* F_max [N] */, double displacement /* z2 [m] */,
+                                       int count /* n, at least 2 */);
+
+/// Smooth bank with two parameters, as a component file has it under `iwan`. Its law, memory and source: SliderBank.
+class Iwan final : public SliderBank {
+ public:
+  Iwan(double maximum_force, double displacement, int count)
+      : SliderBank(iwanSliders(maximum_force, displacement, count)) {}
+};
+
+/// Bank with sliders given one by one, as a component file has it under `iwan_table`.
+class IwanTable final : public SliderBank {
+ public:
+  using SliderBank::SliderBank;
+};
+
+ElementType iwanType();
+ElementType iwanTableType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,50 @@
+// Banks of Jenkins sliders: friction with memory of all reversals, and Coulomb friction as a bank of one.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// A spring k in series with a slider that holds up to the displacement y of the spring.
+struct JenkinsSlider {
+  double yield_displacement;  ///< y [m]
+  double stiffness;           ///< k [N/m]
+
+  double maximumForce() const { return stiffness * yield_displacement; }  ///< [N]
+
+  /// Force [N] at a displacement [m]. `slider` is where the slider stands [m]; it is pulled along beyond yield.
+  double advance(double displacement, double& slider) const {
+    if (displacement - slider > yield_displacement) {
+      slider = displacement - yield_displacement;
+    } else if (slider - displacement > yield_displacement) {
+      slider = displacement + yield_displacement;
+    }
+    return stiffness * (displacement - slider);
+  }
+};
+
+/// Sum of Jenkins sliders. Rate-independent; closes its minor loops exactly, obeys Masing's rules: the settled loop is
+/// the backbone (the curve from rest) doubled in both axes. Not misled by noise smaller than the least yield
+/// displacement. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33 (1966) 893-900; G. Masing,
+/// Proc. 2nd Int. Congr. Appl. Mech. (1926).
+class SliderBank : public ParallelElement {
+ public:
+  explicit SliderBank(std::vector<JenkinsSlider> sliders) : sliders_(std::move(sliders)) {}
+
+  const std::vector<JenkinsSlider>& sliders() const { return sliders_; }
+
+  /// Force at a displacement reached from rest without reversal [N].
+  double backbone(double displacement) const;
+
+  std::size_t memorySize() const override { return sliders_.size(); }
+  double rest(double displacement, double* memory) const override;
+  double step(const Motion& motion, double* memory) const override;
+  Part part() const override { return Part::friction; }
+
+ private:
+  std::vector<JenkinsSlider> sliders_;
+};
+
+}  // namespace rubber_suspension

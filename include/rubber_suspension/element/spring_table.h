@@ -1,0 +1,31 @@
+// Spring whose characteristic is given by points.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// F(z) through the points (z_i, F_i), linear between them and with the end slopes beyond. No loss.
+/// The displacements increase, the forces do not decrease, and F(0) = 0: a preload is a `force_offset`.
+/// Validity: quasi-static characteristic; beyond the ends the table extrapolates without knowledge.
+class SpringTable final : public ParallelElement {
+ public:
+  /// Throws std::invalid_argument on lists that break the rules above.
+  SpringTable(std::vector<double> displacement /* [m] */, std::vector<double> force /* [N] */);
+
+  double force(double displacement) const;
+
+  double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
+  Part part() const override { return Part::elastic; }
+
+ private:
+  std::vector<double> displacement_;
+  std::vector<double> force_;
+};
+
+ElementType springTableType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,38 @@
+// Time delay between the measured displacement and force.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+
+/// The specimen sees z(t - T): the force is late by T, the loss angle grows by 360 degrees times f T.
+///
+/// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
+/// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/254 the samples are
+/// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/254)^2/8 under a
+/// sine. T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below
+/// 1 (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+class TimeDelay final : public DisplacementEffect {
+ public:
+  static constexpr double kLongestAdvance = 0.02;  ///< [s]
+  static constexpr double kLongestDelay = 0.05;    ///< [s]
+
+  explicit TimeDelay(double delay /* T [s] */) : delay_(delay) {}
+
+  std::size_t memorySize() const override;
+  double rest(double displacement, double* memory) const override;
+  double step(const Motion& motion, double* memory) const override;
+
+  /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
+  std::optional<std::complex<double>> transfer(double omega) const override;
+
+ private:
+  void store(double time, double displacement, double* memory) const;
+  double lookUp(double time, const double* memory) const;
+
+  double delay_;
+};
+
+ElementType timeDelayType();
+
+}  // namespace rubber_suspension

@@ -1,0 +1,15 @@
+// Force that grows with time.
+#include "rubber_suspension/element/force_drift.h"
+
+namespace rubber_suspension {
+
+ElementType forceDriftType() {
+  return {"force_drift",
+          "Force that grows with time: drift of the load cell.",
+          {{"rate", "N/s", Range::any(), std::nullopt, "growth of the force per time, of either sign"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const ForceDrift>(description.value("rate"));
+          }};
+}
+
+}  // namespace rubber_suspension

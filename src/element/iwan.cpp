@@ -1,0 +1,88 @@
+// Iwan's friction.
+#include "rubber_suspension/element/iwan.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace rubber_suspension {
+namespace {
+
+constexpr int kMaximumSliders = 64;
+constexpr double kReach = 50.0;  // greatest yield displacement over z2
+
+int sliderCount(const ElementDescription& description) {
+  const double count = description.value("sliders");
+  if (count != std::floor(count)) {
+    refuseValue(description.type, "sliders", count, "1", fmt::format("a whole number in [2, {}]", kMaximumSliders));
+  }
+  return static_cast<int>(count);
+}
+
+std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& description) {
+  const std::vector<double>& yield = description.values.at("yield_displacement");
+  const std::vector<double>& stiffness = description.values.at("stiffness");
+  if (yield.empty() || yield.size() > kMaximumSliders || stiffness.size() != yield.size()) {
+    throw std::invalid_argument(fmt::format(
+        "{}.stiffness: {} values for {} yield displacements; accepted: two lists of one length from 1 to {}",
+        description.type, stiffness.size(), yield.size(), kMaximumSliders));
+  }
+  std::vector<JenkinsSlider> sliders;
+  for (std::size_t i = 0; i < yield.size(); ++i) {
+    sliders.push_back({yield[i], stiffness[i]});
+  }
+  return sliders;
+}
+
+}  // namespace
+
+std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement, int count) {
+  const int middle = count / 2;
+  const double ratio = std::pow(kReach, 1.0 / (count - middle));
+  // The hyperbola h(z) = (z2' + Y)/Y z/(z2' + z) has h(Y) = 1, and h(z2) = 1/2 for this z2'; Y is the greatest yield.
+  const double greatest = kReach * displacement;
+  const double knee = displacement * greatest / (greatest - 2.0 * displacement);
+  const auto hyperbola = [&](double z) { return maximum_force * (knee + greatest) / greatest * z / (knee + z); };
+
+  std::vector<JenkinsSlider> sliders(static_cast<std::size_t>(count));
+  double previous = 0.0;
+  for (int i = 0; i < count; ++i) {
+    JenkinsSlider& slider = sliders[static_cast<std::size_t>(i)];
+    slider.yield_displacement = displacement * std::pow(ratio, i + 1 - middle);
+    // Slope of the chord that ends at this yield; where a slider yields, the slope falls by its stiffness.
+    slider.stiffness =
+        (hyperbola(slider.yield_displacement) - hyperbola(previous)) / (slider.yield_displacement - previous);
+    if (i > 0) {
+      sliders[static_cast<std::size_t>(i - 1)].stiffness -= slider.stiffness;
+    }
+    previous = slider.yield_displacement;
+  }
+  return sliders;
+}
+
+ElementType iwanType() {
+  return {"iwan",
+          "Friction with memory: a bank of Jenkins sliders (Iwan) whose curve from rest is a hyperbola.",
+          {{"maximum_force", "N", Range::positive(), std::nullopt, "force F_max once all sliders slide"},
+           {"displacement", "m", Range::positive(), std::nullopt,
+            "displacement z2 from rest at which friction reaches half of its maximum"},
+           {"sliders", "1", Range::closed(2.0, kMaximumSliders), 16.0, "number of sliders, whole"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const Iwan>(description.value("maximum_force"), description.value("displacement"),
+                                                sliderCount(description));
+          }};
+}
+
+ElementType iwanTableType() {
+  return {"iwan_table",
+          "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
+          {{"yield_displacement", "m", Range::positive(), std::nullopt,
+            "displacement of each slider's spring at which it slides", true},
+           {"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness of each slider's spring", true}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const IwanTable>(slidersFromTable(description));
+          }};
+}
+
+}  // namespace rubber_suspension

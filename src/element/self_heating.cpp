@@ -1,0 +1,41 @@
+// Self-heating.
+#include "rubber_suspension/element/self_heating.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubber_suspension {
+namespace {
+
+enum Slot { kRise, kLossForce };
+
+double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeastFactor, 1.0); }
+
+}  // namespace
+
+void SelfHeating::rest(double /*displacement*/, double* memory) const { memory[kRise] = memory[kLossForce] = 0.0; }
+
+double SelfHeating::step(const Motion& motion, const ComponentForce& force, double* memory) const {
+  const double loss_force = force.viscous + force.friction;
+  const double mean_force = 0.5 * (loss_force + memory[kLossForce]) * factorAt(memory[kRise]);
+  const double ratio = motion.dt / time_constant_;
+  const double one_minus_decay = -std::expm1(-ratio);
+  const double heating = energy_sensitivity_ * mean_force * motion.increment;
+  // At constant power over the step: x+ = x e + s P T (1 - e).
+  memory[kRise] += heating * (one_minus_decay / ratio) - memory[kRise] * one_minus_decay;
+  memory[kLossForce] = loss_force;
+  return factorAt(memory[kRise]);
+}
+
+ElementType selfHeatingType() {
+  return {"self_heating",
+          "Softening by the heat of the specimen's own loss: slow fall under hard work, recovery at rest.",
+          {{"energy_sensitivity", "1/J", Range::positive(), std::nullopt, "relative softening per energy lost"},
+           {"time_constant", "s", Range::positive(), std::nullopt, "time constant of cooling"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const SelfHeating>(description.value("energy_sensitivity"),
+                                                       description.value("time_constant"));
+          }};
+}
+
+}  // namespace rubber_suspension

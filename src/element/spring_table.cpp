@@ -1,0 +1,69 @@
+// Spring whose characteristic is given by points.
+#include "rubber_suspension/element/spring_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rubber_suspension {
+namespace {
+
+constexpr const char* kName = "spring_table";
+
+// A table that does not hold (0, 0) itself passes through it by interpolation, so up to rounding only.
+constexpr double kRelativeOffset = 1e-9;
+
+void checkLengths(const std::vector<double>& displacement, const std::vector<double>& force) {
+  if (displacement.size() < 2 || force.size() != displacement.size()) {
+    throw std::invalid_argument(
+        fmt::format("{}.force: {} values for {} displacements; accepted: as many as displacements, at least 2", kName,
+                    force.size(), displacement.size()));
+  }
+}
+
+void checkOrder(const std::vector<double>& displacement, const std::vector<double>& force) {
+  for (std::size_t i = 1; i < displacement.size(); ++i) {
+    if (!(displacement[i] > displacement[i - 1])) {
+      refuseValue(kName, "displacement", displacement[i], "m",
+                  fmt::format("greater than {:g}, the value before it", displacement[i - 1]));
+    }
+    if (!(force[i] >= force[i - 1])) {
+      refuseValue(kName, "force", force[i], "N", fmt::format("at least {:g}, the value before it", force[i - 1]));
+    }
+  }
+}
+
+}  // namespace
+
+SpringTable::SpringTable(std::vector<double> displacement, std::vector<double> force)
+    : displacement_(std::move(displacement)), force_(std::move(force)) {
+  checkLengths(displacement_, force_);
+  checkOrder(displacement_, force_);
+  const double at_zero = this->force(0.0);
+  if (std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
+    refuseValue(kName, "force", at_zero, "N at displacement 0", "0 there; give a preload as force_offset");
+  }
+}
+
+double SpringTable::force(double displacement) const {
+  const auto after = std::upper_bound(displacement_.begin() + 1, displacement_.end() - 1, displacement);
+  const auto i = static_cast<std::size_t>(after - displacement_.begin());
+  const double slope = (force_[i] - force_[i - 1]) / (displacement_[i] - displacement_[i - 1]);
+  return force_[i - 1] + slope * (displacement - displacement_[i - 1]);
+}
+
+ElementType springTableType() {
+  return {
+      kName,
+      "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
+      {{"displacement", "m", Range::any(), std::nullopt, "displacements of the points, increasing", true},
+       {"force", "N", Range::any(), std::nullopt, "forces of the points, not decreasing, 0 at displacement 0", true}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const SpringTable>(description.values.at("displacement"),
+                                                   description.values.at("force"));
+      }};
+}
+
+}  // namespace rubber_suspension

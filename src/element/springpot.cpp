@@ -1,0 +1,91 @@
+// Springpot: the fractional element realised by Maxwell elements.
+#include "rubber_suspension/element/springpot.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kTwoPi = 2.0 * M_PI;
+constexpr double kMaximumDecades = 10.0;  // of the range; bounds the memory
+const double kSpacing = std::log(10.0) / 2.0;
+constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
+
+// All grid points below `first`: a geometric series of weights x^alpha with centre of gravity
+// sum(x^(alpha+1))/sum(x^alpha). Well above their frequencies their sum is W s/(s + x_t) up to the second moment.
+Maxwell lowTail(double scale, double first, double order) {
+  const double weight = std::pow(first, order) / std::expm1(order * kSpacing);
+  const double moment = std::pow(first, order + 1.0) / std::expm1((order + 1.0) * kSpacing);
+  return {scale * weight, moment / weight / kTwoPi};
+}
+
+// All grid points above `last`: dampings x^(alpha-1), squares x^(alpha-2), for frequencies well below.
+Maxwell highTail(double scale, double last, double order) {
+  const double damping = std::pow(last, order - 1.0) / std::expm1((1.0 - order) * kSpacing);
+  const double square = std::pow(last, order - 2.0) / std::expm1((2.0 - order) * kSpacing);
+  const double break_omega = damping / square;
+  return {scale * damping * break_omega, break_omega / kTwoPi};
+}
+
+std::vector<Maxwell> springpotBank(const SpringpotLaw& law) {
+  // In units of the reference angular frequency; sin(pi alpha) by the nearer end, so that both limits keep their
+  // digits.
+  const double sine = std::sin(M_PI * std::min(law.order, 1.0 - law.order));
+  const double scale = law.stiffness * sine / M_PI * kSpacing;
+  const double first = law.low_frequency / kMargin / law.reference_frequency;
+  const double reach = law.high_frequency / law.low_frequency * kMargin * kMargin;
+  const int intervals = static_cast<int>(std::ceil(std::log(reach) / kSpacing));
+
+  std::vector<Maxwell> elements;
+  const auto addElement = [&](const Maxwell& unit) {
+    elements.emplace_back(unit.stiffness(), law.reference_frequency / unit.relaxationTime());
+  };
+  addElement(lowTail(scale, first, law.order));
+  double last = first;
+  for (int i = 0; i <= intervals; ++i) {
+    last = first * std::exp(i * kSpacing);
+    addElement(Maxwell(scale * std::pow(last, law.order), last / kTwoPi));
+  }
+  addElement(highTail(scale, last, law.order));
+  return elements;
+}
+
+void checkRange(const ElementDescription& description) {
+  const double low = description.value("low_frequency");
+  const double high = description.value("high_frequency");
+  const double most = low * std::pow(10.0, kMaximumDecades);
+  if (!(high > low && high <= most)) {
+    refuseValue(
+        description.type, "high_frequency", high, "Hz",
+        fmt::format("in ({:g}, {:g}], above low_frequency by {:g} decades at most", low, most, kMaximumDecades));
+  }
+}
+
+}  // namespace
+
+std::complex<double> SpringpotLaw::complexStiffness(double omega) const {
+  return std::polar(stiffness * std::pow(omega / (kTwoPi * reference_frequency), order), 0.5 * M_PI * order);
+}
+
+Springpot::Springpot(const SpringpotLaw& law) : MaxwellBank(springpotBank(law)), law_(law) {}
+
+ElementType springpotType() {
+  return {"springpot",
+          "Fractional element, K* = K_r (i f/f_r)^alpha: constant loss angle of 90 degrees times alpha.",
+          {{"stiffness", "N/m", Range::positive(), std::nullopt, "magnitude K_r of K* at the reference frequency"},
+           {"order", "1", Range::open(0.0, 1.0), std::nullopt, "order alpha; towards 0 a spring, towards 1 a dashpot"},
+           {"reference_frequency", "Hz", Range::positive(), 1.0, "reference frequency f_r"},
+           {"low_frequency", "Hz", Range::positive(), 0.001,
+            "lower end of the range in which K* holds within 0.1 %; far below the element relaxes"},
+           {"high_frequency", "Hz", Range::positive(), 1000.0, "upper end of that range"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            checkRange(description);
+            return std::make_shared<const Springpot>(SpringpotLaw{
+                description.value("stiffness"), description.value("reference_frequency"), description.value("order"),
+                description.value("low_frequency"), description.value("high_frequency")});
+          }};
+}
+
+}  // namespace rubber_suspension

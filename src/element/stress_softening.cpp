@@ -1,0 +1,55 @@
+// Stress softening.
+#include "rubber_suspension/element/stress_softening.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubber_suspension {
+namespace {
+
+enum Slot { kLargest, kReach };
+
+}  // namespace
+
+void StressSoftening::rest(double displacement, double* memory) const {
+  memory[kLargest] = memory[kReach] = std::abs(displacement);
+}
+
+// Softening is permanent: only a displacement beyond all before counts anew.
+double StressSoftening::recover(double displacement, double* memory) const {
+  memory[kLargest] = std::max(memory[kLargest], std::abs(displacement));
+  if (path_ == 0.0) {
+    memory[kReach] = memory[kLargest];
+  }
+  return factor(displacement, memory[kReach]);
+}
+
+double StressSoftening::factor(double displacement, double reach) const {
+  if (std::abs(displacement) >= reach) {
+    return 1.0;
+  }
+  const double ratio = displacement / reach;
+  return 1.0 - reduction_ * std::tanh((1.0 - ratio * ratio) / width_) / std::tanh(1.0 / width_);
+}
+
+double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {
+  memory[kLargest] = std::max(memory[kLargest], std::abs(motion.displacement));
+  const double approach = path_ > 0.0 ? -std::expm1(-std::abs(motion.increment) / path_) : 1.0;
+  memory[kReach] += (memory[kLargest] - memory[kReach]) * approach;
+  return factor(motion.displacement, memory[kReach]);
+}
+
+ElementType stressSofteningType() {
+  return {"stress_softening",
+          "Mullins effect: softer within displacements that were reached before.",
+          {{"reduction", "1", Range::closed(0.0, 0.9), std::nullopt, "share R of the force that is lost deep within"},
+           {"width", "1", Range::closed(0.01, 10.0), 0.5,
+            "width w of the transition, as a share of the energy at the largest past displacement"},
+           {"path", "m", Range::nonNegative(), 0.0, "way travelled over which softening sets in; 0: at once"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const StressSoftening>(description.value("reduction"), description.value("width"),
+                                                           description.value("path"));
+          }};
+}
+
+}  // namespace rubber_suspension
