@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+# Writes the cases of a blind trial: logs of virtual rigs whose effects are known to the sealed labels alone.
+# The same set, seed and number of cases always give the same files.
+"""Generate cases of the blind trial."""
+import argparse
+import multiprocessing
+import os
+import sys
+
+for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(variable, "1")
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from virtual_rig import case  # noqa: E402
+
+
+def one(job):
+    """Build and write case number `number`; returns its name."""
+    case_set, seed, number, (kind, effects, small), output, labels = job
+    built = case.build(case_set, seed, number, kind, effects, small)
+    name = built["label"]["case"]
+    case.write(built, os.path.join(output, name), labels)
+    return name
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--set", choices=sorted(case.SETS), required=True,
+                        help="bank: to calibrate on; test: sealed, with laws that the bank does not have")
+    parser.add_argument("--cases", type=int, required=True)
+    parser.add_argument("--seed", type=int, required=True)
+    parser.add_argument("--output", required=True, help="folder of the cases")
+    parser.add_argument("--labels", help="folder of the sealed labels (default: OUTPUT_labels)")
+    parser.add_argument("--only", type=int, action="append", help="number of a single case (may be repeated)")
+    parser.add_argument("--jobs", type=int, default=1)
+    arguments = parser.parse_args()
+    if arguments.cases < 1 or arguments.jobs < 1:
+        parser.error("--cases and --jobs take a number of at least 1")
+    labels = arguments.labels or arguments.output.rstrip("/") + "_labels"
+    plan = case.plan(arguments.set, arguments.cases, arguments.seed)
+    numbers = range(arguments.cases) if arguments.only is None else arguments.only
+    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels) for i in numbers]
+    with multiprocessing.Pool(arguments.jobs) as pool:
+        for done, name in enumerate(pool.imap(one, jobs), 1):
+            print(f"{done}/{len(jobs)} {name}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,205 @@
+# The rubber component inside the virtual rig: spring, Maxwell elements, dashpot and Berg friction, and how the five
+# numbers of a specification become their parameters (Polach 2015; Berg 1997). Python on its own, no code of the package.
+"""Base components of the virtual rigs [SI]."""
+import dataclasses
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+from scipy.signal import lfilter
+
+
+class Unsolvable(ValueError):
+    """The specification has no solution."""
+
+
+def berg_response(z, z2):
+    """Friction force over F_max of Berg's element along the displacement z [m]; starts at rest, so does z."""
+    out = np.empty_like(z)
+    z_s, f_s, direction, last_z, last_f = float(z[0]), 0.0, 0, float(z[0]), 0.0
+    for i, x in enumerate(z.tolist()):
+        step = x - last_z
+        if step > 0.0:
+            if direction < 0:
+                z_s, f_s = last_z, last_f
+            direction = 1
+            last_f = f_s + (x - z_s) * (1.0 - f_s) / (z2 * (1.0 - f_s) + x - z_s)
+        elif step < 0.0:
+            if direction > 0:
+                z_s, f_s = last_z, last_f
+            direction = -1
+            last_f = f_s + (x - z_s) * (1.0 + f_s) / (z2 * (1.0 + f_s) - (x - z_s))
+        last_z = x
+        out[i] = last_f
+    return out
+
+
+@dataclasses.dataclass
+class Base:
+    """A component: k0 [N/m], Maxwell stiffnesses k [N/m] and relaxation times tau [s], dashpot c0 [Ns/m], friction."""
+
+    k0: float
+    k: list
+    tau: list
+    c0: float = 0.0
+    friction_force: float = 0.0
+    friction_z2: float = 0.0
+
+    def parts(self, z, rate):
+        """Elastic force and the rest [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
+        elastic = [self.k0 * x for x in z]
+        rest = [self._memory(x, rate) for x in z]
+        return elastic, rest
+
+    def force(self, z, rate):
+        return [a + b for a, b in zip(*self.parts(z, rate))]
+
+    def _memory(self, z, rate):
+        rest = np.zeros_like(z)
+        for k, tau in zip(self.k, self.tau):
+            rest += k * maxwell_response(z, tau, rate)
+        if self.c0 > 0.0:
+            rest += self.c0 * np.gradient(z) * rate
+        if self.friction_force > 0.0:
+            rest += self.friction_force * friction_on_grid(z, self.friction_z2, rate)
+        return rest
+
+    def tangent(self, z, rate):
+        """Derivatives of the force by every parameter, a list over the logs of matrices (samples x parameters)."""
+        matrices = []
+        for x in z:
+            columns = [x]
+            for tau in self.tau:
+                columns.append(maxwell_response(x, tau, rate))
+                h = 0.05 * tau
+                columns.append(maxwell_response(x, tau + h, rate) - maxwell_response(x, tau - h, rate))
+            if self.c0 > 0.0:
+                columns.append(np.gradient(x) * rate)
+            if self.friction_force > 0.0:
+                high, low = (berg_response(x, s * self.friction_z2) for s in (1.05, 0.95))
+                columns += [high + low, high - low]
+            matrices.append(np.stack(columns, axis=1))
+        return matrices
+
+    def scaled(self, rng, spread):
+        """A copy with every parameter off by its own factor; also the factors."""
+        def factor():
+            return float(np.exp(rng.choice([-1.0, 1.0]) * rng.uniform(0.4, 1.0) * math.log1p(spread)))
+        factors = {"k0": factor(), "k": [factor() for _ in self.k], "tau": [factor() ** 2 for _ in self.tau]}
+        copy = dataclasses.replace(
+            self, k0=self.k0 * factors["k0"], k=[a * b for a, b in zip(self.k, factors["k"])],
+            tau=[a * b for a, b in zip(self.tau, factors["tau"])])
+        if self.friction_force > 0.0:
+            factors["friction_force"], factors["friction_z2"] = factor(), factor()
+            copy.friction_force *= factors["friction_force"]
+            copy.friction_z2 *= factors["friction_z2"]
+        if self.c0 > 0.0:
+            factors["c0"] = factor()
+            copy.c0 *= factors["c0"]
+        return copy, factors
+
+    @property
+    def highest_stiffness(self):
+        berg = self.friction_force / self.friction_z2 if self.friction_force > 0.0 else 0.0
+        return self.k0 + sum(self.k) + berg
+
+
+def maxwell_response(z, tau, rate):
+    """Force over stiffness of a Maxwell element, exact for a displacement that is linear between samples [m]."""
+    decay = -1.0 / (rate * tau)
+    gain = -np.expm1(decay) / -decay
+    return lfilter([gain], [1.0, -math.exp(decay)], np.diff(z, prepend=z[0]))
+
+
+def friction_on_grid(z, z2, rate):
+    """Berg's element at no more than 1 kHz, linear in between: enough for what moves below 40 Hz."""
+    skip = max(1, int(round(rate / 1000.0)))
+    if skip == 1:
+        return berg_response(z, z2)
+    n = np.arange(len(z))
+    return np.interp(n, n[::skip], berg_response(z[::skip], z2))
+
+
+# ---- from a specification to parameters -----------------------------------------------------------------------------
+
+
+def from_specification(model, s):
+    """The base of a component file's `model` with specification `s` (a dict, SI). Raises Unsolvable."""
+    return {"multi_maxwell": multi_maxwell, "maxwell": maxwell, "maxwell_dashpot": maxwell_dashpot, "berg": berg}[model](s)
+
+
+def multi_maxwell(s):
+    """Polach Eqs. 17-22 with the low edge f_l = n f_h / 10^(n-1)."""
+    n = int(s.get("maxwell_elements", 5))
+    low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
+    f_n, f_h = s["nominal_frequency"], s["high_frequency"]
+    f_l = s.get("low_frequency", n * f_h / 10.0 ** (n - 1))
+    edges = np.geomspace(f_l, f_h, n + 1)
+    breaks = 0.5 * (edges[1:] + edges[:-1])
+    if not low_k < mid_k < high_k:
+        raise Unsolvable("stiffnesses do not increase")
+    crossing = f_n * math.sqrt((high_k**2 - mid_k**2) / (mid_k**2 - low_k**2))
+    if not breaks[0] * 1.02 < crossing < breaks[-1] / 1.02:
+        raise Unsolvable("dynamic stiffness out of reach")
+
+    def stiffnesses(log_alpha):
+        weights = np.exp(log_alpha * np.arange(n - 1, -1, -1))
+        return (high_k - low_k) * weights / weights.sum()
+
+    def excess(log_alpha):
+        r = 1j * f_n / breaks
+        return abs(low_k + np.sum(stiffnesses(log_alpha) * r / (1 + r))) - mid_k
+
+    if excess(-12.0) * excess(12.0) > 0.0:
+        raise Unsolvable("no root")
+    alpha = brentq(excess, -12.0, 12.0, xtol=1e-13)
+    return Base(low_k, stiffnesses(alpha).tolist(), (1.0 / (2.0 * math.pi * breaks)).tolist())
+
+
+def maxwell(s):
+    """One Maxwell element that meets K_n at f_n, with K_max given: |K|^2 = (K_st^2 + u K_max^2)/(1+u), u = (f_n/f_b)^2."""
+    low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
+    if not low_k < mid_k < high_k:
+        raise Unsolvable("stiffnesses do not increase")
+    u = (mid_k**2 - low_k**2) / (high_k**2 - mid_k**2)
+    return Base(low_k, [high_k - low_k], [math.sqrt(u) / (2.0 * math.pi * s["nominal_frequency"])])
+
+
+def maxwell_dashpot(s):
+    """Real and imaginary part of K at f_n, break frequency given."""
+    low_k, mid_k, delta = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"]
+    f_n, r = s["nominal_frequency"], s["nominal_frequency"] / s["break_frequency"]
+    k1 = (mid_k * math.cos(delta) - low_k) * (1 + r * r) / (r * r)
+    c0 = (mid_k * math.sin(delta) - k1 * r / (1 + r * r)) / (2.0 * math.pi * f_n)
+    if k1 <= 0.0 or c0 <= 0.0:
+        raise Unsolvable("loss angle out of reach")
+    return Base(low_k, [k1], [1.0 / (2.0 * math.pi * s["break_frequency"])], c0=c0)
+
+
+def berg_steady_state(z0, z2):
+    """Peak force over F_max, and loss energy over F_max, of a settled loop of amplitude z0."""
+    peak = (math.sqrt(z2 * z2 + z0 * z0 + 6.0 * z2 * z0) - z2 - z0) / (2.0 * z2)
+    spread = z2 * (1.0 + peak) ** 2
+    return peak, 2.0 * (2.0 * z0 - spread * math.log1p(2.0 * z0 / spread))
+
+
+def berg(s):
+    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n)."""
+    low_k, mid_k, delta, a = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"], s["nominal_amplitude"]
+    share = s.get("viscous_share", 0.2)
+    r = s["nominal_frequency"] / s["break_frequency"]
+    loss = mid_k * math.sin(delta)
+    k1 = share * loss * (1 + r * r) / r
+    friction = math.sqrt(mid_k**2 - (share * loss) ** 2) - k1 * r * r / (1 + r * r) - low_k
+    if friction <= 0.0:
+        raise Unsolvable("nothing left for the friction")
+
+    def excess(log_z2):
+        peak, energy = berg_steady_state(a, a * math.exp(log_z2))
+        return energy / (peak * a) - (1.0 - share) * math.pi * loss / friction
+
+    if excess(-9.0) * excess(6.0) > 0.0:
+        raise Unsolvable("loss angle out of reach")
+    z2 = a * math.exp(brentq(excess, -9.0, 6.0, xtol=1e-12))
+    return Base(low_k, [k1], [1.0 / (2.0 * math.pi * s["break_frequency"])],
+                friction_force=friction * a / berg_steady_state(a, z2)[0], friction_z2=z2)

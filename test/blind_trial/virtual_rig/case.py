@@ -1,0 +1,339 @@
+# One case of the trial: draws component, programme, effects and noise, runs the rig, writes the folder and the label.
+# Everything follows from (set, seed, number); the label goes to another folder than what a diagnosis may see.
+"""Cases of the blind trial."""
+import json
+import math
+import os
+
+import numpy as np
+
+from . import base as bases
+from . import excitation, laws
+from .effect import Scale
+from .rig import Rig, Ruler, gap
+
+RATE = 500.0          # of the logs [Hz]
+FINE = 4              # samples of the rig's own grid per sample of a log
+TRAINING, HOLD_OUT = 6, 2
+SETS = {"bank": 11, "test": 23}
+
+NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
+         "primary_spring", "torsion_bush", "yaw_damper_mount", "strut_mount", "conical_spring")
+
+# Families of components: stiffness [N/m], largest amplitude [m].
+FAMILIES = (((1e5, 6e5), (3e-4, 1.5e-3)), ((8e5, 6e6), (3e-4, 2e-3)), ((5e5, 1.2e7), (1e-3, 6e-3)),
+            ((3e5, 3e6), (5e-3, 2e-2)))
+
+# Pairs that no log can tell from one effect, or that undo each other.
+HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"viscous_damping", "time_delay"},
+            {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
+            {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"})
+
+
+def plan(case_set, cases, seed):
+    """Kinds of all cases, shuffled: 60 % single effects, 12 % pairs, 8 % none, 8 % parameter error, 12 % unknown."""
+    rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, 10**6]))
+    test_set = case_set == "test"
+    quota = {"single": 0.60, "pair": 0.12, "none": 0.08, "parameter_error": 0.08, "unknown": 0.12}
+    kinds = []
+    for kind, share in quota.items():
+        kinds += [kind] * int(round(share * cases))
+    kinds = (kinds + ["single"] * cases)[:cases]
+    unknown = laws.available(laws.UNKNOWN, test_set)
+    order = {"single": list(rng.permutation(laws.EFFECTS)), "unknown": list(rng.permutation(unknown))}
+    counters = {"single": 0, "unknown": 0}
+    out = []
+    for kind in kinds:
+        if kind in order:
+            effects = (str(order[kind][counters[kind] % len(order[kind])]),)
+            small = kind == "single" and (counters[kind] // len(laws.EFFECTS)) % 4 == 0
+            counters[kind] += 1
+        elif kind == "pair":
+            effects, small = draw_pair(rng), False
+        else:
+            effects, small = (), False
+        out.append((kind, effects, small))
+    return [out[i] for i in rng.permutation(len(out))]
+
+
+def draw_pair(rng):
+    while True:
+        pair = tuple(str(e) for e in rng.choice(laws.EFFECTS, size=2, replace=False))
+        if set(pair) not in HOPELESS:
+            return pair
+
+
+# ---- the component ---------------------------------------------------------------------------------------------------
+
+
+def draw_specification(rng, effects):
+    """(model, specification, base, amplitude): a component that its model describes exactly."""
+    model, extra = draw_model(rng, effects)
+    for _ in range(1000):
+        family = FAMILIES[int(rng.integers(len(FAMILIES)))]
+        static = laws.log_uniform(rng, *family[0])
+        amplitude = laws.log_uniform(rng, *family[1])
+        s = {"static_stiffness": static, "dynamic_stiffness": static * rng.uniform(1.12, 1.6),
+             "nominal_frequency": float(rng.uniform(2.0, 10.0))}
+        s["maximum_stiffness"] = s["dynamic_stiffness"] * rng.uniform(1.06, 1.35)
+        s.update(extra)
+        if model == "multi_maxwell":
+            s["high_frequency"] = float(rng.uniform(18.0, 45.0))
+        elif model != "maxwell":
+            del s["maximum_stiffness"]
+            s["loss_angle"] = float(rng.uniform(0.06, 0.16))
+            s["break_frequency"] = s["nominal_frequency"] * laws.log_uniform(rng, 0.12, 1.0)
+        if model == "berg":
+            s["nominal_amplitude"] = amplitude * rng.uniform(0.3, 0.8)
+        s = {k: v if k == "maxwell_elements" else float(f"{v:.5g}") for k, v in s.items()}
+        try:
+            return model, s, bases.from_specification(model, s), amplitude
+        except bases.Unsolvable:
+            continue
+    raise RuntimeError("no component could be drawn")
+
+
+def draw_model(rng, effects):
+    """A model in which the effects are missing: further Maxwell elements show on few only, friction not on Berg's."""
+    names, weights = ["multi_maxwell_5", "multi_maxwell_3", "maxwell", "berg", "maxwell_dashpot"], [5, 4, 1.5, 1.5, 0.5]
+    if "relaxation" in effects:
+        weights = [0.7, 2.0, 5, 1.0, 0]
+    if "series_compliance" in effects:
+        weights = [1.5, 1.0, 0.5, 5, 0]
+    if "friction" in effects:
+        weights[3] = 0
+    if "viscous_damping" in effects:
+        weights[4] = 0
+    name = str(rng.choice(names, p=np.array(weights) / sum(weights)))
+    if name.startswith("multi_maxwell"):
+        return "multi_maxwell", {"maxwell_elements": int(name[-1])}
+    return name, {}
+
+
+def wrong_specification(rng, model, s, spread):
+    """A specification off by up to `spread`, still solvable; also the factors."""
+    for _ in range(200):
+        factors = {k: float(np.exp(rng.choice([-1, 1]) * rng.uniform(0.2, 1.0) * math.log1p(spread)))
+                   for k in s if k not in ("maxwell_elements", "nominal_amplitude")}
+        other = {k: float(f"{v * factors.get(k, 1.0):.5g}") if k != "maxwell_elements" else v for k, v in s.items()}
+        try:
+            return other, factors, bases.from_specification(model, other)
+        except bases.Unsolvable:
+            continue
+    return dict(s), {}, bases.from_specification(model, s)
+
+
+# ---- the programme ---------------------------------------------------------------------------------------------------
+
+
+def draw_logs(rng, amplitude):
+    """Displacements on the fine grid, their kinds and the actuator."""
+    rate = RATE * FINE
+    rig = excitation.Actuator(rng, amplitude, rate)
+    kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT)
+    z = [excitation.make(rng, rig, k, float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
+    if repeat is not None:
+        z[repeat[1]] = z[repeat[0]].copy()
+    return z, kinds, held, programme, repeat, rig
+
+
+# ---- the whole case --------------------------------------------------------------------------------------------------
+
+
+def build(case_set, seed, number, kind, effect_names, small):
+    """Everything about a case in memory: a dict with logs, component file and label."""
+    rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, number]))
+    test_set = case_set == "test"
+    wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
+    by_visible = bool(rng.random() < 0.7)
+    best = None
+    for _ in range(4):
+        attempt = arrange(rng, effect_names, wanted, by_visible, test_set)
+        reached = attempt["visible"] / wanted if effect_names else 1.0
+        if best is None or reached > best["reached"]:
+            best = dict(attempt, reached=reached)
+        if reached > (0.85 if by_visible else 0.3):
+            break
+    case = dict(best, rng=rng, kind=kind, wanted=wanted, by_visible=by_visible)
+    apply_parameter_error(case)
+    measure(case)
+    return finish(case, case_set, seed, number)
+
+
+def arrange(rng, effect_names, wanted, by_visible, test_set):
+    """Component, programme and effects with their strengths."""
+    model, specification, base, amplitude = draw_specification(rng, effect_names)
+    z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude)
+    rate = RATE * FINE
+    bare = Rig(base, z, rate, [])
+    ruler = Ruler(bare, FINE)
+    force = ruler.reference
+    peaks = [float(np.max(np.abs(x))) for x in z]
+    scale = Scale(stiffness=specification["dynamic_stiffness"], amplitude=max(peaks), least_amplitude=min(peaks),
+                  speed=float(np.sqrt(np.mean([np.mean((np.gradient(x) * rate) ** 2) for x in z]))),
+                  force=float(np.mean([np.std(f) for f in force])), top_frequency=actuator.top_frequency,
+                  training=TRAINING, lengths=[len(x) for x in z], rate=rate)
+    effects = [laws.draw(rng, scale, name, test_set) for name in effect_names]
+    rig = Rig(base, z, rate, effects)
+    ruler.rig.effects = rig.effects
+    shares = [1.0] if len(effects) < 2 else pair_shares(rng)
+    strengths, single = {}, {}
+    for effect, share in zip(effects, shares):
+        strengths[id(effect)], single[effect.name] = ruler.strength_for(effect, wanted * share, by_visible)
+    full, visible = ruler.gaps(strengths) if effects else (0.0, 0.0)
+    return {"model": model, "specification": specification, "base": base, "z": z, "kinds": kinds + held,
+            "programme": programme, "repeat": repeat, "actuator": actuator, "rig": rig, "effects": effects,
+            "strengths": strengths, "single": single, "full": full, "visible": visible, "scale": scale}
+
+
+def pair_shares(rng):
+    """How a pair divides the gap: squares add up to 1 and neither is below half of the other."""
+    angle = rng.uniform(math.atan(0.5), math.atan(2.0))
+    return [math.cos(angle), math.sin(angle)]
+
+
+def apply_parameter_error(case):
+    """The values of the file become wrong: the point of the case, or in three of ten cases in passing."""
+    rng, kind = case["rng"], case["kind"]
+    case["file_specification"], case["parameter_error"] = case["specification"], None
+    case["file_base"] = case["base"]
+    if kind == "parameter_error" and rng.random() < 0.5:
+        worn, factors = case["base"].scaled(rng, rng.uniform(0.05, 0.30))
+        case["parameter_error"] = {"level": "element", "factors": factors}
+        case["base"] = worn
+        case["rig"] = Rig(worn, case["z"], RATE * FINE, [])
+    elif kind == "parameter_error" or (kind != "none" and rng.random() < 0.3):
+        spread = rng.uniform(0.05, 0.30) if kind == "parameter_error" else rng.uniform(0.01, 0.08)
+        s, factors, base = wrong_specification(rng, case["model"], case["specification"], spread)
+        case["file_specification"], case["file_base"] = s, base
+        case["parameter_error"] = {"level": "specification", "factors": factors}
+
+
+def measure(case):
+    """Runs the rig, then the sensors: noise, colour, quantisation."""
+    rng, z = case["rng"], case["z"]
+    true = [f[::FINE] for f in case["rig"].force(case["strengths"])]
+    coarse = [x[::FINE] for x in z]
+    typical = math.sqrt(np.mean([np.var(f) for f in true]))
+    ratio = laws.log_uniform(rng, 0.001, 0.01)
+    sensor = 0.0 if rng.random() < 0.15 else case["scale"].amplitude * laws.log_uniform(rng, 1e-5, 4e-4)
+    colour = rng.uniform(0.2, 0.6) if rng.random() < 0.3 else 0.0
+    steps = (0.0, 0.0)
+    if rng.random() < 0.35:
+        steps = (case["scale"].amplitude * laws.log_uniform(rng, 5e-5, 4e-4), typical * laws.log_uniform(rng, 2e-4, 3e-3))
+    force, displacement = [], []
+    for f, x in zip(true, coarse):
+        force.append(quantised(f + typical * ratio * noise(rng, len(f), colour), steps[1]))
+        displacement.append(quantised(x + sensor * rng.standard_normal(len(x)), steps[0]))
+    case.update(true=true, coarse=coarse, force=force, displacement=displacement,
+                noise={"force_ratio": ratio, "displacement": sensor, "colour": colour, "steps": steps})
+
+
+def noise(rng, n, colour):
+    """Noise of standard deviation 1, of which a share `colour` is slow (first-order, about 8 Hz)."""
+    white = rng.standard_normal(n)
+    if colour == 0.0:
+        return white
+    slow = laws.lfilter([1.0], [1.0, -0.9], rng.standard_normal(n))
+    return math.sqrt(1.0 - colour) * white + math.sqrt(colour) * slow * math.sqrt(1.0 - 0.81)
+
+
+def quantised(x, step):
+    return x if step == 0.0 else np.round(x / step) * step
+
+
+def noise_floor(case, logs):
+    """Gap of a perfect model that is fed with the measured displacement: the part that nothing can close.
+
+    The effect of the displacement's noise is that of the base's elements on it; its friction is taken as a spring.
+    """
+    base, difference = case["base"], []
+    for i in logs:
+        error = case["displacement"][i] - case["coarse"][i]
+        linear = bases.Base(base.k0, base.k, base.tau, base.c0)
+        if base.friction_force > 0.0:
+            linear.k0 += base.friction_force / base.friction_z2
+        difference.append(case["force"][i] - case["true"][i] - linear.force([error], RATE)[0])
+    return gap(difference, [case["force"][i] for i in logs])
+
+
+def finish(case, case_set, seed, number):
+    """What a diagnosis sees, and the label."""
+    rng = case["rng"]
+    everything, held = list(range(TRAINING + HOLD_OUT)), list(range(TRAINING, TRAINING + HOLD_OUT))
+    reference = case["file_base"].force(case["coarse"], RATE)
+    configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"])
+    order = sorted(case["single"], key=lambda name: -case["single"][name][1])
+    label = {
+        "case": f"case_{number:03d}", "set": case_set, "seed": seed, "kind": case["kind"],
+        "effects": order if case["kind"] in ("single", "pair") else [],
+        "unknown": order[0].split(":")[1] if case["kind"] == "unknown" else None,
+        "laws": {e.name: e.law for e in case["effects"]}, "parameters": {e.name: e.parameters for e in case["effects"]},
+        "strengths": {e.name: case["strengths"][id(e)] for e in case["effects"]},
+        "gap": {"wanted": case["wanted"] if case["effects"] else 0.0, "by_visible": case["by_visible"],
+                "full": case["full"], "visible": case["visible"], "as_configured": configured,
+                "single": {k: {"full": v[0], "visible": v[1]} for k, v in case["single"].items()}},
+        "noise": dict(case["noise"], floor=noise_floor(case, everything), floor_hold_out=noise_floor(case, held)),
+        "parameter_error": case["parameter_error"], "model": case["model"], "programme": case["programme"],
+        "kinds": case["kinds"], "repeat": case["repeat"],
+    }
+    return {"label": label, "logs": list(zip(case["kinds"], case["displacement"], case["force"])),
+            "true": case["true"], "rng": rng, "model": case["model"], "specification": case["file_specification"]}
+
+
+# ---- files -----------------------------------------------------------------------------------------------------------
+
+UNITS_Z = (("m", 1.0, 9), ("mm", 1e3, 6), ("um", 1e6, 3))
+UNITS_F = (("N", 1.0, 3), ("kN", 1e-3, 6), ("MN", 1e-6, 9))
+
+
+def write(case, folder, label_folder):
+    """The case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
+    rng, label = case["rng"], case["label"]
+    os.makedirs(folder, exist_ok=True)
+    os.makedirs(label_folder, exist_ok=True)
+    name = str(rng.choice(NAMES))
+    z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
+    warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 else None
+    files = []
+    for i, (kind, z, f) in enumerate(case["logs"]):
+        prefix = "log" if i < TRAINING else "hold_out"
+        files.append(f"{prefix}_{i + 1 if i < TRAINING else i + 1 - TRAINING}_{kind}.csv")
+        write_log(os.path.join(folder, files[-1]), z, f, z_unit, f_unit,
+                  None if warm is None else warm + 0.05 * rng.standard_normal(len(z)))
+    with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as out:
+        out.write(component_yaml(rng, name, case["model"], case["specification"]))
+    with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as out:
+        json.dump({"component": name, "logs": files[:TRAINING], "hold_out": files[TRAINING:]}, out, indent=1)
+    with open(os.path.join(label_folder, label["case"] + ".json"), "w", encoding="utf-8") as out:
+        json.dump(label, out, indent=1)
+    np.savez_compressed(os.path.join(label_folder, label["case"] + ".npz"),
+                        **{f"hold_out_{i + 1}": x.astype(np.float32) for i, x in enumerate(case["true"][TRAINING:])})
+
+
+def write_log(path, z, f, z_unit, f_unit, temperature):
+    columns = [np.arange(len(z)) / RATE, z * z_unit[1], f * f_unit[1]]
+    header, row = f"time_s,displacement_{z_unit[0]},force_{f_unit[0]}", f"%.3f,%.{z_unit[2]}f,%.{f_unit[2]}f\n"
+    if temperature is not None:
+        columns.append(temperature)
+        header, row = header + ",temperature_degC", row[:-1] + ",%.2f\n"
+    with open(path, "w", encoding="utf-8") as out:
+        out.write(header + "\n")
+        out.write(row * len(z) % tuple(np.stack(columns, axis=1).ravel().tolist()))
+
+
+def component_yaml(rng, name, model, s):
+    """The component file; stiffnesses sometimes as text with a unit."""
+    lines = ["components:", f"  {name}:", f"    model: {model}", "    specification:"]
+    with_units = rng.random() < 0.3
+    for key, value in s.items():
+        if key == "maxwell_elements":
+            text = str(int(value))
+        elif with_units and key.endswith("stiffness"):
+            text = f"{value * 1e-6:.9g} kN/mm"
+        elif with_units and key == "nominal_amplitude":
+            text = f"{value * 1e3:.9g} mm"
+        else:
+            text = repr(float(value))
+        lines.append(f"      {key}: {text}")
+    return "\n".join(lines) + "\n"

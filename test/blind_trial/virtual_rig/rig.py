@@ -1,0 +1,149 @@
+# A virtual rig: a base component, effects in their stages, and how strong an effect has to be for a wanted gap.
+"""From displacement to force, and the search for strengths."""
+import math
+
+import numpy as np
+
+from .effect import STAGES
+
+LARGEST_GAP = 0.40  # of an effect, before any re-estimation
+
+
+def gap(difference, force):
+    """RMS of the difference over the standard deviation of the force, root mean square over the logs."""
+    return math.sqrt(np.mean([np.mean(d**2) / np.var(f) for d, f in zip(difference, force)]))
+
+
+def decimated(logs, skip):
+    return [x[::skip] for x in logs]
+
+
+class Rig:
+    """A base with effects. `force(strengths)` runs the chain; shares that do not depend on a strength are kept."""
+
+    def __init__(self, base, z, rate, effects):
+        self.base, self.z, self.rate = base, z, rate
+        self.effects = sorted(effects, key=lambda e: STAGES.index(e.stage))
+        self._kept = {}
+
+    def coarse(self, skip):
+        """The same rig on every skip-th sample."""
+        return Rig(self.base, decimated(self.z, skip), self.rate / skip, self.effects)
+
+    def base_force(self):
+        return self._keep("base", lambda: self.base.force(self.z, self.rate))
+
+    def share(self, effect):
+        """Force of a linear effect at strength 1, on the undisturbed displacement."""
+        return self._keep(id(effect), lambda: effect.function(self.z, self.rate))
+
+    def force(self, strengths):
+        """Force of all logs with effect i at strengths[id(effect)]; an effect that is missing there is off."""
+        active = [(e, strengths[id(e)]) for e in self.effects if strengths.get(id(e), 0.0) > 0.0]
+        z = self.z
+        for effect, s in active:
+            if effect.stage == "displacement":
+                z = effect.function(z, self.rate, s)
+        mount = [(e, s) for e, s in active if e.stage == "mount"]
+        force = self._behind_mount(z, mount, active) if mount else self._specimen(z, active)
+        for effect, s in active:
+            if effect.stage == "added":
+                force = [f + s * x for f, x in zip(force, self.share(effect))]
+        for effect, s in active:
+            if effect.stage == "transducer":
+                force = effect.function(force, self.rate, s)
+        return force
+
+    def _behind_mount(self, z, mount, active):
+        """Displacement behind the mount by iterating over whole logs: the mount gives way by what the force asks."""
+        inner, relax = z, 1.0 / (1.0 + sum(s for _, s in mount))
+        size = max(float(np.max(np.abs(x))) for x in z)
+        for _ in range(30):
+            force = self._specimen(inner, active)
+            change, following = 0.0, []
+            for x, y, f in zip(z, inner, force):
+                step = relax * (x - y - sum(e.function(f, s) for e, s in mount))
+                change = max(change, float(np.max(np.abs(step))))
+                following.append(y + step)
+            inner = following
+            if change < 2e-5 * size:
+                break
+        return self._specimen(inner, active)
+
+    def _specimen(self, z, active):
+        moved = z is not self.z
+        for effect, s in active:
+            if effect.stage == "play":
+                z, moved = effect.function(z, self.rate, s), True
+        if moved:
+            elastic, rest = self.base.parts(z, self.rate)
+        else:
+            elastic, rest = self._keep("parts", lambda: self.base.parts(self.z, self.rate))
+        for effect, s in active:
+            if effect.stage == "parallel":
+                share = effect.function(z, self.rate) if moved else self.share(effect)
+                rest = [f + s * x for f, x in zip(rest, share)]
+        force = [a + b for a, b in zip(elastic, rest)]
+        for effect, s in active:
+            if effect.stage == "factor":
+                force = effect.function(z, elastic, rest, self.rate, s)
+                elastic, rest = force, [np.zeros_like(f) for f in force]
+        return force
+
+    def _keep(self, key, make):
+        if key not in self._kept:
+            self._kept[key] = make()
+        return self._kept[key]
+
+
+class Ruler:
+    """Measures gaps on a coarse grid: in full, and what is left once the base's own parameters have been re-estimated.
+
+    The latter is a projection on the tangent space of the parameters, so an estimate, not a fit.
+    """
+
+    def __init__(self, rig, skip):
+        self.rig = rig.coarse(skip)
+        self.reference = self.rig.base_force()
+        self._sub = 4 if len(self.rig.z[0]) > 12000 else 1
+        self._tangent = [m[::self._sub] for m in self.rig.base.tangent(self.rig.z, self.rig.rate)]
+
+    def gaps(self, strengths):
+        """(full gap, visible gap) of the effects at these strengths against the bare base."""
+        force = self.rig.force(strengths)
+        difference = [a - b for a, b in zip(force, self.reference)]
+        return gap(difference, force), self.visible(difference, force)
+
+    def visible(self, difference, force):
+        scale = [1.0 / np.std(f) for f in force]
+        lengths = np.sqrt([len(d) for d in difference])
+        weights = [s / n for s, n in zip(scale, lengths)]
+        matrix = np.concatenate([m * w for m, w in zip(self._tangent, weights)])
+        norms = np.linalg.norm(matrix, axis=0)
+        matrix = matrix / np.where(norms > 0.0, norms, 1.0)
+        target = np.concatenate([d[::self._sub] * w for d, w in zip(difference, weights)])
+        # A hair of ridge: directions that the logs do not excite are not moved.
+        normal = matrix.T @ matrix + 1e-9 * np.eye(matrix.shape[1])
+        left = target - matrix @ np.linalg.solve(normal, matrix.T @ target)
+        return float(np.linalg.norm(left) * math.sqrt(self._sub / len(difference)))
+
+    def strength_for(self, effect, wanted, visible):
+        """Strength at which the (visible) gap is as wanted, or the strongest plausible one; and both gaps there.
+
+        Where most of an effect would hide in the base's parameters, the full gap stops at LARGEST_GAP.
+        """
+        def measure(s):
+            both = self.gaps({id(effect): s})
+            return both, max(both[1] / wanted, both[0] / LARGEST_GAP) if visible else both[0] / wanted
+
+        guess = effect.strongest
+        both, ratio = measure(guess)
+        low, high = guess * 1e-6, guess
+        for _ in range(14):
+            if abs(ratio - 1.0) < 0.02 or (guess == high == effect.strongest and ratio < 1.0):
+                break
+            step = guess / max(ratio, 1e-12)
+            guess = step if low * 1.02 < step < high / 1.02 else math.sqrt(low * high)
+            both, ratio = measure(guess)
+            low, high = (guess, high) if ratio < 1.0 else (low, guess)
+        return guess, both
