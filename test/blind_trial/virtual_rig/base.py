@@ -179,8 +179,8 @@ def maxwell_dashpot(s):
 def berg_steady_state(z0, z2):
     """Peak force over F_max, and loss energy over F_max, of a settled loop of amplitude z0."""
     peak = (math.sqrt(z2 * z2 + z0 * z0 + 6.0 * z2 * z0) - z2 - z0) / (2.0 * z2)
-    spread = z2 * (1.0 + peak) ** 2
-    return peak, 2.0 * (2.0 * z0 - spread * math.log1p(2.0 * z0 / spread))
+    near = z2 * (1.0 + peak)
+    return peak, 2.0 * (2.0 * z0 - near * (1.0 + peak) * math.log1p(2.0 * z0 / near))
 
 
 def berg(s):
