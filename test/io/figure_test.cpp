@@ -1,0 +1,120 @@
+// Figures: that they are drawn, fit for light and dark pages, and that errors are told.
+#include "rubber_suspension/io/figure.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "io/temporary_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+Figure exampleFigure() {
+  Axes curves;
+  curves.title = "stiffness & <loss>";
+  curves.x_label = "frequency [Hz]";
+  curves.y_label = "stiffness [kN/mm]";
+  curves.log_x = true;
+  curves.curves.push_back({"measured", {0.5, 1, 2, 4}, {3.1, 3.4, 3.8, 4.2}, "o", 0});
+  curves.curves.push_back({"simulated", {0.5, 1, 2, 4}, {3.0, std::nan(""), 3.7, 4.1}, "-", 1});
+  Axes map;
+  map.title = "share of the gap";
+  map.maps.push_back({{0, 1, 2}, {0, 1, 2}, {0.1, 0.2, std::numeric_limits<double>::quiet_NaN(), 0.4}, "share [-]"});
+  Figure figure;
+  figure.title = "example";
+  figure.axes = {curves, map};
+  return figure;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+TEST(DrawFigure, SvgFollowsLightAndDark) {
+  const TemporaryFile file("figure.svg", "");
+  drawFigure(exampleFigure(), file.path());
+  const std::string svg = contentOf(file.path());
+  EXPECT_THAT(svg, StartsWith("<?xml"));
+  EXPECT_THAT(svg, HasSubstr("prefers-color-scheme:dark"));
+  EXPECT_THAT(svg, HasSubstr("currentColor"));
+  EXPECT_THAT(svg, HasSubstr("stiffness &amp; &lt;loss&gt;"));
+  EXPECT_THAT(svg, Not(HasSubstr("#010203")));
+  EXPECT_THAT(svg, Not(HasSubstr("#000000")));
+  EXPECT_THAT(svg, Not(HasSubstr("#ffffff")));
+}
+
+TEST(DrawFigure, Png) {
+  const TemporaryFile file("figure.png", "");
+  drawFigure(exampleFigure(), file.path());
+  EXPECT_THAT(contentOf(file.path()), StartsWith("\x89PNG"));
+}
+
+TEST(DrawSvg, SeveralFiguresForAPage) {
+  const std::vector<std::string> texts = drawSvg({exampleFigure(), Figure{}});
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_THAT(texts[0], StartsWith("<svg"));
+  EXPECT_THAT(texts[0], Not(HasSubstr("<style>svg{")));  // the page's own colour
+  EXPECT_THAT(texts[1], StartsWith("<svg"));
+  EXPECT_TRUE(drawSvg({}).empty());
+  EXPECT_EQ(drawSvg({exampleFigure()}), drawSvg({exampleFigure()}));  // reports can be compared
+}
+
+TEST(DrawFigure, MuchDataPassesThrough) {
+  Figure figure = exampleFigure();
+  for (int i = 0; i < 20000; ++i) {  // more than a pipe holds
+    figure.axes[0].curves[0].x.push_back(4.0 + i);
+    figure.axes[0].curves[0].y.push_back(std::sin(i));
+  }
+  EXPECT_THROW(drawFigure(
+                   [&] {
+                     Figure uneven = figure;
+                     uneven.axes[0].curves[0].x.push_back(0.0);
+                     return uneven;
+                   }(),
+                   "unused.svg"),
+               FigureError);
+  EXPECT_GT(drawSvg({figure}).at(0).size(), 100000u);
+}
+
+TEST(DrawFigure, TellsWhatIsWrong) {
+  const TemporaryFile file("figure.pdf", "");
+  EXPECT_THROW(drawFigure(exampleFigure(), file.path()), FigureError);
+  try {
+    drawFigure(exampleFigure(), "/nonexistent/figure.svg");
+    FAIL() << "drew into a folder that is not there";
+  } catch (const FigureError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("No such file or directory: '/nonexistent/figure.svg'"));
+  }
+  Figure bad = exampleFigure();
+  bad.axes[1].maps[0].values.pop_back();
+  EXPECT_THROW(drawSvg({bad}), FigureError);
+  bad = exampleFigure();
+  bad.axes[0].curves[0].style = "no such style";
+  EXPECT_THROW(drawSvg({bad}), FigureError);
+}
+
+// An empty module of that name stands before the real one: what a machine without Matplotlib looks like.
+TEST(DrawFigure, NamesAMissingMatplotlib) {
+  const TemporaryFile module("matplotlib.py", "raise ImportError('none here')\n");
+  setenv("PYTHONPATH", module.folder().c_str(), 1);
+  try {
+    drawSvg({exampleFigure()});
+    ADD_FAILURE() << "drew without Matplotlib";
+  } catch (const FigureError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("figures need Matplotlib (none here); install python3-matplotlib"));
+  }
+  unsetenv("PYTHONPATH");
+}
+
+}  // namespace
+}  // namespace rubber_suspension
