@@ -1,0 +1,46 @@
+// The loop that a component settles on under a sine: simulated until one cycle repeats the one before.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/response/characteristics.h"
+
+namespace rubber_suspension {
+
+struct LoopOptions {
+  /// Samples per cycle, a multiple of 4 so that turning points and zero crossings are samples.
+  int samples = 720;
+  /// The loop counts as settled once the change of the force that is still to come, extrapolated from the last two
+  /// cycles as a geometric series, is below this part of the range of the force.
+  double tolerance = 1e-9;
+  int maximum_cycles = 20000;
+};
+
+/// One cycle z = -A cos(phase), from the lower turning point.
+struct SettledLoop {
+  double frequency = 0.0;            ///< [Hz]
+  double amplitude = 0.0;            ///< [m]
+  std::vector<double> displacement;  ///< [m]
+  std::vector<double> force;         ///< [N]
+  int cycles = 0;                    ///< simulated until settled; 0 where all parts are in closed form
+  double remaining = 0.0;            ///< change of the force still to come, over its range [-]
+  bool settled = false;              ///< remaining is below the tolerance
+
+  /// Eqs. 1 and 2 on the loop as a function of phase: peaks interpolated, and the area by the trapezoidal rule in
+  /// phase, which for smooth branches converges with the fourth power of the step.
+  Characteristics characteristics() const;
+};
+
+/// Simulate a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
+///
+/// Where all elements act in parallel, the linear ones enter by their K*, free of discretisation, Berg friction starts
+/// on its settled loop, and only the others run until they repeat. With effects in series (mount, free play, delay,
+/// softening, heating) the whole component is simulated, displacement linear between samples: a dashpot then lags by
+/// half a sample.
+/// A loop that does not settle within maximum_cycles (self-heating may take minutes) is returned with settled = false.
+/// Throws std::invalid_argument for a frequency, an amplitude or options that make no loop.
+SettledLoop simulateSettledLoop(const Component& component, double frequency, double amplitude,
+                                const LoopOptions& options = {});
+
+}  // namespace rubber_suspension

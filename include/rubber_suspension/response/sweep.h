@@ -1,0 +1,34 @@
+// Stiffness and loss angle over frequency and amplitude.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/response/settled_loop.h"
+
+namespace rubber_suspension {
+
+struct SweepPoint {
+  double frequency = 0.0;  ///< [Hz]
+  double amplitude = 0.0;  ///< [m]
+  Characteristics characteristics;
+  bool settled = true;  ///< false where the simulated loop did not repeat within the cycles allowed
+};
+
+/// At one frequency [Hz] and amplitude [m]: closed form for a linear component, a settled simulated loop for another.
+SweepPoint characteristicsAt(const Component& component, double frequency, double amplitude,
+                             const LoopOptions& options = {});
+
+std::vector<SweepPoint> sweepFrequency(const Component& component, const std::vector<double>& frequencies,
+                                       double amplitude, const LoopOptions& options = {});
+
+std::vector<SweepPoint> sweepAmplitude(const Component& component, const std::vector<double>& amplitudes,
+                                       double frequency, const LoopOptions& options = {});
+
+/// At A = P/f with the product P [m Hz]: the amplitude of a track excitation falls about so (Polach Eq. 3).
+std::vector<SweepPoint> sweepConstantProduct(const Component& component, const std::vector<double>& frequencies,
+                                             double product, const LoopOptions& options = {});
+
+/// `count` numbers from `low` to `high`, evenly spaced on a log axis, both ends exact.
+std::vector<double> logSpaced(double low, double high, int count);
+
+}  // namespace rubber_suspension

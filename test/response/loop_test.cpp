@@ -1,0 +1,233 @@
+// Loops: Eqs. 1 and 2 on samples, simulation against closed form, settled loops of friction.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension {
+namespace {
+
+using Complex = std::complex<double>;
+
+std::vector<double> sine(double amplitude, double phase, int samples) {
+  std::vector<double> values(samples);
+  for (int i = 0; i < samples; ++i) {
+    values[i] = amplitude * std::sin(2.0 * M_PI * i / samples + phase);
+  }
+  return values;
+}
+
+TEST(CharacteristicsOfLoop, EllipseOfSamples) {
+  const int samples = 400;
+  const double stiffness = 4.2e6;
+  const double angle = 0.1;
+  const double amplitude = 2e-3;
+  const auto result = characteristicsOfLoop(sine(amplitude, 0.0, samples), sine(stiffness * amplitude, angle, samples));
+  // The polygon inscribed in an ellipse has sin(x)/x of its area, x = 2 pi/n: a loss that is exact once that is put in.
+  const double x = 2.0 * M_PI / samples;
+  const double ellipse = M_PI * stiffness * amplitude * amplitude * std::sin(angle);
+  EXPECT_NEAR(result.loss / (ellipse * std::sin(x) / x), 1.0, 1e-12);
+  // The peak of the force lies between samples by at most half a step.
+  EXPECT_NEAR(result.stiffness / stiffness, 1.0, x * x / 8.0);
+  EXPECT_NEAR(result.loss_angle, angle, angle * x * x);
+}
+
+TEST(CharacteristicsOfLoop, OffsetsDoNotMatter) {
+  auto displacement = sine(2e-3, 0.0, 400);
+  auto force = sine(8e3, 0.2, 400);
+  const auto centred = characteristicsOfLoop(displacement, force);
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    displacement[i] += 0.05;
+    force[i] += 2e5;
+  }
+  const auto shifted = characteristicsOfLoop(displacement, force);
+  // Offsets of 25 times the range cost the last two digits.
+  EXPECT_NEAR(shifted.stiffness / centred.stiffness, 1.0, 1e-12);
+  EXPECT_NEAR(shifted.loss_angle / centred.loss_angle, 1.0, 1e-12);
+}
+
+TEST(CharacteristicsOfLoop, LoopThatGivesEnergyHasNegativeAngle) {
+  EXPECT_LT(characteristicsOfLoop(sine(1.0, 0.0, 100), sine(1.0, -0.2, 100)).loss_angle, 0.0);
+}
+
+TEST(CharacteristicsOfLoop, RefusesWhatIsNoLoop) {
+  const std::vector<double> square_z = {0, 1, 1, 0};
+  const std::vector<double> square_f = {0, 0, 1, 1};
+  EXPECT_THROW(characteristicsOfLoop({0, 1}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(characteristicsOfLoop({0, 1, 2}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(characteristicsOfLoop({0, 1, NAN}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(characteristicsOfLoop({1, 1, 1}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(characteristicsOfLoop(square_z, square_f), std::invalid_argument);  // 4/pi of the ellipse in its box
+}
+
+TEST(CharacteristicsOfEllipse, IsWhatTheLoopGives) {
+  const auto result = characteristicsOfEllipse(std::polar(4.2e6, 0.1), 2e-3);
+  EXPECT_DOUBLE_EQ(result.stiffness, 4.2e6);
+  EXPECT_NEAR(result.loss_angle, 0.1, 1e-15);
+  EXPECT_NEAR(result.loss, M_PI * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
+}
+
+// F/z of a component under a sampled sine that is taken as linear between samples, from a simulation to steady state.
+Complex simulatedStiffness(const std::vector<ElementDescription>& elements, double frequency, int samples) {
+  const Component component(elements);
+  ComponentState state = component.makeState();
+  const double dt = 1.0 / (frequency * samples);
+  Complex force = 0.0;
+  Complex displacement = 0.0;
+  const int settling_cycles = 40;  // of the slowest element below: exp(-40/(f tau)) < 1e-13
+  for (int i = 1; i <= (settling_cycles + 1) * samples; ++i) {
+    const double phase = 2.0 * M_PI * (i % samples) / samples;
+    const double z = std::sin(phase);
+    const double f = component.step(state, dt, z).total;
+    if (i > settling_cycles * samples) {
+      force += f * std::polar(1.0, -phase);
+      displacement += z * std::polar(1.0, -phase);
+    }
+  }
+  return force / displacement;
+}
+
+// The exact response of the law to the polygon through the samples of a sine, at the samples: with E = exp(i w dt) the
+// recursion F+ = e F + g (z+ - z) has F/z = g (E - 1)/(E - e); a dashpot has c (1 - 1/E)/dt.
+Complex polygonStiffness(const std::vector<ElementDescription>& elements, double frequency, int samples) {
+  const double dt = 1.0 / (frequency * samples);
+  const Complex e = std::polar(1.0, 2.0 * M_PI / samples);
+  Complex sum = 0.0;
+  for (const ElementDescription& element : elements) {
+    if (element.type == "spring") {
+      sum += element.value("stiffness");
+    } else if (element.type == "dashpot") {
+      sum += element.value("damping") * (1.0 - 1.0 / e) / dt;
+    } else {
+      const double tau = 1.0 / (2.0 * M_PI * element.value("break_frequency"));
+      const double decay = std::exp(-dt / tau);
+      sum += element.value("stiffness") * tau / dt * (1.0 - decay) * (e - 1.0) / (e - decay);
+    }
+  }
+  return sum;
+}
+
+const std::vector<ElementDescription> kLinear = {{"spring", {{"stiffness", {3e6}}}},
+                                                 {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.4}}}},
+                                                 {"maxwell", {{"stiffness", {0.4e6}}, {"break_frequency", {15.0}}}},
+                                                 {"dashpot", {{"damping", {3000.0}}}}};
+
+TEST(SimulatedSine, AgreesWithTheClosedFormOfThePolygon) {
+  for (const double frequency : {0.5, 4.0, 30.0}) {
+    for (const int samples : {12, 100, 1000}) {
+      const Complex simulated = simulatedStiffness(kLinear, frequency, samples);
+      const Complex exact = polygonStiffness(kLinear, frequency, samples);
+      EXPECT_LT(std::abs(simulated - exact) / std::abs(exact), 1e-10) << frequency << " Hz, " << samples;
+    }
+  }
+}
+
+TEST(SimulatedSine, PolygonTendsToTheSineWithTheSquareOfTheStep) {
+  const std::vector<ElementDescription> undashed(kLinear.begin(), kLinear.begin() + 3);
+  const Complex exact = Component(undashed).complexStiffness(4.0).value();
+  const double coarse = std::abs(simulatedStiffness(undashed, 4.0, 100) - exact);
+  const double fine = std::abs(simulatedStiffness(undashed, 4.0, 200) - exact);
+  EXPECT_NEAR(coarse / fine, 4.0, 0.01);
+  EXPECT_LT(coarse / std::abs(exact), 1e-3);
+}
+
+std::vector<ElementDescription> berg(double maximum_force, double displacement) {
+  return {{"friction", {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}}}};
+}
+
+TEST(SettledLoop, BergLoopIsThatOfItsFormula) {
+  const struct {
+    double amplitude, maximum_force, displacement, peak, loss;
+  } rows[] = {{2.0, 1.5, 0.5, 1.05234, 4.44002}, {10.0, 1.0, 0.3, 0.944870, 31.9131}};
+  for (const auto& row : rows) {
+    const BergFriction law(row.maximum_force, row.displacement, 0.0);
+    EXPECT_NEAR(law.settledForce(row.amplitude), row.peak, 5e-6);
+    EXPECT_NEAR(law.settledLoss(row.amplitude), row.loss, 1e-4);
+    const auto loop = simulateSettledLoop(Component(berg(row.maximum_force, row.displacement)), 1.0, row.amplitude);
+    const auto result = loop.characteristics();
+    EXPECT_TRUE(loop.settled);
+    EXPECT_NEAR(result.stiffness * row.amplitude / law.settledForce(row.amplitude), 1.0, 1e-6);
+    EXPECT_NEAR(result.loss / law.settledLoss(row.amplitude), 1.0, 1e-6);
+  }
+}
+
+TEST(SettledLoop, WholeComponentSettlesOnTheSameLoop) {
+  // A delay of one sample step that is small puts the whole component through time, from rest; the loop has to be that
+  // of the parallel path once it has settled. The mount is so stiff that it changes nothing beyond 1e-9.
+  auto elements = berg(5000.0, 2.2e-3);
+  elements.push_back({"spring", {{"stiffness", {3e6}}}});
+  const auto direct = simulateSettledLoop(Component(elements), 4.0, 2e-3).characteristics();
+  elements.push_back({"series_mount", {{"stiffness", {1e18}}}});
+  const auto loop = simulateSettledLoop(Component(elements), 4.0, 2e-3);
+  EXPECT_TRUE(loop.settled);
+  EXPECT_GT(loop.cycles, 2);
+  EXPECT_NEAR(loop.characteristics().stiffness / direct.stiffness, 1.0, 1e-7);
+  EXPECT_NEAR(loop.characteristics().loss / direct.loss, 1.0, 1e-7);
+}
+
+TEST(SettledLoop, SaysWhenItHasNotSettled) {
+  const std::vector<ElementDescription> slow = {{"spring", {{"stiffness", {3e6}}}},
+                                                {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1e-3}}}},
+                                                {"series_mount", {{"stiffness", {3e7}}}},
+                                                {"friction", {{"maximum_force", {1e3}}, {"displacement", {1e-4}}}}};
+  LoopOptions options;
+  options.maximum_cycles = 5;
+  EXPECT_FALSE(simulateSettledLoop(Component(slow), 4.0, 2e-3, options).settled);
+  EXPECT_FALSE(characteristicsAt(Component(slow), 4.0, 2e-3, options).settled);
+  const auto loop = simulateSettledLoop(Component(slow), 4.0, 2e-3);
+  EXPECT_TRUE(loop.settled);
+  // tau = 159 s is 637 cycles; a part 1e-9 of the force takes about twenty of them.
+  EXPECT_GT(loop.cycles, 5 * 637);
+}
+
+TEST(SettledLoop, RefusesWhatMakesNoLoop) {
+  const Component component(berg(1.0, 1.0));
+  EXPECT_THROW(simulateSettledLoop(component, 0.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(simulateSettledLoop(component, NAN, 1.0), std::invalid_argument);
+  EXPECT_THROW(simulateSettledLoop(component, 1.0, -1.0), std::invalid_argument);
+  LoopOptions options;
+  options.samples = 10;
+  EXPECT_THROW(simulateSettledLoop(component, 1.0, 1.0, options), std::invalid_argument);
+}
+
+TEST(Sweep, LinearComponentIsItsClosedForm) {
+  const Component component(kLinear);
+  for (const SweepPoint& point : sweepFrequency(component, logSpaced(0.01, 100.0, 20), 1e-3)) {
+    const Complex exact = component.complexStiffness(point.frequency).value();
+    EXPECT_NEAR(point.characteristics.stiffness / std::abs(exact), 1.0, 1e-14);
+    EXPECT_NEAR(point.characteristics.loss_angle, std::arg(exact), 1e-14);
+  }
+}
+
+TEST(Sweep, FrictionSoftensWithAmplitudeAndNotWithFrequency) {
+  const Component component(berg(5000.0, 2.2e-3));
+  double before = HUGE_VAL;
+  for (const SweepPoint& point : sweepAmplitude(component, logSpaced(1e-5, 1e-2, 7), 4.0)) {
+    EXPECT_LT(point.characteristics.stiffness, before);
+    before = point.characteristics.stiffness;
+  }
+  const auto over_frequency = sweepFrequency(component, {0.1, 10.0}, 1e-3);
+  EXPECT_DOUBLE_EQ(over_frequency[0].characteristics.stiffness, over_frequency[1].characteristics.stiffness);
+}
+
+TEST(Sweep, ConstantProduct) {
+  const auto points = sweepConstantProduct(Component(kLinear), {1.0, 4.0, 20.0}, 8e-3);
+  EXPECT_DOUBLE_EQ(points[0].amplitude, 8e-3);
+  EXPECT_DOUBLE_EQ(points[1].amplitude, 2e-3);
+  EXPECT_DOUBLE_EQ(points[2].amplitude, 0.4e-3);
+}
+
+TEST(LogSpaced, EndsAreExact) {
+  const auto values = logSpaced(0.1, 40.0, 5);
+  EXPECT_EQ(values.size(), 5u);
+  EXPECT_EQ(values.front(), 0.1);
+  EXPECT_EQ(values.back(), 40.0);
+  EXPECT_NEAR(values[2], 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
