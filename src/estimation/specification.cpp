@@ -158,9 +158,9 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
   std::copy_if(group.begin(), group.end(), std::back_inserter(given),
                [&](const std::string& key) { return specification.has(key); });
   if (given.size() != needed) {
-    throw std::invalid_argument(fmt::format("{}: model {} takes exactly {} of {}, given: {}", join(group), model.name,
-                                            needed == 1 ? "one" : "two", join(group),
-                                            given.empty() ? "none" : join(given)));
+    throw std::invalid_argument(fmt::format("{}: {}; accepted by model {}: exactly {} of {}",
+                                            join(given.empty() ? group : given), given.empty() ? "missing" : "given",
+                                            model.name, needed == 1 ? "one" : "two", join(group)));
   }
 }
 
@@ -168,7 +168,7 @@ void checkPresence(const NamedModel& model, const Specification& specification) 
   for (const std::string& key : model.info.required) {
     if (!specification.has(key)) {
       throw std::invalid_argument(
-          fmt::format("{}: missing; model {} requires {}", key, model.name, join(model.info.required)));
+          fmt::format("{}: missing; model {} needs {}", key, model.name, join(model.info.required)));
     }
   }
   for (const auto& group : model.info.one_of) {

@@ -1,0 +1,241 @@
+// Specifications without a solution: each is refused with key, value and the intervals that would do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <regex>
+
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Values = std::map<std::string, double>;
+
+Specification specificationOf(const Values& values) {
+  Specification specification;
+  for (const auto& [key, value] : values) {
+    specification.set(key, value);
+  }
+  return specification;
+}
+
+const Values kFiveInputs = {{"static_stiffness", 3e6},
+                            {"dynamic_stiffness", 4.2e6},
+                            {"nominal_frequency", 4.0},
+                            {"maximum_stiffness", 4.9e6},
+                            {"high_frequency", 25.0}};
+const Values kFriction = {{"static_stiffness", 3e6},
+                          {"dynamic_stiffness", 4.2e6},
+                          {"nominal_frequency", 4.0},
+                          {"nominal_amplitude", 2e-3},
+                          {"relative_damping", 0.05}};
+const Values kMaxwell = {
+    {"static_stiffness", 3e6}, {"dynamic_stiffness", 4.2e6}, {"nominal_frequency", 4.0}, {"loss_angle", 0.1}};
+const Values kKelvinVoigt = {{"dynamic_stiffness", 4.2e6}, {"nominal_frequency", 4.0}, {"loss_angle", 0.1}};
+
+Values with(Values values, const std::string& key, double value) {
+  values[key] = value;
+  return values;
+}
+
+Values without(Values values, const std::string& key) {
+  values.erase(key);
+  return values;
+}
+
+const Values kBerg = with(kFriction, "break_frequency", 1.45);
+const Values kMaxwellDashpot = with(kMaxwell, "break_frequency", 0.5);
+
+std::string refusal(Model model, const Values& values) {
+  try {
+    estimate(model, specificationOf(values));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool solvable(Model model, const Values& values) { return refusal(model, values) == "accepted"; }
+
+TEST(Refusal, SlipsOfInput) {
+  const struct {
+    Model model;
+    const Values* values;
+    std::string key;
+    double value;
+  } rows[] = {
+      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 30e6},
+      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 0.3e6},
+      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 3.0},
+      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", -3e6},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 42e6},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 2.4e6},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 4.9e6},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 3e6},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", NAN},
+      {Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 49e6},
+      {Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 0.49e6},
+      {Model::multi_maxwell, &kFiveInputs, "nominal_frequency", 40.0},
+      {Model::multi_maxwell, &kFiveInputs, "high_frequency", 2.5},
+      {Model::multi_maxwell, &kFiveInputs, "low_frequency", 25.0},
+      {Model::multi_maxwell, &kFiveInputs, "low_frequency", 4.0},
+      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 1.0},
+      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 2.0},
+      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 3.5},
+      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 50.0},
+      {Model::multi_maxwell, &kFiveInputs, "loss_angle", 0.1},  // one input too many
+      {Model::multi_maxwell, &kFiveInputs, "break_frequency", 1.0},
+      {Model::multi_maxwell, &kFiveInputs, "dynamic_stifness", 4.2e6},
+      {Model::maxwell, &kMaxwell, "dynamic_stiffness", 2e6},
+      {Model::maxwell, &kMaxwell, "loss_angle", 5.7},
+      {Model::maxwell, &kMaxwell, "loss_angle", 1.0},
+      {Model::maxwell, &kMaxwell, "loss_angle", M_PI / 2.0},
+      {Model::maxwell, &kMaxwell, "loss_angle", 0.0},
+      {Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // beside the loss angle
+      {Model::maxwell, &kMaxwell, "nominal_frequency", 0.0},
+      {Model::maxwell, &kMaxwell, "nominal_frequency", HUGE_VAL},
+      {Model::maxwell_dashpot, &kMaxwellDashpot, "break_frequency", 5.0},
+      {Model::kelvin_voigt, &kKelvinVoigt, "relative_damping", 0.05},
+      {Model::kelvin_voigt, &kKelvinVoigt, "loss_angle", 1.6},
+      {Model::kelvin_voigt, &kKelvinVoigt, "static_stiffness", 5e6},
+      {Model::kelvin_voigt, &kKelvinVoigt, "dynamic_stiffness", -1.0},
+      {Model::friction, &kFriction, "relative_damping", 5.0},
+      {Model::friction, &kFriction, "relative_damping", 0.5},
+      {Model::friction, &kFriction, "nominal_amplitude", 2.0},
+      {Model::friction, &kFriction, "viscous_share", 0.2},
+      {Model::friction_dashpot, &kFriction, "viscous_share", 20.0},
+      {Model::friction_dashpot, &kFriction, "viscous_share", 1.0},
+      {Model::friction_dashpot, &kFriction, "dynamic_stiffness", 3.1e6},
+      {Model::berg, &kBerg, "break_frequency", 0.02},
+      {Model::berg, &kBerg, "dynamic_stiffness", 2.9e6},
+      {Model::berg, &kBerg, "dynamic_stiffness", 3.2e6},
+  };
+  for (const auto& row : rows) {
+    ASSERT_TRUE(solvable(row.model, *row.values)) << toString(row.model);
+    const std::string message = refusal(row.model, with(*row.values, row.key, row.value));
+    EXPECT_THAT(message, HasSubstr(row.key)) << row.key << " = " << row.value;
+    EXPECT_THAT(message, HasSubstr("accepted")) << row.key;
+    EXPECT_THAT(message, ::testing::Not(HasSubstr("\n")));
+    EXPECT_NE(message, "accepted") << row.key << " = " << row.value;
+  }
+}
+
+TEST(Refusal, MissingInputs) {
+  const std::pair<Model, Values> complete[] = {{Model::kelvin_voigt, kKelvinVoigt},       {Model::maxwell, kMaxwell},
+                                               {Model::maxwell_dashpot, kMaxwellDashpot}, {Model::friction, kFriction},
+                                               {Model::friction_dashpot, kFriction},      {Model::berg, kBerg},
+                                               {Model::multi_maxwell, kFiveInputs}};
+  for (const auto& [model, values] : complete) {
+    for (const auto& [key, value] : values) {
+      EXPECT_THAT(refusal(model, without(values, key)), HasSubstr(key)) << toString(model);
+    }
+  }
+}
+
+TEST(Refusal, ElementsTakeNoSpecification) {
+  EXPECT_TRUE(solvable(Model::elements, {}));
+  EXPECT_THAT(refusal(Model::elements, {{"static_stiffness", 3e6}}), HasSubstr("static_stiffness"));
+}
+
+struct Interval {
+  std::string key;
+  double lower;
+  double upper;
+};
+
+// The intervals "key in (a, b)" of a message, each part of an "or" too.
+std::vector<Interval> intervalsIn(const std::string& message) {
+  std::vector<Interval> intervals;
+  const std::string text = message.substr(message.find("accepted: "));
+  const std::regex pattern(R"((?:([a-z_]+) |or )in [(\[]([-+.e0-9]+), ([-+.e0-9]+)[)\]])");
+  std::string key;
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), pattern); it != std::sregex_iterator(); ++it) {
+    key = (*it)[1].matched && (*it)[1] != "or" ? (*it)[1].str() : key;
+    intervals.push_back({key, std::stod((*it)[2]), std::stod((*it)[3])});
+  }
+  return intervals;
+}
+
+TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
+  const Values values = with(kFiveInputs, "maxwell_elements", 2.0);
+  const std::string message = refusal(Model::multi_maxwell, values);
+  EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m"));
+  // All stiffness in the last or in the first element: f_l = 5 Hz, q = sqrt(5).
+  const auto single = [](double break_frequency) {
+    const std::complex<double> ratio(0.0, 4.0 / break_frequency);
+    return std::abs(3e6 + 1.9e6 * ratio / (1.0 + ratio));
+  };
+  const double lower = single(0.5 * (5.0 * std::sqrt(5.0) + 25.0));
+  const double upper = single(0.5 * (5.0 + 5.0 * std::sqrt(5.0)));
+  for (const Interval& interval : intervalsIn(message)) {
+    if (interval.key == "dynamic_stiffness") {
+      EXPECT_NEAR(interval.lower / lower, 1.0, 1e-5);  // six digits are printed
+      EXPECT_NEAR(interval.upper / upper, 1.0, 1e-5);
+      return;
+    }
+  }
+  FAIL() << message;
+}
+
+TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
+  const std::pair<Model, Values> unsolvable[] = {
+      {Model::multi_maxwell, with(kFiveInputs, "maxwell_elements", 2.0)},
+      {Model::multi_maxwell, with(kFiveInputs, "dynamic_stiffness", 4.8999e6)},
+      {Model::multi_maxwell, with(without(kFiveInputs, "maximum_stiffness"), "loss_angle", 0.7)},
+      {Model::multi_maxwell, with(without(kFiveInputs, "high_frequency"), "loss_angle", 0.02)},
+      {Model::maxwell, with(kMaxwell, "loss_angle", 1.0)},
+      {Model::maxwell_dashpot, with(kMaxwellDashpot, "break_frequency", 5.0)},
+      {Model::friction, with(kFriction, "relative_damping", 0.5)},
+      {Model::friction_dashpot, with(kFriction, "dynamic_stiffness", 3.1e6)},
+      {Model::berg, with(kBerg, "dynamic_stiffness", 3.2e6)},
+      {Model::berg, with(kBerg, "break_frequency", 0.02)},
+  };
+  for (const auto& [model, values] : unsolvable) {
+    const std::string message = refusal(model, values);
+    ASSERT_NE(message, "accepted") << toString(model);
+    const auto intervals = intervalsIn(message);
+    EXPECT_FALSE(intervals.empty()) << message;
+    for (const Interval& interval : intervals) {
+      if (interval.key == "maxwell_elements") {
+        continue;  // whole numbers
+      }
+      const double width = interval.upper - interval.lower;
+      for (const double part : {0.001, 0.5, 0.999}) {
+        EXPECT_TRUE(solvable(model, with(values, interval.key, interval.lower + part * width)))
+            << interval.key << " in (" << interval.lower << ", " << interval.upper << ") of: " << message;
+      }
+      for (const double beyond : {interval.lower - 0.001 * width, interval.upper + 0.001 * width}) {
+        EXPECT_FALSE(solvable(model, with(values, interval.key, beyond))) << interval.key << " " << beyond << message;
+      }
+    }
+  }
+}
+
+TEST(Tables, EveryKeyOfEveryModelIsInTheTable) {
+  for (const Model model : {Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
+                            Model::friction_dashpot, Model::berg, Model::multi_maxwell, Model::elements}) {
+    EXPECT_EQ(modelFromString(toString(model)), model);
+    const ModelInfo& info = modelInfo(model);
+    EXPECT_EQ(info.model, model);
+    std::vector<std::string> keys = info.required;
+    keys.insert(keys.end(), info.optional.begin(), info.optional.end());
+    for (const auto& groups : {info.one_of, info.two_of}) {
+      for (const auto& group : groups) {
+        keys.insert(keys.end(), group.begin(), group.end());
+      }
+    }
+    for (const std::string& key : keys) {
+      const auto& table = specificationParameters();
+      EXPECT_EQ(std::count_if(table.begin(), table.end(), [&](const ParameterInfo& row) { return row.name == key; }), 1)
+          << key;
+    }
+  }
+  EXPECT_FALSE(modelFromString("kelvin").has_value());
+}
+
+}  // namespace
+}  // namespace rubber_suspension
