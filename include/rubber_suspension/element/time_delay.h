@@ -5,7 +5,9 @@
 
 namespace rubber_suspension {
 
-/// The specimen sees z(t - T): the force is late by T, the loss angle grows by 360 degrees times f T.
+/// The specimen sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
+/// is 3.6 degrees at 10 Hz), down to negative values; the magnitude stays. T < 0 raises it, as a late displacement
+/// signal does.
 ///
 /// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
 /// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/254 the samples are

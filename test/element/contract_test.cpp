@@ -1,0 +1,341 @@
+// The contract that every law must keep: one battery over typical parameters of all laws of the catalogue.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <set>
+
+#include "element/typical_elements.h"
+#include "support/allocation_counter.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+using testing::Each;
+using testing::Eq;
+
+constexpr double kDt = 1e-3;           // [s]
+constexpr double kAmplitude = 1.5e-3;  // [m], beyond gap and yield of the typical parameters
+
+/// A walk of moves of random size and duration within +-2 amplitudes, always the same.
+class RandomMoves {
+ public:
+  explicit RandomMoves(unsigned seed) : generator_(seed) {}
+
+  double displacement() { return 2.0 * kAmplitude * uniform_(generator_); }
+  double dt() { return kDt * std::exp(2.0 * uniform_(generator_)); }
+  double share() { return 0.5 + 0.45 * uniform_(generator_); }
+
+ private:
+  std::mt19937 generator_;
+  std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
+};
+
+void walk(const Component& component, ComponentState& state, unsigned seed) {
+  RandomMoves moves(seed);
+  for (int i = 0; i < 200; ++i) {
+    const double dt = moves.dt();
+    component.step(state, dt, moves.displacement());
+  }
+}
+
+std::vector<double> forcesOfWalk(const Component& component, ComponentState& state, unsigned seed) {
+  RandomMoves moves(seed);
+  std::vector<double> forces;
+  for (int i = 0; i < 200; ++i) {
+    const double dt = moves.dt();
+    forces.push_back(component.step(state, dt, moves.displacement()).total);
+  }
+  return forces;
+}
+
+double largest(const std::vector<double>& values) {
+  double result = 0.0;
+  for (const double value : values) {
+    result = std::max(result, std::abs(value));
+  }
+  return result;
+}
+
+/// Smooth from rest on, so that inertia starts without a kink.
+double smoothMotion(double t) {
+  return kAmplitude * (std::pow(std::sin(2.0 * M_PI * 1.3 * t), 3) + 0.4 * std::pow(std::sin(2.0 * M_PI * 5.1 * t), 3));
+}
+
+/// Forces under smoothMotion at multiples of 4 ms for a step of 4 ms / refinement.
+std::vector<double> forcesOfSmoothMotion(const Component& component, int refinement) {
+  constexpr double kCoarse = 4e-3;
+  constexpr int kSamples = 300;
+  ComponentState state = component.makeState();
+  std::vector<double> forces;
+  for (int i = 1; i <= kSamples * refinement; ++i) {
+    const double force = component.step(state, kCoarse / refinement, smoothMotion(kCoarse * i / refinement)).total;
+    if (i % refinement == 0) {
+      forces.push_back(force);
+    }
+  }
+  return forces;
+}
+
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// First harmonic of the settled force over that of a sampled sine [N/m]. Runs until exp(-30) of the slowest relaxation
+/// of the typical laws is left (springpot: tau about 50 s).
+std::complex<double> simulatedStiffness(const Component& component, double frequency, int samples_per_cycle) {
+  const double dt = 1.0 / (frequency * samples_per_cycle);
+  const int settling = static_cast<int>(1500.0 * frequency) * samples_per_cycle;
+  ComponentState state = component.makeState();
+  std::complex<double> sum = 0.0;
+  for (int i = 1; i <= settling + samples_per_cycle; ++i) {
+    const double phase = 2.0 * M_PI * (i % samples_per_cycle) / samples_per_cycle;
+    const double force = component.step(state, dt, kAmplitude * std::sin(phase)).total;
+    if (i > settling) {
+      sum += force * std::polar(1.0, -phase);
+    }
+  }
+  return sum * std::complex<double>(0.0, 2.0 / (kAmplitude * samples_per_cycle));
+}
+
+/// What an exact step must give under a sampled sine. The straight line between the samples consists of the angular
+/// frequencies w + k w_s, w_s = 2 pi/dt, with the shares sinc^2((w + k w_s) dt/2), and each meets K* of its own:
+/// K_sampled = sum_k sinc^2(...) K*(w + k w_s). The shares add up to 1, so the high-frequency limit of K* is split off;
+/// the rest falls as 1/k^4 in pairs.
+std::complex<double> sampledStiffness(const Component& component, double frequency, int samples_per_cycle) {
+  constexpr int kAliases = 200000;
+  constexpr double kInfinite = 1e14;  // [Hz]
+  const double sampling = frequency * samples_per_cycle;
+  const double limit = component.complexStiffness(kInfinite)->real();
+  std::complex<double> sum = limit;
+  for (int k = -kAliases; k <= kAliases; ++k) {
+    const double alias = frequency + k * sampling;
+    const double argument = M_PI * alias / sampling;
+    const double share = std::pow(std::sin(argument) / argument, 2);
+    const std::complex<double> stiffness = *component.complexStiffness(std::abs(alias));
+    sum += share * ((alias < 0.0 ? std::conj(stiffness) : stiffness) - limit);
+  }
+  return sum;
+}
+
+TEST(Catalogue, EveryLawIsPutToTheContract) {
+  std::set<std::string> tested;
+  for (const ElementDescription& description : typicalElements()) {
+    tested.insert(description.type);
+  }
+  for (const ElementType& type : elementTypes()) {
+    EXPECT_TRUE(tested.count(type.name)) << type.name << " has no typical parameters in typical_elements.h";
+    EXPECT_FALSE(type.documentation.empty()) << type.name;
+    for (const ParameterInfo& parameter : type.parameters) {
+      EXPECT_FALSE(parameter.documentation.empty()) << type.name << '.' << parameter.name;
+      EXPECT_FALSE(parameter.unit.empty()) << type.name << '.' << parameter.name;
+      EXPECT_TRUE(!parameter.default_value || parameter.range.contains(*parameter.default_value))
+          << type.name << '.' << parameter.name;
+    }
+  }
+}
+
+class Contract : public testing::TestWithParam<ElementDescription> {
+ protected:
+  Component component_ = subject(GetParam());
+  ComponentState state_ = component_.makeState();
+};
+
+INSTANTIATE_TEST_SUITE_P(AllLaws, Contract, testing::ValuesIn(typicalElements()),
+                         [](const testing::TestParamInfo<ElementDescription>& test) {
+                           return test.param.type + "_" + std::to_string(test.index);
+                         });
+
+TEST_P(Contract, ZeroInGivesZeroOut) {
+  if (isOneOf(GetParam(), {"force_offset", "force_drift"})) {
+    GTEST_SKIP() << "a force of its own; see its own test";
+  }
+  RandomMoves moves(1);
+  EXPECT_EQ(component_.rest(state_, 0.0).total, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_EQ(component_.step(state_, moves.dt(), 0.0).total, 0.0) << "step " << i;
+  }
+}
+
+TEST_P(Contract, RestIsAsNew) {
+  const std::vector<double> as_new = forcesOfWalk(component_, state_, 2);
+  component_.rest(state_, 0.0);
+  EXPECT_EQ(state_.memory(), component_.makeState().memory());
+  EXPECT_EQ(forcesOfWalk(component_, state_, 2), as_new);
+}
+
+TEST_P(Contract, StaysAtRestWhereItRests) {
+  if (GetParam().type == "force_drift") {
+    GTEST_SKIP() << "moves of itself";
+  }
+  const double force = component_.rest(state_, kAmplitude).total;
+  for (const double dt : {1e-4, 1.0, 1e4}) {
+    // Same operations up to the order of sums, or up to the solver's tolerance behind a mount.
+    ASSERT_NEAR(component_.step(state_, dt, kAmplitude).total, force, 1e-12 * std::abs(force)) << dt;
+  }
+}
+
+TEST_P(Contract, CopyContinuesAsTheOriginal) {
+  walk(component_, state_, 3);
+  ComponentState copy = state_;
+  ComponentState restored = component_.makeState();
+  restored.restore(state_.displacement(), state_.memory());
+  const std::vector<double> forces = forcesOfWalk(component_, state_, 4);
+  EXPECT_EQ(forcesOfWalk(component_, copy, 4), forces);
+  EXPECT_EQ(forcesOfWalk(component_, restored, 4), forces);
+}
+
+TEST_P(Contract, StepAllocatesNothing) {
+  walk(component_, state_, 5);
+  const AllocationCounter counter;
+  walk(component_, state_, 6);
+  component_.rest(state_, kAmplitude);
+  component_.recover(state_, 0.0);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+TEST_P(Contract, RawLawAgreesWithComponent) {
+  const ElementPointer element = makeElement(GetParam());
+  const auto* law = std::get_if<std::shared_ptr<const ParallelElement>>(&element);
+  if (law == nullptr) {
+    GTEST_SKIP() << "gives no force of its own";
+  }
+  std::vector<double> memory((*law)->memorySize());
+  double displacement = 1e-4;
+  EXPECT_EQ((*law)->rest(displacement, memory.data()), component_.rest(state_, displacement).total);
+  RandomMoves moves(7);
+  for (int i = 0; i < 200; ++i) {
+    const double dt = moves.dt();
+    const double next = moves.displacement();
+    const double force = (*law)->step({dt, next, next - displacement}, memory.data());
+    ASSERT_NEAR(component_.step(state_, dt, next).total, force, 1e-12 * std::abs(force));  // order of sums
+    displacement = next;
+  }
+}
+
+TEST_P(Contract, ClosedSettledCycleDissipates) {
+  if (!isPassive(GetParam())) {
+    GTEST_SKIP() << "not passive";
+  }
+  constexpr int kSamples = 400;
+  constexpr int kCycles = 10;
+  double work = 0.0;
+  double peak = 0.0;
+  ComponentForce before = component_.rest(state_, 0.0);
+  for (int i = 1; i <= kCycles * kSamples; ++i) {
+    const double z = kAmplitude * std::sin(2.0 * M_PI * (i % kSamples) / kSamples);
+    const double increment = z - state_.displacement();
+    const ComponentForce force = component_.step(state_, 0.5 / kSamples, z);
+    peak = std::max(peak, std::abs(force.total));
+    if (i > (kCycles - 1) * kSamples) {
+      work += 0.5 * (before.total + force.total) * increment;
+    }
+    before = force;
+  }
+  // An elastic law retraces its path over the same samples, so only rounding is left.
+  EXPECT_GE(work, -1e-12 * peak * kAmplitude);
+  if (!isOneOf(GetParam(), {"spring", "progressive_stiffness", "asymmetric_stiffness", "spring_table", "bump_stop"})) {
+    EXPECT_GT(work, 1e-4 * peak * kAmplitude) << "a law with loss loses nothing";
+  }
+}
+
+TEST_P(Contract, NeverGivesMoreEnergyThanItGot) {
+  if (!isPassive(GetParam()) || GetParam().type == "asymmetric_stiffness") {
+    GTEST_SKIP() << "not passive by itself";
+  }
+  constexpr int kParts = 256;
+  RandomMoves moves(8);
+  double work = 0.0;
+  double uncertainty = 0.0;  // of the trapezoidal rule where the force is monotone over a part
+  double before = component_.rest(state_, 0.0).total;
+  for (int move = 0; move < 40; ++move) {
+    const double start = state_.displacement();
+    const double end = moves.displacement();
+    const double dt = moves.dt() / kParts;
+    for (int part = 1; part <= kParts; ++part) {
+      const double z = start + (end - start) * part / kParts;
+      const double increment = z - state_.displacement();
+      const double force = component_.step(state_, dt, z).total;
+      work += 0.5 * (before + force) * increment;
+      uncertainty += 0.5 * std::abs((force - before) * increment);
+      before = force;
+      ASSERT_GE(work, -uncertainty) << "move " << move;
+    }
+  }
+}
+
+TEST_P(Contract, RefiningTheStepConverges) {
+  const std::vector<double> reference = forcesOfSmoothMotion(component_, 128);
+  const double coarse = rmsDifference(forcesOfSmoothMotion(component_, 1), reference);
+  const double fine = rmsDifference(forcesOfSmoothMotion(component_, 8), reference);
+  const double negligible = 1e-11 * largest(reference);
+  // First order in dt gives 1/8 (and 1/128 of the reference's own error); how well samples hit a turning point
+  // scatters.
+  EXPECT_LE(fine, std::max(negligible, 0.2 * coarse)) << "coarse " << coarse;
+}
+
+TEST_P(Contract, SplittingAStepChangesNothing) {
+  if (!isExact(GetParam())) {
+    GTEST_SKIP() << "converges only";
+  }
+  ComponentState split = component_.makeState();
+  RandomMoves moves(9);
+  std::vector<double> whole_forces;
+  std::vector<double> split_forces;
+  for (int i = 0; i < 300; ++i) {
+    const double start = state_.displacement();
+    const double dt = moves.dt();
+    const double end = moves.displacement();
+    const double share = moves.share();
+    whole_forces.push_back(component_.step(state_, dt, end).total);
+    component_.step(split, share * dt, start + share * (end - start));
+    split_forces.push_back(component_.step(split, dt - share * dt, end).total);
+  }
+  // Rounding of some 1e-16 at each step; differences of displacement over small parts of a step cost two digits more.
+  EXPECT_LE(rmsDifference(whole_forces, split_forces), 1e-12 * largest(whole_forces));
+}
+
+TEST_P(Contract, SettledSineTendsToComplexStiffness) {
+  const Component component = linearSubject(GetParam());
+  if (!component.linear() || GetParam().type == "force_drift") {
+    GTEST_SKIP() << "no K*, or a loop that never closes";
+  }
+  constexpr double kFrequency = 4.0;
+  const std::complex<double> expected = *component.complexStiffness(kFrequency);
+  const double coarse = std::abs(simulatedStiffness(component, kFrequency, 40) - expected);
+  const double fine = std::abs(simulatedStiffness(component, kFrequency, 80) - expected);
+  const double negligible = 1e-9 * std::max(1e3, std::abs(expected));
+  EXPECT_LE(fine, std::max(negligible, 0.55 * coarse)) << expected;  // first order or better
+  EXPECT_LE(fine, std::max(negligible, 0.06 * std::abs(expected)));  // half a step's phase is pi/80 = 0.04
+}
+
+TEST_P(Contract, SettledSineOfAnExactStepIsKnown) {
+  if (!isOneOf(GetParam(), {"spring", "maxwell", "springpot", "creep"})) {
+    GTEST_SKIP() << "nonlinear, not exact, or with a K* that grows without limit";
+  }
+  for (const double frequency : {0.5, 4.0, 25.0}) {
+    const std::complex<double> expected = sampledStiffness(component_, frequency, 24);
+    const std::complex<double> simulated = simulatedStiffness(component_, frequency, 24);
+    EXPECT_LE(std::abs(simulated - expected), 1e-10 * std::abs(expected)) << frequency << " Hz";
+  }
+}
+
+TEST_P(Contract, ForcesStayFiniteUnderExtremeSteps) {
+  for (const double dt : {1e-9, 1e-3, 1e6}) {
+    for (const double z : {1e-15, -1.0, 0.0, 10.0, 1e-3}) {
+      const ComponentForce force = component_.step(state_, dt, z);
+      ASSERT_TRUE(std::isfinite(force.total)) << "dt " << dt << " z " << z;
+    }
+  }
+  for (const double value : state_.memory()) {
+    ASSERT_TRUE(std::isfinite(value));
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

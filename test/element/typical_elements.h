@@ -1,0 +1,105 @@
+// Typical parameters of every law, for tests that all laws must pass, and what each law is known to be.
+#pragma once
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/component/component.h"
+
+namespace rubber_suspension::test {
+
+/// A law with parameters as on a component of 3 kN/mm that moves by some millimetres.
+inline std::vector<ElementDescription> typicalElements() {
+  return {
+      {"spring", {{"stiffness", {3e6}}}},
+      {"progressive_stiffness", {{"cubic", {1e11}}, {"quintic", {1e15}}}},
+      {"progressive_stiffness", {{"quintic", {2e16}}}},
+      {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
+      {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
+      {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
+      {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
+      {"dashpot", {{"damping", {2e4}}}},
+      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2000.0}}}},
+      {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}},
+      {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}},
+      {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}},
+      {"friction", {{"maximum_force", {2e3}}, {"displacement", {3e-4}}, {"dead_band", {2e-5}}}},
+      {"coulomb_friction", {{"maximum_force", {2e3}}, {"stiffness", {1e7}}}},
+      {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
+      {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}, {"sliders", {3.0}}}},
+      {"iwan_table", {{"yield_displacement", {2e-3, 1e-4, 5e-4}}, {"stiffness", {4e5, 2e6, 1e6}}}},
+      {"stress_softening", {{"reduction", {0.3}}}},
+      {"stress_softening", {{"reduction", {0.3}}, {"width", {0.2}}, {"path", {0.01}}}},
+      {"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {20.0}}}},
+      {"free_play", {{"gap", {2e-4}}}},
+      {"series_compliance", {{"stiffness", {3e7}}}},
+      {"time_delay", {{"delay", {3.3e-3}}}},
+      {"time_delay", {{"delay", {-2.5e-4}}}},
+      {"inertia", {{"mass", {12.0}}}},
+      {"force_offset", {{"offset", {-150.0}}}},
+      {"force_drift", {{"rate", {20.0}}}},
+  };
+}
+
+/// A component that shows the law: alone where its force adds, on a specimen with loss where it needs one.
+inline Component subject(const ElementDescription& description) {
+  const ElementPointer element = makeElement(description);
+  if (std::holds_alternative<std::shared_ptr<const ParallelElement>>(element)) {
+    return Component({description});
+  }
+  return Component({{"spring", {{"stiffness", {3e6}}}},
+                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                    {"coulomb_friction", {{"maximum_force", {1e3}}, {"stiffness", {5e6}}}},
+                    description});
+}
+
+/// The same with a linear specimen, for laws whose K* is in question.
+inline Component linearSubject(const ElementDescription& description) {
+  const ElementPointer element = makeElement(description);
+  if (std::holds_alternative<std::shared_ptr<const ParallelElement>>(element)) {
+    return Component({description});
+  }
+  return Component({{"spring", {{"stiffness", {3e6}}}},
+                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                    description});
+}
+
+inline bool isOneOf(const ElementDescription& description, const std::vector<std::string>& types) {
+  return std::find(types.begin(), types.end(), description.type) != types.end();
+}
+
+/// Faults of a measuring chain have forces of their own or shift them in time, so they may seem to create energy; so
+/// may a specimen that is loaded hot and unloaded cold.
+inline bool isPassive(const ElementDescription& description) {
+  return !isOneOf(description, {"force_offset", "force_drift", "time_delay", "inertia", "self_heating"});
+}
+
+/// Those whose step is exact for displacement that is linear in between, whatever its length. Free play and delay bend
+/// the line between two samples, which the specimen behind them does not see (their own exactness: see their own
+/// tests).
+inline bool isExact(const ElementDescription& description) {
+  const bool approximate =
+      isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay"});
+  const bool softens_slowly = description.type == "stress_softening" && description.values.count("path") != 0;
+  return !approximate && !softens_slowly;
+}
+
+}  // namespace rubber_suspension::test
+
+namespace rubber_suspension {
+
+/// For the messages of parameterised tests.
+inline void PrintTo(const ElementDescription& description, std::ostream* stream) {
+  *stream << description.type;
+  for (const auto& [name, values] : description.values) {
+    *stream << ' ' << name << '=';
+    for (const double value : values) {
+      *stream << value << ' ';
+    }
+  }
+}
+
+}  // namespace rubber_suspension
