@@ -112,15 +112,18 @@ std::complex<double> sampledStiffness(const Component& component, double frequen
   constexpr double kInfinite = 1e14;  // [Hz]
   const double sampling = frequency * samples_per_cycle;
   const double limit = component.complexStiffness(kInfinite)->real();
-  std::complex<double> sum = limit;
-  for (int k = -kAliases; k <= kAliases; ++k) {
+  const auto term = [&](int k) {
     const double alias = frequency + k * sampling;
     const double argument = M_PI * alias / sampling;
     const double share = std::pow(std::sin(argument) / argument, 2);
     const std::complex<double> stiffness = *component.complexStiffness(std::abs(alias));
-    sum += share * ((alias < 0.0 ? std::conj(stiffness) : stiffness) - limit);
+    return share * ((alias < 0.0 ? std::conj(stiffness) : stiffness) - limit);
+  };
+  std::complex<double> sum = 0.0;  // from the least terms on, which would be lost in the sum otherwise
+  for (int k = kAliases; k > 0; --k) {
+    sum += term(k) + term(-k);
   }
-  return sum;
+  return sum + term(0) + limit;
 }
 
 TEST(Catalogue, EveryLawIsPutToTheContract) {

@@ -12,8 +12,12 @@ namespace rubber_suspension {
 /// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
 /// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/254 the samples are
 /// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/254)^2/8 under a
-/// sine. T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below
-/// 1 (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+/// sine.
+///
+/// T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below 1
+/// (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+///
+/// Source: shift theorem of the Fourier transform, K* exp(-i w T).
 class TimeDelay final : public DisplacementEffect {
  public:
   static constexpr double kLongestAdvance = 0.02;  ///< [s]
