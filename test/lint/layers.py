@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""Holds the layers apart: includes point one way only, and only ros_interface and the mains know ROS.
+
+Usage: layers.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+"""
+
+import pathlib
+import re
+import sys
+
+# What each layer may include, itself apart.
+BELOW = {
+    "element": set(),
+    "component": {"element"},
+    "response": {"element", "component"},
+    "estimation": {"element", "component", "response"},
+    "io": {"element", "component", "response", "estimation"},
+    "diagnosis": {"element", "component", "response", "estimation", "io"},
+    "ros_interface": {"element", "component", "response", "estimation", "io", "diagnosis"},
+}
+KNOW_ROS = {"ros_interface", "apps"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+ROS_HEADER = re.compile(
+    r"^(ros|rosbag|roscpp|rosgraph_msgs|nodelet|pluginlib|class_loader|diagnostic_updater|xmlrpcpp|tf2?|actionlib"
+    r"|[a-z_0-9]+_msgs|std_srvs|dynamic_reconfigure|topic_tools|message_filters|rostest)/"
+)
+OWN_MESSAGE = re.compile(r"^rubber_suspension/[A-Z]\w*\.h$")
+OWN_HEADER = re.compile(r"^rubber_suspension/([a-z_]+)/")
+
+
+def layer_of(path, root):
+    """The folder below include/rubber_suspension/ or src/ that a file is in."""
+    parts = path.relative_to(root).parts
+    return parts[2] if parts[0] == "include" else parts[1]
+
+
+def violation(layer, header):
+    """Why a file of this layer must not include the header; None if it may."""
+    if layer not in KNOW_ROS and (ROS_HEADER.match(header) or OWN_MESSAGE.match(header)):
+        return f"{layer} must not know ROS"
+    own = OWN_HEADER.match(header)
+    if own is None or layer == "apps" or own.group(1) == layer:
+        return None
+    if own.group(1) not in BELOW[layer]:
+        return f"{layer} must not depend on {own.group(1)}"
+    return None
+
+
+def check(root):
+    found = 0
+    files = sorted(p for folder in ("include", "src") for p in (root / folder).rglob("*") if p.suffix in (".h", ".cpp"))
+    if not files:
+        print(f"{root}: no sources")
+        return 1
+    for path in files:
+        layer = layer_of(path, root)
+        if layer not in BELOW and layer != "apps":
+            print(f"{path}: folder `{layer}` is no layer; layers are {', '.join(BELOW)}")
+            found += 1
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            match = INCLUDE.match(line)
+            reason = match and violation(layer, match.group(1))
+            if reason:
+                print(f"{path}:{number}: includes {match.group(1)}: {reason}")
+                found += 1
+    return found
+
+
+if __name__ == "__main__":
+    sys.exit(1 if check(pathlib.Path(sys.argv[1]).resolve()) else 0)
