@@ -25,7 +25,7 @@ KEYS = {
     "google-mock": ({"gmock"}, {"libgmock-dev"}),
     "gtest": ({"GTest", "gtest"}, {"libgtest-dev"}),
     "libceres-dev": ({"Ceres", "ceres"}, {"libceres-dev"}),
-    "libmatio-dev": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
+    "matio": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
     "librapidcheck-dev": ({"rapidcheck", "rapidcheck.h"}, {"librapidcheck-dev"}),
     "libudunits2-dev": ({"UDUNITS2_LIBRARY", "udunits2.h"}, {"libudunits2-dev"}),
     "message_generation": ({"message_generation"}, {"ros-message-generation"}),
