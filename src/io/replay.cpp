@@ -1,13 +1,51 @@
-// Simulates a component on a recorded log, offline.
+// Simulates a component on a recorded log, offline, and shows the result.
 #include "rubber_suspension/io/replay.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
 
 #include "rubber_suspension/io/progress.h"
 
 namespace rubber_suspension {
+namespace {
+
+constexpr std::size_t kLargestCurve = 50000;  // points; more than anyone can see
+
+// Every n-th value times a factor, n such that the curve is no longer than it may be.
+std::vector<double> thinned(const std::vector<double>& values, double factor) {
+  const std::size_t stride = 1 + values.size() / kLargestCurve;
+  std::vector<double> result;
+  for (std::size_t i = 0; i < values.size(); i += stride) {
+    result.push_back(values[i] * factor);
+  }
+  return result;
+}
+
+std::vector<double> secondsOf(const Log& log) {
+  std::vector<double> seconds(log.size());
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    seconds[i] = static_cast<double>(log.stamp[i] - log.stamp[0]) * 1e-9;
+  }
+  return seconds;
+}
+
+Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const Log& log,
+               const std::vector<double>& force) {
+  Axes axes;
+  axes.x_label = x_label;
+  axes.y_label = "force [kN]";
+  if (!log.force.empty()) {
+    axes.curves.push_back({"measured", x, thinned(log.force, 1e-3), "-", 0});
+  }
+  axes.curves.push_back({"simulated", x, thinned(force, 1e-3), "-", 1});
+  return axes;
+}
+
+}  // namespace
 
 std::vector<double> simulateLog(const Component& component, const Log& log, StreamCounters* counters) {
   checkLog(log);
@@ -29,6 +67,61 @@ std::vector<double> simulateLog(const Component& component, const Log& log, Stre
     *counters = stream.counters();
   }
   return force;
+}
+
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated) {
+  if (measured.empty() || measured.size() != simulated.size()) {
+    throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: as many, at least one",
+                                            measured.size(), simulated.size()));
+  }
+  const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
+  double gap = 0.0;
+  double deviation = 0.0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    gap += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
+    deviation += (measured[i] - mean) * (measured[i] - mean);
+  }
+  if (!(deviation > 0.0)) {
+    throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: one that varies", mean));
+  }
+  return std::sqrt(gap / deviation);
+}
+
+Replay replay(const Component& component, const Log& log) {
+  StreamCounters counters;
+  Replay result{simulateLog(component, log, &counters), log.notes};
+  if (counters.bridged > 0) {
+    result.notes.push_back(fmt::format("{} gap{} in time bridged, displacement linear in between", counters.bridged,
+                                       counters.bridged == 1 ? "" : "s"));
+  }
+  return result;
+}
+
+std::string summary(const std::string& component, const Log& log, const Replay& replay) {
+  const auto range = std::minmax_element(replay.force.begin(), replay.force.end());
+  const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+  std::string text = fmt::format("{}: {} samples, {:.6g} s, force {:.6g} to {:.6g} N", component, log.size(), duration,
+                                 *range.first, *range.second);
+  const bool varies = !log.force.empty() && *std::min_element(log.force.begin(), log.force.end()) <
+                                                *std::max_element(log.force.begin(), log.force.end());
+  if (varies) {
+    text += fmt::format(", gap to the measured force {:.4f}", relativeGap(log.force, replay.force));
+  }
+  return text;
+}
+
+Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force) {
+  const std::vector<double> seconds = thinned(secondsOf(log), 1.0);
+  const std::vector<double> millimetres = thinned(log.displacement, 1e3);
+  Axes displacement;
+  displacement.x_label = "time [s]";
+  displacement.y_label = "displacement [mm]";
+  displacement.curves.push_back({"", seconds, millimetres, "-", 7});
+  Figure figure;
+  figure.title = fmt::format("{}, {}", component, log.name);
+  figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force),
+                 forceAxes("time [s]", seconds, log, force)};
+  return figure;
 }
 
 }  // namespace rubber_suspension

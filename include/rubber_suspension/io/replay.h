@@ -1,9 +1,11 @@
 // Simulates a component on a recorded log, offline.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/io/figure.h"
 #include "rubber_suspension/io/log.h"
 
 namespace rubber_suspension {
@@ -13,5 +15,24 @@ namespace rubber_suspension {
 /// `counters`, if given, receives what the stream counted. Throws LogError as checkLog does, and where a force is not
 /// finite.
 std::vector<double> simulateLog(const Component& component, const Log& log, StreamCounters* counters = nullptr);
+
+/// RMS of measured minus simulated force over the standard deviation of the measured force [-].
+/// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
+
+/// What a simulation of a log gave.
+struct Replay {
+  std::vector<double> force;       ///< [N], one per sample
+  std::vector<std::string> notes;  ///< of the log, and of gaps in time that were bridged
+};
+
+/// Simulate a log and say what was noticed. Throws as simulateLog does.
+Replay replay(const Component& component, const Log& log);
+
+/// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
+std::string summary(const std::string& component, const Log& log, const Replay& replay);
+
+/// Displacement and force over time, and force over displacement; long logs are thinned for the eye.
+Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force);
 
 }  // namespace rubber_suspension

@@ -1,0 +1,40 @@
+// The options that say how to read a log, the same for every command that reads one.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "rubber_suspension/io/log.h"
+
+namespace rubber_suspension {
+
+class LogOptions {
+ public:
+  /// Adds --columns, --unit and --rate; the object has to live as long as the parser.
+  void addTo(CLI::App& app) {
+    app.add_option("--columns", columns_,
+                   "columns of other names: time=NAME displacement=NAME force=NAME temperature=NAME")
+        ->type_name("QUANTITY=NAME");
+    app.add_option("--unit", unit_, "units of the columns named by --columns, as mm,kN")->type_name("LENGTH,FORCE");
+    app.add_option("--rate", rate_, "sampling rate of a log without column of time")->type_name("HZ");
+  }
+
+  /// Throws UsageError.
+  LogFormat format() const {
+    try {
+      return makeLogFormat(columns_, unit_, rate_);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }
+
+ private:
+  std::vector<std::string> columns_;
+  std::string unit_;
+  double rate_ = 0.0;
+};
+
+}  // namespace rubber_suspension

@@ -1,0 +1,64 @@
+// replay: simulates a component on a recorded log, offline, to the last bit as the node does.
+#include "rubber_suspension/io/replay.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "command.h"
+#include "log_options.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/figure.h"
+
+namespace {
+
+using namespace rubber_suspension;
+
+struct Options {
+  std::string config;
+  std::string component;
+  std::string log;
+  std::string output;
+  std::string plot;
+  LogOptions log_options;
+};
+
+int run(const Options& options) {
+  const LogFormat format = options.log_options.format();
+  const auto components = loadComponentFile(options.config);
+  const ComponentDescription& description = selectComponent(components, options.component);
+  const Log log = readCsvLog(options.log, format);
+  std::error_code none;
+  if (std::filesystem::equivalent(options.output, options.log, none)) {
+    throw UsageError("--output: " + options.output + " is the log itself; accepted: another file");
+  }
+  const Replay result = replay(description.makeComponent(), log);
+  writeForceCsv(options.output, log, result.force);
+  if (!options.plot.empty()) {
+    drawFigure(replayFigure(description.name, log, result.force), options.plot);
+  }
+  for (const std::string& note : result.notes) {
+    std::cerr << "replay: note: " << log.name << ": " << note << '\n';
+  }
+  std::cout << summary(description.name, log, result) << "\n" << options.output << '\n';
+  return kSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runCommand(
+      argc, argv, "replay", "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
+      [](CLI::App& app) -> CommandBody {
+        auto options = std::make_shared<Options>();
+        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
+        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
+            ->type_name("NAME");
+        app.add_option("--log", options->log, "CSV log to simulate")->required()->type_name("FILE");
+        app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
+            ->required()
+            ->type_name("FILE");
+        app.add_option("--plot", options->plot, "figure to draw, .svg or .png")->type_name("FILE");
+        options->log_options.addTo(app);
+        return [options] { return run(*options); };
+      });
+}

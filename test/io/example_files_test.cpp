@@ -1,0 +1,57 @@
+// The files in config/: all load, and the example shows everything that a component file may hold.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+const std::string kFolder = TEST_DIR "/../config";
+
+TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
+  Log sine;
+  sine.name = "sine";
+  for (int i = 0; i < 2000; ++i) {
+    sine.stamp.push_back(i * 1000000LL);
+    sine.displacement.push_back(0.002 * std::sin(2.0 * M_PI * 4.0 * 1e-3 * i));
+  }
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    ++files;
+    for (const ComponentDescription& component : loadComponentFile(entry.path().string())) {
+      EXPECT_NO_THROW(simulateLog(component.makeComponent(), sine)) << component.name;
+    }
+  }
+  EXPECT_GE(files, 2);
+}
+
+TEST(ExampleFiles, TheExampleHasEveryModelAndEveryKey) {
+  std::set<std::string> models;
+  std::set<std::string> keys;
+  bool added = false;
+  for (const ComponentDescription& component : loadComponentFile(kFolder + "/example.yaml")) {
+    models.insert(toString(component.model));
+    added = added || !component.add.empty();
+    for (const auto& value : component.specification.values()) {
+      keys.insert(value.first);
+    }
+  }
+  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
+    EXPECT_EQ(models.count(toString(static_cast<Model>(i))), 1u) << toString(static_cast<Model>(i));
+  }
+  for (const ParameterInfo& parameter : specificationParameters()) {
+    EXPECT_EQ(keys.count(parameter.name), 1u) << parameter.name;
+  }
+  EXPECT_TRUE(added);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,109 @@
+// Offline simulation of a log: the stream's own numbers, the gap, the summary and the figure.
+#include "rubber_suspension/io/replay.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "rubber_suspension/io/progress.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Log sineLog(int samples) {
+  Log log;
+  log.name = "sine";
+  for (int i = 0; i < samples; ++i) {
+    log.stamp.push_back(7 + i * 1234567LL);
+    log.displacement.push_back(0.003 * std::sin(0.01 * i));
+  }
+  return log;
+}
+
+Component component() {
+  return Component({{"spring", {{"stiffness", {3e6}}}},
+                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                    {"friction", {{"maximum_force", {1500.0}}, {"displacement", {0.0005}}}}});
+}
+
+TEST(SimulateLog, GivesTheForcesOfAStreamToTheLastBit) {
+  const Log log = sineLog(5000);
+  const Component specimen = component();
+  const std::vector<double> force = simulateLog(specimen, log);
+  SampleStream stream(specimen);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    ASSERT_EQ(force[i], stream.push(log.stamp[i], log.displacement[i]).force.total) << i;
+  }
+}
+
+TEST(SimulateLog, RefusesABadLog) {
+  Log log = sineLog(10);
+  log.stamp[5] = log.stamp[4];
+  EXPECT_THROW(simulateLog(component(), log), LogError);
+}
+
+TEST(SimulateLog, NamesTheSampleWhoseForceIsNotFinite) {
+  Log log = sineLog(3);
+  log.displacement[2] = 1e305;  // times 3e6 N/m is beyond a double
+  try {
+    simulateLog(component(), log);
+    FAIL() << "simulated it";
+  } catch (const LogError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sine: sample 3: displacement 1e+305 m"));
+  }
+}
+
+TEST(Replay, NotesGapsInTime) {
+  Log log = sineLog(10);
+  for (std::size_t i = 6; i < log.size(); ++i) {
+    log.stamp[i] += 2000000000LL;
+  }
+  EXPECT_THAT(replay(component(), log).notes, ElementsAre("1 gap in time bridged, displacement linear in between"));
+}
+
+TEST(RelativeGap, IsTheRmsOverTheStandardDeviation) {
+  // Deviation of (1, -1, 1, -1) is 1; the errors are 0.5 throughout.
+  EXPECT_DOUBLE_EQ(relativeGap({1.0, -1.0, 1.0, -1.0}, {1.5, -0.5, 0.5, -1.5}), 0.5);
+  EXPECT_EQ(relativeGap({1.0, 2.0}, {1.0, 2.0}), 0.0);
+  EXPECT_THROW(relativeGap({1.0, 1.0}, {1.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(relativeGap({1.0, 2.0}, {1.0}), std::invalid_argument);
+  EXPECT_THROW(relativeGap({}, {}), std::invalid_argument);
+}
+
+TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
+  Log log = sineLog(100);
+  Replay result = replay(component(), log);
+  EXPECT_THAT(summary("bush", log, result), HasSubstr("bush: 100 samples, 0.122222 s"));
+  EXPECT_THAT(summary("bush", log, result), Not(HasSubstr("gap")));
+  log.force = result.force;
+  EXPECT_THAT(summary("bush", log, result), HasSubstr("gap to the measured force 0.0000"));
+}
+
+TEST(ReplayFigure, ThinsLongLogs) {
+  Log log = sineLog(120001);
+  log.force.assign(log.size(), 1.0);
+  const Figure figure = replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
+  ASSERT_EQ(figure.axes.size(), 3u);
+  EXPECT_EQ(figure.axes[1].curves.size(), 2u);
+  for (const Axes& axes : figure.axes) {
+    for (const Curve& curve : axes.curves) {
+      EXPECT_EQ(curve.x.size(), 40001u);  // every third
+      EXPECT_EQ(curve.x.size(), curve.y.size());
+    }
+  }
+  EXPECT_EQ(figure.axes[2].curves[1].y[0], 2.0);  // [kN]
+}
+
+TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {
+  EXPECT_EQ(Progress::bar("x", 0, 80), "x [" + std::string(40, ' ') + "]   0 %");
+  EXPECT_EQ(Progress::bar("x", 50, 80), "x [" + std::string(20, '=') + std::string(20, ' ') + "]  50 %");
+  EXPECT_EQ(Progress::bar("x", 100, 80), "x [" + std::string(40, '=') + "] 100 %");
+  EXPECT_EQ(Progress::bar("x", 100, 10).size(), 10u);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
