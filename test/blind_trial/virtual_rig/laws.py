@@ -564,20 +564,28 @@ def delay_force(rng, scale, name, law_name):
     return Effect(name, law_name, "transducer", lambda f, rate, s: [shifted(x, s * rate) for x in f], 0.012, {})
 
 
+def filtered(force, rate, numerator, denominator):
+    """An analogue filter (coefficients in s) on logs that were constant before their start, whatever the rate."""
+    out = []
+    for x in force:
+        n = len(x) + 2048
+        s = 2j * np.pi * np.fft.rfftfreq(n, 1.0 / rate)
+        response = np.polyval(numerator, s) / np.polyval(denominator, s)
+        out.append(x[0] + np.fft.irfft(np.fft.rfft(x - x[0], n) * response, n)[:len(x)])
+    return out
+
+
 @law("time_delay", "butterworth_2")
 def delay_butterworth(rng, scale, name, law_name):
     def run(force, rate, s):
-        cut = math.sqrt(2.0) / (2 * np.pi * s)
-        b, a = butter(2, min(cut / (0.5 * rate), 0.9))
-        return [lfilter(b, a, x) for x in force]
+        return filtered(force, rate, *butter(2, math.sqrt(2.0) / s, analog=True))
     return Effect(name, law_name, "transducer", run, math.sqrt(2.0) / (2 * np.pi * 1.8 * scale.top_frequency), {})
 
 
 @law("time_delay", "bessel_4", test_only=True)
 def delay_bessel(rng, scale, name, law_name):
     def run(force, rate, s):
-        b, a = bessel(4, min(1.0 / (s * np.pi * rate), 0.9), norm="delay")
-        return [lfilter(b, a, x) for x in force]
+        return filtered(force, rate, *bessel(4, 1.0 / s, analog=True, norm="delay"))
     return Effect(name, law_name, "transducer", run, 0.006, {})
 
 
