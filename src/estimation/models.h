@@ -58,4 +58,11 @@ std::vector<ElementDescription> estimateBerg(const Specification& specification)
 std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification);
 std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification);
 
+/// The frequencies [Hz] over which the Maxwell elements are spread.
+struct Band {
+  double low_frequency;
+  double high_frequency;
+};
+Band multiMaxwellBand(const Specification& specification);
+
 }  // namespace rubber_suspension

@@ -240,6 +240,11 @@ std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification)
                               elementCount(specification), inputText(specification, "nominal_frequency"))};
 }
 
+Band multiMaxwellBand(const Specification& specification) {
+  const double high_frequency = solve(specification).high_frequency;
+  return {lowFrequency(specification, high_frequency), high_frequency};
+}
+
 std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification) {
   const Solution solution = solve(specification);
   const double k_st = specification.at("static_stiffness");

@@ -1,0 +1,14 @@
+// What a user should know about an estimation beside its numbers: inputs unused, reconstructions, limits.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension {
+
+/// One sentence each; the specification has to have a solution.
+std::vector<std::string> estimationNotes(Model model, const Specification& specification);
+
+}  // namespace rubber_suspension

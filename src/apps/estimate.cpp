@@ -1,0 +1,113 @@
+// Prints the estimated parameters of components, and their stiffness and loss angle over frequency and amplitude.
+#include "rubber_suspension/command/estimate.h"
+
+#include <memory>
+
+#include "command.h"
+#include "rubber_suspension/io/units.h"
+
+namespace rubber_suspension {
+namespace {
+
+struct Options {
+  std::string config;
+  std::string component;
+  bool json = false;
+  std::string plot;
+  std::vector<std::string> frequency_range;
+  std::vector<std::string> amplitude_range;
+  std::string frequency;
+  std::string amplitude;
+  std::string product;
+  int points = SweepOptions().points;
+};
+
+double quantity(const std::string& option, const std::string& text, const std::string& unit) {
+  try {
+    const double value = parseQuantity(text, unit);
+    if (!Range::positive().contains(value)) {
+      throw std::invalid_argument("'" + text + "' is out of range; accepted: greater than 0");
+    }
+    return value;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(option + ": " + error.what());
+  }
+}
+
+void readRange(const std::string& option, const std::vector<std::string>& texts, const std::string& unit,
+               std::optional<double>& low, std::optional<double>& high) {
+  if (!texts.empty()) {
+    low = quantity(option, texts[0], unit);
+    high = quantity(option, texts[1], unit);
+    if (!(*low < *high)) {
+      throw UsageError(option + ": the first, " + texts[0] + ", is not below the second, " + texts[1]);
+    }
+  }
+}
+
+void readQuantity(const std::string& option, const std::string& text, const std::string& unit,
+                  std::optional<double>& value) {
+  if (!text.empty()) {
+    value = quantity(option, text, unit);
+  }
+}
+
+SweepOptions sweepOptions(const Options& options) {
+  SweepOptions sweeps;
+  readRange("--frequencies", options.frequency_range, "Hz", sweeps.lowest_frequency, sweeps.highest_frequency);
+  readRange("--amplitudes", options.amplitude_range, "m", sweeps.lowest_amplitude, sweeps.highest_amplitude);
+  readQuantity("--frequency", options.frequency, "Hz", sweeps.frequency);
+  readQuantity("--amplitude", options.amplitude, "m", sweeps.amplitude);
+  readQuantity("--product", options.product, "m Hz", sweeps.product);
+  sweeps.points = options.points;
+  return sweeps;
+}
+
+int estimateComponents(const Options& options) {
+  const SweepOptions sweeps = sweepOptions(options);
+  std::vector<ComponentDescription> components = loadComponentFile(options.config);
+  if (!options.component.empty()) {
+    components = {selectComponent(components, options.component)};
+  }
+  std::vector<EstimateReport> reports;
+  for (const ComponentDescription& component : components) {
+    reports.push_back(makeEstimateReport(component, sweeps));
+  }
+  if (!options.plot.empty()) {
+    drawFigure(toFigure(reports), options.plot);
+  }
+  if (options.json) {
+    std::cout << toJson(reports);
+    return kSuccess;
+  }
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    std::cout << (i == 0 ? "" : "\n") << toText(reports[i]);
+  }
+  return kSuccess;
+}
+
+CommandBody define(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("--config", options->config, "component file (YAML)")->required();
+  app.add_option("--component", options->component, "name of one component; all if absent");
+  app.add_flag("--json", options->json, "print JSON, in SI units");
+  app.add_option("--plot", options->plot, "draw stiffness and loss angle to FILE.svg or FILE.png");
+  app.add_option("--frequencies", options->frequency_range, "ends of the range of frequencies, such as 0.5 20")
+      ->expected(2);
+  app.add_option("--amplitudes", options->amplitude_range, "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
+      ->expected(2);
+  app.add_option("--frequency", options->frequency, "frequency at which the amplitude varies [Hz]");
+  app.add_option("--amplitude", options->amplitude, "amplitude at which the frequency varies [m], or '2 mm'");
+  app.add_option("--product", options->product, "constant product of amplitude and frequency [m Hz], or '8 mm Hz'");
+  app.add_option("--points", options->points, "points of each range")->check(CLI::Range(2, 10000));
+  return [options] { return estimateComponents(*options); };
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) {
+  return rubber_suspension::runCommand(argc, argv, "estimate",
+                                       "Estimates the parameters of rubber components from their specifications.",
+                                       rubber_suspension::define);
+}

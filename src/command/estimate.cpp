@@ -1,0 +1,288 @@
+// The report of `estimate`.
+#include "rubber_suspension/command/estimate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "rubber_suspension/estimation/notes.h"
+#include "rubber_suspension/io/progress.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kDegrees = 180.0 / M_PI;
+
+// SweepOptions with everything filled in.
+struct Sweeps {
+  std::vector<double> frequencies;
+  std::vector<double> amplitudes;
+  double frequency;
+  double amplitude;
+  double product;
+};
+
+std::vector<double> spaced(const std::string& what, double low, double high, int points) {
+  if (!(low > 0.0) || !(high > low) || !std::isfinite(high)) {
+    throw std::invalid_argument(fmt::format(
+        "{} range: {:g} to {:g}; accepted: greater than 0, the second greater than the first", what, low, high));
+  }
+  return logSpaced(low, high, points);
+}
+
+Sweeps complete(const SweepOptions& options, const Specification& specification) {
+  if (options.points < 2 || options.points > 10000) {
+    throw std::invalid_argument(fmt::format("points: {}; accepted: 2 to 10000", options.points));
+  }
+  const bool nominal = specification.has("nominal_frequency");
+  const double f_n = specification.valueOr("nominal_frequency", 1.0);
+  Sweeps sweeps;
+  sweeps.frequency = options.frequency.value_or(f_n);
+  sweeps.amplitude = options.amplitude.value_or(specification.valueOr("nominal_amplitude", 1e-3));
+  sweeps.product = options.product.value_or(sweeps.frequency * sweeps.amplitude);
+  const double low = options.lowest_frequency.value_or(nominal ? f_n / 10.0 : 0.1);
+  const double high =
+      options.highest_frequency.value_or(specification.valueOr("high_frequency", nominal ? 10.0 * f_n : 50.0));
+  sweeps.frequencies = spaced("frequency", low, high, options.points);
+  sweeps.amplitudes = spaced("amplitude", options.lowest_amplitude.value_or(sweeps.amplitude / 10.0),
+                             options.highest_amplitude.value_or(sweeps.amplitude * 5.0), options.points);
+  return sweeps;
+}
+
+// What is missing from the models' closed forms: friction in a simulation takes noise for reversals.
+void addFrictionNote(EstimateReport& report) {
+  for (const ElementDescription& element : report.elements) {
+    if (element.type == "friction" && element.value("dead_band") == 0.0) {
+      report.notes.push_back(
+          "friction has no dead band: with measured displacements state it as an element with dead_band about 6 "
+          "standard deviations of the sensor noise");
+      return;
+    }
+  }
+}
+
+bool allSettled(const EstimateReport& report) {
+  bool settled = report.working_point.settled;
+  for (const auto* points : {&report.over_frequency, &report.over_amplitude, &report.over_product}) {
+    for (const SweepPoint& point : *points) {
+      settled = settled && point.settled;
+    }
+  }
+  return settled;
+}
+
+// Lines "  name value unit" of an element, with what follows from its parameters.
+std::string elementText(const ElementDescription& element) {
+  const ElementType* type = findElementType(element.type);
+  std::string text;
+  for (const ParameterInfo& parameter : type->parameters) {
+    std::string values;
+    for (const double value : element.values.at(parameter.name)) {
+      values += fmt::format("{}{:.6g}", values.empty() ? "" : ", ", value);
+    }
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", parameter.name, values,
+                        parameter.unit == "1" ? "" : " " + parameter.unit);
+  }
+  if (element.type == "maxwell") {
+    const double damping = element.value("stiffness") / (2.0 * M_PI * element.value("break_frequency"));
+    text += fmt::format(" (damping {:.6g} N s/m, relaxation time {:.6g} s)", damping,
+                        1.0 / (2.0 * M_PI * element.value("break_frequency")));
+  }
+  return text;
+}
+
+std::string sweepText(const std::string& title, const std::vector<SweepPoint>& points) {
+  std::string text = fmt::format("\n  {}\n  {:>12} {:>12} {:>14} {:>12} {:>12}\n", title, "f [Hz]", "A [mm]", "K [N/m]",
+                                 "delta [deg]", "loss [J]");
+  for (const SweepPoint& point : points) {
+    text +=
+        fmt::format("  {:>12.5g} {:>12.5g} {:>14.7g} {:>12.5g} {:>12.5g}{}\n", point.frequency, point.amplitude * 1e3,
+                    point.characteristics.stiffness, point.characteristics.loss_angle * kDegrees,
+                    point.characteristics.loss, point.settled ? "" : " *");
+  }
+  return text;
+}
+
+std::string specificationText(const Specification& specification) {
+  std::string text;
+  for (const ParameterInfo& parameter : specificationParameters()) {
+    if (specification.has(parameter.name)) {
+      text += fmt::format("    {:<20} {:.6g}{}\n", parameter.name, specification.at(parameter.name),
+                          parameter.unit == "1" ? "" : " " + parameter.unit);
+    }
+  }
+  return text;
+}
+
+nlohmann::ordered_json pointJson(const SweepPoint& point) {
+  return {{"frequency_hz", point.frequency},
+          {"amplitude_m", point.amplitude},
+          {"stiffness_n_per_m", point.characteristics.stiffness},
+          {"loss_angle_rad", point.characteristics.loss_angle},
+          {"loss_j", point.characteristics.loss},
+          {"settled", point.settled}};
+}
+
+nlohmann::ordered_json pointsJson(const std::vector<SweepPoint>& points) {
+  auto json = nlohmann::ordered_json::array();
+  for (const SweepPoint& point : points) {
+    json.push_back(pointJson(point));
+  }
+  return json;
+}
+
+nlohmann::ordered_json elementJson(const ElementDescription& element) {
+  nlohmann::ordered_json json = {{"type", element.type}};
+  for (const ParameterInfo& parameter : findElementType(element.type)->parameters) {
+    const std::vector<double>& values = element.values.at(parameter.name);
+    json[parameter.name] = parameter.is_list ? nlohmann::ordered_json(values) : nlohmann::ordered_json(values.at(0));
+  }
+  return json;
+}
+
+nlohmann::ordered_json reportJson(const EstimateReport& report) {
+  nlohmann::ordered_json specification = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : report.description.specification.values()) {
+    specification[key] = value;
+  }
+  auto elements = nlohmann::ordered_json::array();
+  for (const ElementDescription& element : report.elements) {
+    elements.push_back(elementJson(element));
+  }
+  return {{"component", report.description.name},
+          {"model", toString(report.description.model)},
+          {"specification", specification},
+          {"elements", elements},
+          {"notes", report.notes},
+          {"linear", report.linear},
+          {"working_point", pointJson(report.working_point)},
+          {"over_frequency", pointsJson(report.over_frequency)},
+          {"over_amplitude", pointsJson(report.over_amplitude)},
+          {"product_m_hz", report.product},
+          {"at_constant_product", pointsJson(report.over_product)}};
+}
+
+using Quantity = double (*)(const SweepPoint&);
+
+Curve curveOf(const EstimateReport& report, const std::vector<SweepPoint>& points, Quantity x, Quantity y) {
+  Curve curve;
+  curve.label = report.description.name;
+  for (const SweepPoint& point : points) {
+    curve.x.push_back(x(point));
+    curve.y.push_back(y(point));
+  }
+  return curve;
+}
+
+double frequencyOf(const SweepPoint& point) { return point.frequency; }
+double amplitudeOf(const SweepPoint& point) { return point.amplitude * 1e3; }
+double stiffnessOf(const SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
+double angleOf(const SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+
+}  // namespace
+
+EstimateReport makeEstimateReport(const ComponentDescription& description, const SweepOptions& options) {
+  const Sweeps sweeps = complete(options, description.specification);
+  const Component component = description.makeComponent();
+  EstimateReport report;
+  report.description = description;
+  report.elements = component.elements();
+  report.notes = estimationNotes(description.model, description.specification);
+  report.linear = component.linear();
+  report.product = sweeps.product;
+  addFrictionNote(report);
+
+  Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
+  const auto at = [&](double frequency, double amplitude) {
+    const SweepPoint point = characteristicsAt(component, frequency, amplitude);
+    progress.advance();
+    return point;
+  };
+  report.working_point = at(sweeps.frequency, sweeps.amplitude);
+  for (const double frequency : sweeps.frequencies) {
+    report.over_frequency.push_back(at(frequency, sweeps.amplitude));
+    report.over_product.push_back(at(frequency, sweeps.product / frequency));
+  }
+  for (const double amplitude : sweeps.amplitudes) {
+    report.over_amplitude.push_back(at(sweeps.frequency, amplitude));
+  }
+  if (!allSettled(report)) {
+    report.notes.push_back("loops marked * or \"settled\": false did not repeat within the cycles simulated");
+  }
+  return report;
+}
+
+std::string toText(const EstimateReport& report) {
+  std::string text =
+      fmt::format("component {}, model {}\n", report.description.name, toString(report.description.model));
+  const std::string specification = specificationText(report.description.specification);
+  if (!specification.empty()) {
+    text += "  specification\n" + specification;
+  }
+  text += "  elements\n";
+  for (const ElementDescription& element : report.elements) {
+    text += fmt::format("    {:<20} {}\n", element.type, elementText(element));
+  }
+  const SweepPoint& point = report.working_point;
+  text += fmt::format(
+      "  at {:g} Hz and {:g} mm\n    stiffness K {:.7g} N/m, loss angle {:.5g} deg = {:.6g} rad, "
+      "relative damping {:.4g} %\n",
+      point.frequency, point.amplitude * 1e3, point.characteristics.stiffness,
+      point.characteristics.loss_angle * kDegrees, point.characteristics.loss_angle,
+      50.0 * std::tan(point.characteristics.loss_angle));
+  for (const std::string& note : report.notes) {
+    text += "  note: " + note + "\n";
+  }
+  text += sweepText(fmt::format("over frequency at {:g} mm", point.amplitude * 1e3), report.over_frequency);
+  text += sweepText(fmt::format("over amplitude at {:g} Hz{}", point.frequency,
+                                report.linear ? " (linear: the same at every amplitude)" : ""),
+                    report.over_amplitude);
+  text += sweepText(fmt::format("at constant product of amplitude and frequency, {:g} mm Hz", report.product * 1e3),
+                    report.over_product);
+  return text;
+}
+
+std::string toJson(const std::vector<EstimateReport>& reports) {
+  nlohmann::ordered_json json = {{"schema", "rubber_suspension/estimate/1"},
+                                 {"components", nlohmann::ordered_json::array()}};
+  for (const EstimateReport& report : reports) {
+    json["components"].push_back(reportJson(report));
+  }
+  return json.dump(2) + "\n";
+}
+
+Figure toFigure(const std::vector<EstimateReport>& reports) {
+  Figure figure;
+  figure.title = "Stiffness and loss angle";
+  const struct {
+    const char* title;
+    const char* x_label;
+    const std::vector<SweepPoint> EstimateReport::*points;
+    Quantity x;
+  } columns[] = {{"constant amplitude", "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
+                 {"constant frequency", "amplitude [mm]", &EstimateReport::over_amplitude, amplitudeOf},
+                 {"constant product", "frequency [Hz]", &EstimateReport::over_product, frequencyOf}};
+  const struct {
+    const char* y_label;
+    Quantity y;
+  } rows[] = {{"stiffness [kN/mm]", stiffnessOf}, {"loss angle [deg]", angleOf}};
+  figure.columns = 3;
+  for (const auto& row : rows) {
+    for (const auto& column : columns) {
+      Axes axes;
+      axes.title = column.title;
+      axes.x_label = column.x_label;
+      axes.y_label = row.y_label;
+      axes.log_x = true;
+      for (const EstimateReport& report : reports) {
+        axes.curves.push_back(curveOf(report, report.*column.points, column.x, row.y));
+      }
+      figure.axes.push_back(axes);
+    }
+  }
+  return figure;
+}
+
+}  // namespace rubber_suspension
