@@ -15,6 +15,7 @@ BELOW = {
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
     "io": {"element", "component", "response", "estimation"},
+    "command": {"element", "component", "response", "estimation", "io"},
     "diagnosis": {"element", "component", "response", "estimation", "io"},
     "ros_interface": {"element", "component", "response", "estimation", "io", "diagnosis"},
 }
