@@ -5,7 +5,8 @@ namespace rubber_suspension {
 namespace {
 
 constexpr int kSamples = 256;
-constexpr int kSpacings = kSamples - 2;  // whole spacings that the ring is sure to hold
+// Whole spacings that the ring is sure to hold: of two intervals in a row at least one spacing is kept (see store()).
+constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, how many there are, then times and displacements.
 enum Slot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };

@@ -44,10 +44,14 @@ inline std::vector<ElementDescription> typicalElements() {
   };
 }
 
+/// True for spring, friction, ...; false for effects on displacement or force and for mounts.
+inline bool addsForce(const ElementDescription& description) {
+  return std::holds_alternative<std::shared_ptr<const ParallelElement>>(makeElement(description));
+}
+
 /// A component that shows the law: alone where its force adds, on a specimen with loss where it needs one.
 inline Component subject(const ElementDescription& description) {
-  const ElementPointer element = makeElement(description);
-  if (std::holds_alternative<std::shared_ptr<const ParallelElement>>(element)) {
+  if (addsForce(description)) {
     return Component({description});
   }
   return Component({{"spring", {{"stiffness", {3e6}}}},
@@ -58,8 +62,7 @@ inline Component subject(const ElementDescription& description) {
 
 /// The same with a linear specimen, for laws whose K* is in question.
 inline Component linearSubject(const ElementDescription& description) {
-  const ElementPointer element = makeElement(description);
-  if (std::holds_alternative<std::shared_ptr<const ParallelElement>>(element)) {
+  if (addsForce(description)) {
     return Component({description});
   }
   return Component({{"spring", {{"stiffness", {3e6}}}},

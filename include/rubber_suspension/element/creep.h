@@ -9,7 +9,8 @@ namespace rubber_suspension {
 /// Realised by two Maxwell elements per decade with equal stiffness S/2 and relaxation times in geometric progression,
 /// at the middles (on a log axis) of equal bands; the slope then ripples by less than 0.5 % away from the ends.
 /// Right after the step it adds S z for each decade, so it stiffens what is faster than the shortest time.
-/// Validity: between the two times; before and after the force is constant.
+/// Validity: between the two times; before and after the force is constant. Towards the longest time T the slope falls
+/// as exp(-t/T): by 10 % at T/10.
 /// Source: A. N. Gent, J. Appl. Polym. Sci. 6 (1962) 433-441 (stress relaxation linear in log t).
 class Creep final : public MaxwellBank {
  public:

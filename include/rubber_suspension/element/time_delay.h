@@ -10,8 +10,8 @@ namespace rubber_suspension {
 /// signal does.
 ///
 /// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
-/// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/254 the samples are
-/// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/254)^2/8 under a
+/// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/126 the samples are
+/// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/126)^2/8 under a
 /// sine.
 ///
 /// T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below 1

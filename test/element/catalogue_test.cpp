@@ -1,0 +1,106 @@
+// Entries of component files: what is refused, with which words, and what is filled in.
+#include "rubber_suspension/element/catalogue.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "element/typical_elements.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Property;
+using testing::Throws;
+
+struct Refused {
+  const char* name;
+  ElementDescription description;
+  std::vector<std::string> words;
+};
+
+class RefusedEntry : public testing::TestWithParam<Refused> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, RefusedEntry,
+    testing::Values(
+        Refused{"type", {"sprong", {}}, {"sprong", "spring", "iwan_table"}},
+        Refused{"key", {"spring", {{"stifness", {1.0}}}}, {"spring.stifness", "unknown key", "stiffness"}},
+        Refused{"missing", {"maxwell", {{"stiffness", {1.0}}}}, {"maxwell.break_frequency", "missing", "Hz"}},
+        Refused{"range", {"spring", {{"stiffness", {-1.0}}}}, {"spring.stiffness", "-1", "greater than 0"}},
+        Refused{"not_finite", {"spring", {{"stiffness", {INFINITY}}}}, {"spring.stiffness", "inf"}},
+        Refused{"nan", {"dashpot", {{"damping", {NAN}}}}, {"dashpot.damping", "nan"}},
+        Refused{"list", {"spring", {{"stiffness", {1.0, 2.0}}}}, {"spring.stiffness", "one number", "2"}},
+        Refused{"empty", {"spring", {{"stiffness", {}}}}, {"spring.stiffness", "one number", "0"}},
+        Refused{"sliders_fraction",
+                {"iwan", {{"maximum_force", {1.0}}, {"displacement", {1.0}}, {"sliders", {3.5}}}},
+                {"iwan.sliders", "3.5", "whole"}},
+        Refused{"sliders_many",
+                {"iwan", {{"maximum_force", {1.0}}, {"displacement", {1.0}}, {"sliders", {65.0}}}},
+                {"iwan.sliders", "65", "[2, 64]"}},
+        Refused{"table_lengths",
+                {"iwan_table", {{"yield_displacement", {1.0, 2.0}}, {"stiffness", {1.0}}}},
+                {"iwan_table.stiffness", "1 values for 2"}},
+        Refused{"table_empty", {"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}}, {"from 1 to 64"}},
+        Refused{"table_value",
+                {"iwan_table", {{"yield_displacement", {1.0, -2.0}}, {"stiffness", {1.0, 1.0}}}},
+                {"iwan_table.yield_displacement", "-2"}},
+        Refused{"spring_table_order",
+                {"spring_table", {{"displacement", {0.0, 1.0, 0.5}}, {"force", {0.0, 1.0, 2.0}}}},
+                {"spring_table.displacement", "0.5", "greater than 1"}},
+        Refused{"springpot_range",
+                {"springpot", {{"stiffness", {1.0}}, {"order", {0.5}}, {"low_frequency", {2000.0}}}},
+                {"springpot.high_frequency", "1000", "2000"}},
+        Refused{
+            "springpot_order", {"springpot", {{"stiffness", {1.0}}, {"order", {1.0}}}}, {"springpot.order", "(0, 1)"}},
+        Refused{"creep_times",
+                {"creep", {{"stiffness_per_decade", {1.0}}, {"longest_time", {0.5}}}},
+                {"creep.longest_time", "0.5"}},
+        Refused{
+            "side", {"bump_stop", {{"stiffness", {1.0}}, {"gap", {0.0}}, {"side", {0.3}}}}, {"bump_stop.side", "0.3"}},
+        Refused{"nothing_progressive", {"progressive_stiffness", {}}, {"progressive_stiffness.cubic", "quintic"}},
+        Refused{"delay", {"time_delay", {{"delay", {1.0}}}}, {"time_delay.delay", "0.05"}}),
+    [](const testing::TestParamInfo<Refused>& test) { return test.param.name; });
+
+TEST_P(RefusedEntry, NamesWhatIsWrongAndWhatIsAccepted) {
+  try {
+    makeElement(GetParam().description);
+    FAIL() << "was accepted";
+  } catch (const std::invalid_argument& error) {
+    for (const std::string& word : GetParam().words) {
+      EXPECT_THAT(error.what(), HasSubstr(word));
+    }
+    EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
+  }
+}
+
+TEST(Catalogue, NamesAreUnique) {
+  for (const ElementType& type : elementTypes()) {
+    EXPECT_EQ(findElementType(type.name), &type) << type.name;
+  }
+  EXPECT_EQ(findElementType("nothing"), nullptr);
+}
+
+TEST(Catalogue, DefaultsAreFilledIn) {
+  const ElementDescription full = complete({"iwan", {{"maximum_force", {1.0}}, {"displacement", {2.0}}}});
+  EXPECT_EQ(full.value("sliders"), 16.0);
+  EXPECT_EQ(full.value("displacement"), 2.0);
+  EXPECT_EQ(complete(full).values, full.values);
+}
+
+TEST(Range, TellsWhatItAccepts) {
+  EXPECT_EQ(describe(Range::positive()), "greater than 0");
+  EXPECT_EQ(describe(Range::nonNegative()), "at least 0");
+  EXPECT_EQ(describe(Range::closed(-1.0, 2.5)), "in [-1, 2.5]");
+  EXPECT_EQ(describe(Range::open(0.0, 1.0)), "in (0, 1)");
+  EXPECT_EQ(describe(Range::any()), "any finite number");
+  EXPECT_FALSE(Range::any().contains(NAN));
+  EXPECT_FALSE(Range::positive().contains(0.0));
+  EXPECT_TRUE(Range::nonNegative().contains(0.0));
+  EXPECT_FALSE(Range::nonNegative().contains(INFINITY));
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

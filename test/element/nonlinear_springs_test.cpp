@@ -1,0 +1,127 @@
+// Nonlinear springs: points of their characteristics, harmonics under a sine, limits.
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <stdexcept>
+
+#include "rubber_suspension/element/asymmetric_stiffness.h"
+#include "rubber_suspension/element/bump_stop.h"
+#include "rubber_suspension/element/progressive_stiffness.h"
+#include "rubber_suspension/element/spring_table.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+/// Coefficient of exp(i n w t) under z = A sin wt, times 2i for n > 0: the amplitude of sin(n w t); the mean for n = 0.
+/// Exact for polynomials, as 64 samples alias from harmonic 32 on.
+template <class Law>
+std::complex<double> harmonic(const Law& law, double amplitude, int n) {
+  constexpr int kSamples = 64;
+  std::complex<double> sum = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double phase = 2.0 * M_PI * i / kSamples;
+    sum += law.force(amplitude * std::sin(phase)) * std::polar(1.0, -n * phase);
+  }
+  return sum / static_cast<double>(kSamples) * (n == 0 ? 1.0 : std::complex<double>(0.0, 2.0));
+}
+
+constexpr double kA = 2e-3;
+
+TEST(ProgressiveStiffness, HarmonicsOfTheCubicTerm) {
+  const ProgressiveStiffness law(1e11, 0.0);
+  EXPECT_NEAR(harmonic(law, kA, 1).real(), 0.75 * 1e11 * kA * kA * kA, 1e-9);
+  EXPECT_NEAR(harmonic(law, kA, 3).real(), -0.25 * 1e11 * kA * kA * kA, 1e-9) << "at 180 degrees";
+  EXPECT_NEAR(std::abs(harmonic(law, kA, 2)), 0.0, 1e-9);
+}
+
+TEST(ProgressiveStiffness, IsOdd) {
+  const ProgressiveStiffness law(1e11, 3e16);
+  EXPECT_DOUBLE_EQ(law.force(kA), 1e11 * std::pow(kA, 3) + 3e16 * std::pow(kA, 5));
+  EXPECT_EQ(law.force(-kA), -law.force(kA));
+}
+
+TEST(ProgressiveStiffness, RefusesToBeNothing) {
+  EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {0.0}}}}), std::invalid_argument);
+  EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {-1.0}}}}), std::invalid_argument);
+  EXPECT_NO_THROW(makeElement({"progressive_stiffness", {{"quintic", {1.0}}}}));
+}
+
+TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
+  const AsymmetricStiffness law(1e8, 0.0);
+  EXPECT_NEAR(harmonic(law, kA, 0).real(), 0.5 * 1e8 * kA * kA, 1e-10);
+  // z^2 = A^2/2 (1 - cos 2wt), and cos = sin a quarter later.
+  EXPECT_NEAR(std::abs(harmonic(law, kA, 2)), 0.5 * 1e8 * kA * kA, 1e-10);
+  EXPECT_NEAR(std::abs(harmonic(law, kA, 1)), 0.0, 1e-10);
+}
+
+TEST(AsymmetricStiffness, TensionHasASlopeOfItsOwn) {
+  const AsymmetricStiffness law(0.0, -3e5);
+  EXPECT_DOUBLE_EQ(law.force(1e-3), -300.0);
+  EXPECT_EQ(law.force(-1e-3), 0.0);
+}
+
+TEST(BumpStop, ComesInBeyondItsGapOnly) {
+  const BumpStop law(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::both);
+  EXPECT_EQ(law.force(1e-3), 0.0);
+  EXPECT_EQ(law.force(-0.999e-3), 0.0);
+  EXPECT_NEAR(law.force(1.5e-3), 1e4, 1e-8);
+  EXPECT_NEAR(law.force(-1.5e-3), -1e4, 1e-8);
+}
+
+TEST(BumpStop, ActsOnTheGivenSide) {
+  const BumpStop upper(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::upper);
+  const BumpStop lower(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::lower);
+  EXPECT_GT(upper.force(2e-3), 0.0);
+  EXPECT_EQ(upper.force(-2e-3), 0.0);
+  EXPECT_EQ(lower.force(2e-3), 0.0);
+  EXPECT_LT(lower.force(-2e-3), 0.0);
+}
+
+TEST(BumpStop, ExponentLeavesTheStiffnessAtTheReferenceDepth) {
+  for (const double exponent : {1.0, 1.5, 2.0, 3.0}) {
+    const BumpStop law(2e7, 1e-3, exponent, 0.5e-3, BumpStop::Side::both);
+    EXPECT_NEAR(law.force(1.5e-3), 1e4, 1e-8) << exponent;
+    EXPECT_NEAR(law.force(2.0e-3), 1e4 * std::pow(2.0, exponent), 1e-7) << exponent;
+  }
+}
+
+TEST(BumpStop, WithoutGapIsASpring) {
+  const BumpStop law(2e7, 0.0, 1.0, 1e-3, BumpStop::Side::both);
+  EXPECT_DOUBLE_EQ(law.force(1e-4), 2e3);
+  EXPECT_DOUBLE_EQ(law.force(-1e-4), -2e3);
+}
+
+TEST(BumpStop, SideIsOneOfThree) {
+  EXPECT_THROW(makeElement({"bump_stop", {{"stiffness", {1e7}}, {"gap", {0.0}}, {"side", {0.5}}}}),
+               std::invalid_argument);
+}
+
+TEST(SpringTable, InterpolatesAndGoesOnWithTheEndSlopes) {
+  const SpringTable law({-2e-3, -1e-3, 0.0, 3e-3}, {-5e3, -1e3, 0.0, 9e3});
+  EXPECT_NEAR(law.force(-1.5e-3), -3e3, 1e-9);
+  EXPECT_NEAR(law.force(-1e-3), -1e3, 1e-9);
+  EXPECT_NEAR(law.force(1e-3), 3e3, 1e-9);
+  EXPECT_NEAR(law.force(4e-3), 12e3, 1e-9);
+  EXPECT_NEAR(law.force(-3e-3), -9e3, 1e-9);
+  EXPECT_EQ(law.force(0.0), 0.0);
+}
+
+TEST(SpringTable, TwoPointsAreASpring) {
+  const SpringTable law({-1e-3, 1e-3}, {-3e3, 3e3});
+  for (const double z : {-5e-3, -1e-4, 0.0, 1e-3, 7e-3}) {
+    EXPECT_NEAR(law.force(z), 3e6 * z, 1e-9);
+  }
+}
+
+TEST(SpringTable, RefusesTablesThatAreNone) {
+  EXPECT_THROW(SpringTable({0.0}, {0.0}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({}, {}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({0.0, 1.0}, {0.0}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({0.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({1.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({0.0, 1.0}, {0.0, -1.0}), std::invalid_argument);
+  EXPECT_THROW(SpringTable({0.0, 1.0}, {1.0, 2.0}), std::invalid_argument) << "preload";
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

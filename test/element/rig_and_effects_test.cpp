@@ -1,0 +1,249 @@
+// What lies between rig and specimen, and what scales the specimen's force: closed forms and limits.
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <random>
+
+#include "element/driver.h"
+#include "rubber_suspension/element/force_drift.h"
+#include "rubber_suspension/element/force_offset.h"
+#include "rubber_suspension/element/free_play.h"
+#include "rubber_suspension/element/inertia.h"
+#include "rubber_suspension/element/self_heating.h"
+#include "rubber_suspension/element/stress_softening.h"
+#include "rubber_suspension/element/time_delay.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+TEST(Inertia, IsExactForACubicAtUnequalSteps) {
+  const Inertia law(12.0);
+  Driver<Inertia> driver(law);
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> dt(0.01, 0.1);
+  double t = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const double step = dt(generator);
+    t += step;
+    const double force = driver.step(step, t * t * (2.0 - 3.0 * t));
+    if (i >= 3) {  // the start is a kink of the acceleration
+      EXPECT_NEAR(force, 12.0 * (4.0 - 18.0 * t), 1e-6 * std::max(1.0, t * t * t)) << i;
+    }
+  }
+}
+
+TEST(Inertia, SineIsInPhaseToSecondOrder) {
+  const Inertia law(12.0);
+  constexpr int kSamples = 100;
+  constexpr double kFrequency = 30.0;
+  Driver<Inertia> driver(law);
+  std::complex<double> sum = 0.0;
+  for (int i = 1; i <= 2 * kSamples; ++i) {
+    const double phase = 2.0 * M_PI * i / kSamples;
+    const double force = driver.step(1.0 / (kFrequency * kSamples), std::sin(phase));
+    sum += i > kSamples ? force * std::polar(1.0, -phase) : 0.0;
+  }
+  const std::complex<double> expected = *law.complexStiffness(2.0 * M_PI * kFrequency);
+  const std::complex<double> ratio = sum * std::complex<double>(0.0, 2.0 / kSamples) / expected;
+  const double step_angle = 2.0 * M_PI / kSamples;
+  EXPECT_NEAR(ratio.real() - 1.0, 11.0 / 12.0 * step_angle * step_angle, 0.01 * step_angle * step_angle);
+  EXPECT_NEAR(ratio.imag(), 0.0, 2.0 * std::pow(step_angle, 3));
+}
+
+TEST(ForceOffset, IsThereFromTheStart) {
+  const ForceOffset law(-150.0);
+  Driver<ForceOffset> driver(law);
+  EXPECT_EQ(driver.output(), -150.0);
+  EXPECT_EQ(driver.step(1.0, 3e-3), -150.0);
+}
+
+TEST(ForceDrift, GrowsWithTimeAlone) {
+  const ForceDrift law(2.5);
+  Driver<ForceDrift> driver(law, 1e-3);
+  EXPECT_EQ(driver.output(), 0.0);
+  driver.step(1.0, 3e-3);
+  EXPECT_DOUBLE_EQ(driver.step(3.0, -1.0), 10.0);
+}
+
+TEST(FreePlay, LeavesOutTheGap) {
+  const FreePlay law(2e-4);
+  EXPECT_EQ(law.behind(2e-4), 0.0);
+  EXPECT_EQ(law.behind(-1.9e-4), 0.0);
+  EXPECT_DOUBLE_EQ(law.behind(1e-3), 8e-4);
+  EXPECT_DOUBLE_EQ(law.behind(-1e-3), -8e-4);
+}
+
+TEST(TimeDelay, LineIsExactAtUnequalSteps) {
+  const TimeDelay law(7e-3);
+  Driver<TimeDelay> driver(law);
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> dt(1e-4, 4e-3);
+  double t = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double step = dt(generator);
+    t += step;
+    EXPECT_NEAR(driver.step(step, 2.0 * t), 2.0 * std::max(0.0, t - 7e-3), 1e-12);
+  }
+}
+
+// Linear in between, also where a past step was much longer than the delay.
+TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
+  const TimeDelay law(0.05);
+  Driver<TimeDelay> driver(law, 1.0);
+  EXPECT_DOUBLE_EQ(driver.step(0.04, 2.0), 1.0) << "before the start at rest";
+  EXPECT_DOUBLE_EQ(driver.step(1.0, 5.0), 5.0 - 3.0 * 0.05);
+  EXPECT_NEAR(driver.step(0.02, 0.0), 5.0 - 3.0 * 0.03, 1e-12);
+  EXPECT_NEAR(driver.step(0.04, 0.0), 5.0 - 5.0 * 0.01 / 0.02, 1e-12);
+}
+
+// A sampling of 20 kHz would need 1000 samples for 50 ms; the ring holds 256 and is thinned.
+TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
+  constexpr double kDelay = 0.05;
+  constexpr double kDt = 5e-5;
+  constexpr double kOmega = 2.0 * M_PI * 10.0;
+  const TimeDelay law(kDelay);
+  Driver<TimeDelay> driver(law);
+  const double chord = std::pow(kOmega * (kDelay / 126.0), 2) / 8.0;
+  for (int i = 1; i < 20000; ++i) {
+    const double behind = driver.step(kDt, 1.0 - std::cos(kOmega * kDt * i));
+    const double expected = 1.0 - std::cos(kOmega * std::max(0.0, kDt * i - kDelay));
+    ASSERT_NEAR(behind, expected, chord + 1e-9) << i;
+  }
+}
+
+TEST(TimeDelay, NegativeDelayCarriesForwardAlongALine) {
+  const TimeDelay law(-2e-3);
+  Driver<TimeDelay> driver(law);
+  EXPECT_DOUBLE_EQ(driver.step(1e-3, 1.0), 3.0);
+  EXPECT_DOUBLE_EQ(driver.step(4e-3, 3.0), 4.0);
+  const double omega = 2.0 * M_PI * 10.0;
+  const std::complex<double> ideal = std::polar(1.0, omega * 2e-3);
+  EXPECT_NEAR(std::abs(*law.transfer(omega) - ideal), 0.0, std::pow(omega * 2e-3, 2) / 2.0);
+}
+
+TEST(TimeDelay, NoneIsNone) {
+  const TimeDelay law(0.0);
+  Driver<TimeDelay> driver(law);
+  EXPECT_EQ(driver.step(1e-3, 1.0), 1.0);
+  EXPECT_EQ(*law.transfer(100.0), std::complex<double>(1.0, 0.0));
+}
+
+class SofteningDriver {
+ public:
+  explicit SofteningDriver(const StressSoftening& law) : law_(law) { law_.rest(0.0, memory_); }
+  double step(double z) {
+    const double increment = z - z_;
+    z_ = z;
+    return law_.step({1.0, z, increment}, {}, memory_);
+  }
+  double* memory() { return memory_; }
+
+ private:
+  const StressSoftening& law_;
+  double memory_[2] = {};
+  double z_ = 0.0;
+};
+
+TEST(StressSoftening, SoftensOnlyWithinWhatWasReached) {
+  const StressSoftening law(0.3, 0.2, 0.0);
+  SofteningDriver driver(law);
+  EXPECT_EQ(driver.step(1e-3), 1.0) << "first loading";
+  EXPECT_EQ(driver.step(2e-3), 1.0);
+  EXPECT_LT(driver.step(1e-3), 0.75) << "second loading";
+  EXPECT_NEAR(driver.step(0.0), 0.7, 1e-12) << "all of the reduction";
+  EXPECT_LT(driver.step(-1e-3), 0.75) << "symmetric";
+  EXPECT_EQ(driver.step(2e-3), 1.0) << "regained at the largest displacement";
+  EXPECT_EQ(driver.step(2.5e-3), 1.0);
+}
+
+TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
+  const StressSoftening law(0.3, 0.5, 0.0);
+  double before = law.factor(0.0, 2.0);
+  EXPECT_NEAR(before, 0.7, 1e-12);
+  for (int i = 1; i <= 200; ++i) {
+    const double factor = law.factor(0.01 * i, 2.0);
+    EXPECT_GE(factor, before);
+    EXPECT_LT(factor - before, 0.02);
+    before = factor;
+  }
+  EXPECT_EQ(before, 1.0);
+}
+
+TEST(StressSoftening, PathMakesItTakeSomeCycles) {
+  constexpr double kAmplitude = 1e-3;
+  constexpr double kPath = 4e-3;  // one cycle of that amplitude
+  const StressSoftening law(0.3, 0.2, kPath);
+  SofteningDriver driver(law);
+  driver.step(kAmplitude);
+  double remaining = kAmplitude - driver.memory()[1];
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    driver.step(-kAmplitude);
+    driver.step(kAmplitude);
+    const double now = kAmplitude - driver.memory()[1];
+    EXPECT_NEAR(now / remaining, std::exp(-1.0), 1e-12) << cycle;
+    remaining = now;
+  }
+}
+
+TEST(StressSoftening, ReductionOfZeroDoesNothing) {
+  const StressSoftening law(0.0, 0.2, 0.0);
+  SofteningDriver driver(law);
+  driver.step(2e-3);
+  EXPECT_EQ(driver.step(1e-3), 1.0);
+}
+
+TEST(StressSoftening, StaysThroughARest) {
+  const StressSoftening law(0.3, 0.2, 0.0);
+  SofteningDriver driver(law);
+  driver.step(2e-3);
+  EXPECT_NEAR(law.recover(0.0, driver.memory()), 0.7, 1e-12);
+  EXPECT_LT(driver.step(1e-3), 0.75);
+  law.rest(0.0, driver.memory());
+  EXPECT_EQ(driver.step(1e-3), 1.0) << "a new specimen";
+}
+
+// Constant loss force under steady motion: dx/dt = s F v (1 - x) - x/T.
+TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
+  const SelfHeating law(1e-3, 20.0);
+  double memory[2];
+  law.rest(0.0, memory);
+  ComponentForce force;
+  force.friction = 1e3;
+  force.elastic = 1e9;  // makes no heat
+  double factor = 1.0;
+  for (int i = 0; i < 100000; ++i) {
+    factor = law.step({0.01, 0.0, 0.01 * 0.02}, force, memory);
+  }
+  const double gain = 1e-3 * 20.0 * (1e3 * 0.02);  // s T P = 0.4, of the unsoftened force
+  EXPECT_NEAR(factor, 1.0 - gain / (1.0 + gain), 1e-9);
+  force.friction = 0.0;
+  law.step({1e-9, 0.0, 0.0}, force, memory);
+  factor = law.step({20.0, 0.0, 0.0}, force, memory);
+  EXPECT_NEAR(1.0 - factor, gain / (1.0 + gain) * std::exp(-1.0), 1e-6) << "cools at rest";
+}
+
+TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
+  const SelfHeating law(1e-6, 1e12);
+  double memory[2];
+  law.rest(0.0, memory);
+  ComponentForce force;
+  force.viscous = 500.0;
+  double factor = 1.0;
+  for (int i = 0; i < 1000; ++i) {
+    factor = law.step({0.01, 0.0, 1e-3}, force, memory);
+  }
+  // 500 N over 1 m, less half of the first step, over which the force rose from 0, softened by 2.5e-4 on average.
+  EXPECT_NEAR(1.0 - factor, 1e-6 * 500.0 * 0.9995, 1e-3 * 1e-6 * 500.0);
+}
+
+TEST(SelfHeating, KeepsAFifthAtLeast) {
+  const SelfHeating law(1e3, 1e9);
+  double memory[2];
+  law.rest(0.0, memory);
+  ComponentForce force;
+  force.viscous = 1e6;
+  EXPECT_EQ(law.step({1.0, 1.0, 1.0}, force, memory), SelfHeating::kLeastFactor);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
