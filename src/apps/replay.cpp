@@ -26,7 +26,7 @@ int run(const Options& options) {
   const LogFormat format = options.log_options.format();
   const auto components = loadComponentFile(options.config);
   const ComponentDescription& description = selectComponent(components, options.component);
-  const Log log = readCsvLog(options.log, format);
+  const Log log = readLog(options.log, format);
   std::error_code none;
   if (std::filesystem::equivalent(options.output, options.log, none)) {
     throw UsageError("--output: " + options.output + " is the log itself; accepted: another file");
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
-        app.add_option("--log", options->log, "CSV log to simulate")->required()->type_name("FILE");
+        app.add_option("--log", options->log, "log to simulate: .csv or .mat")->required()->type_name("FILE");
         app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
             ->required()
             ->type_name("FILE");

@@ -5,7 +5,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -17,8 +16,6 @@ namespace rubber_suspension {
 namespace {
 
 constexpr std::size_t kMaximumNameLength = 100;
-
-std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 std::vector<std::string> namesOf(const std::vector<ParameterInfo>& table) {
   std::vector<std::string> names;
@@ -55,7 +52,7 @@ std::string accepted(const ParameterInfo& parameter) {
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
   const std::string number = bounded ? "a number " + describe(range) : describe(range);
   if (parameter.unit == "1") {
-    return number + ", or text such as '5 %'";
+    return number + (range.upper <= 1.0 ? ", or in %" : "");
   }
   return fmt::format("{}, in {}, or text with such a unit", number, parameter.unit);
 }
@@ -66,22 +63,14 @@ bool isBaseName(const std::string& name) {
          std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-// Text that a user wrote, fit for one line of an error.
-std::string quoted(const std::string& text) {
-  std::string shown = text.substr(0, 60);
-  std::replace_if(
-      shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return fmt::format("'{}{}'", shown, text.size() > shown.size() ? "..." : "");
-}
-
 std::string kindOf(const YAML::Node& node) {
   switch (node.Type()) {
     case YAML::NodeType::Scalar:
       return quoted(node.Scalar());
     case YAML::NodeType::Sequence:
-      return "a list";
+      return node.size() == 0 ? "an empty list" : "a list";
     case YAML::NodeType::Map:
-      return "a map";
+      return node.size() == 0 ? "an empty map" : "a map";
     default:
       return "nothing";
   }
@@ -123,7 +112,9 @@ class Loader {
   }
 
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& path, const std::string& problem) const {
-    refuseLine(std::max(node.Mark().line + 1, 1), path, problem);
+    const auto key_line = node.IsNull() ? lines_of_nothing_.find(node.Mark().pos) : lines_of_nothing_.end();
+    const int line = key_line == lines_of_nothing_.end() ? node.Mark().line : key_line->second;
+    refuseLine(std::max(line + 1, 1), path, problem);
   }
 
   YAML::Node parse(const std::string& text) const {
@@ -150,9 +141,12 @@ class Loader {
     }
   }
 
-  void checkUnique(const YAML::Node& map, const std::string& path) const {
+  void checkUnique(const YAML::Node& map, const std::string& path) {
     std::set<std::string> seen;
     for (const auto& entry : map) {
+      if (entry.second.IsNull()) {
+        lines_of_nothing_[entry.second.Mark().pos] = entry.first.Mark().line;
+      }
       if (!entry.first.IsScalar()) {
         refuse(entry.first, path, fmt::format("{} as a key; accepted: a name", kindOf(entry.first)));
       }
@@ -162,7 +156,7 @@ class Loader {
     }
   }
 
-  void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) const {
+  void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) {
     checkUnique(map, path);
     for (const auto& entry : map) {
       const std::string& key = entry.first.Scalar();
@@ -196,10 +190,11 @@ class Loader {
     }
     component_ = key.Scalar();
     if (!node.IsMap()) {
-      refuse(node.IsNull() ? key : node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
+      refuse(node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
     }
     ComponentDescription description;
     description.name = component_;
+    checkUnique(node, "");
     description.model = loadModel(node);
     loadContent(node, description);
     try {
@@ -219,7 +214,7 @@ class Loader {
     return *found;
   }
 
-  void loadContent(const YAML::Node& node, ComponentDescription& description) const {
+  void loadContent(const YAML::Node& node, ComponentDescription& description) {
     if (description.model == Model::elements) {
       checkKeys(node, "", {"model", "elements", "add"});
       description.elements = loadEntries(require(node, "", "elements", "a list of elements"), "elements");
@@ -235,7 +230,7 @@ class Loader {
     }
   }
 
-  Specification loadSpecification(const YAML::Node& node, Model model) const {
+  Specification loadSpecification(const YAML::Node& node, Model model) {
     if (!node.IsMap()) {
       refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
     }
@@ -245,6 +240,9 @@ class Loader {
     for (const auto& entry : node) {
       const std::string& key = entry.first.Scalar();
       specification.set(key, loadNumber(entry.second, child("specification", key), *findRow(table, key)));
+    }
+    for (const std::string& key : modelInfo(model).required) {
+      require(node, "specification", key, accepted(*findRow(table, key)));
     }
     try {
       checkSpecification(model, specification);
@@ -286,8 +284,7 @@ class Loader {
     }
     if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumListLength) {
       refuse(node, path,
-             fmt::format("{}{}; accepted: a list of 1 to {} numbers, each {}", kindOf(node),
-                         node.IsSequence() ? fmt::format(" of {}", node.size()) : "", kMaximumListLength,
+             fmt::format("{}; accepted: a list of 1 to {} numbers, each {}", kindOf(node), kMaximumListLength,
                          accepted(parameter)));
     }
     std::vector<double> values;
@@ -297,7 +294,7 @@ class Loader {
     return values;
   }
 
-  std::vector<ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) const {
+  std::vector<ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) {
     if (!node.IsSequence()) {
       refuse(node, path, fmt::format("{}; accepted: a list of elements", kindOf(node)));
     }
@@ -324,7 +321,7 @@ class Loader {
     return *found;
   }
 
-  ElementDescription loadEntry(const YAML::Node& node, const std::string& path) const {
+  ElementDescription loadEntry(const YAML::Node& node, const std::string& path) {
     const ElementType& type = loadType(node, path);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
@@ -348,6 +345,9 @@ class Loader {
 
   std::string source_;
   std::string component_;  // the one being read, for errors
+  // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
+  // line.
+  std::map<int, int> lines_of_nothing_;
 };
 
 // The shortest text that reads back as the same number.

@@ -57,7 +57,7 @@ void Progress::draw(int percent) {
 std::string Progress::bar(const std::string& label, int percent, std::size_t width) {
   constexpr std::size_t kLength = 40;
   const std::size_t filled = kLength * static_cast<std::size_t>(percent) / 100;
-  return fmt::format("{} [{}{}] {:3d} %", label, std::string(filled, '='), std::string(kLength - filled, ' '), percent)
+  return fmt::format("{} {:3d} % [{}{}]", label, percent, std::string(filled, '='), std::string(kLength - filled, ' '))
       .substr(0, width);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -42,6 +43,16 @@ Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const L
     axes.curves.push_back({"measured", x, thinned(log.force, 1e-3), "-", 0});
   }
   axes.curves.push_back({"simulated", x, thinned(force, 1e-3), "-", 1});
+  return axes;
+}
+
+Axes gapAxes(const std::vector<double>& seconds, const Log& log, const std::vector<double>& force) {
+  std::vector<double> gap(log.size());
+  std::transform(log.force.begin(), log.force.end(), force.begin(), gap.begin(), std::minus<>());
+  Axes axes;
+  axes.x_label = "time [s]";
+  axes.y_label = "measured - simulated [kN]";
+  axes.curves.push_back({"", seconds, thinned(gap, 1e-3), "-", 4});
   return axes;
 }
 
@@ -121,6 +132,9 @@ Figure replayFigure(const std::string& component, const Log& log, const std::vec
   figure.title = fmt::format("{}, {}", component, log.name);
   figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force),
                  forceAxes("time [s]", seconds, log, force)};
+  if (!log.force.empty()) {
+    figure.axes.push_back(gapAxes(seconds, log, force));
+  }
   return figure;
 }
 

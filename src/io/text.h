@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace rubber_suspension {
 
@@ -19,6 +20,12 @@ inline std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
+
+/// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, no control characters.
+std::string quoted(const std::string& text);
+
+/// Names as a list "a, b, c".
+std::string join(const std::vector<std::string>& names);
 
 /// The content of a file of at most that many bytes. Throws std::runtime_error with the reason.
 std::string readFile(const std::string& path, std::size_t maximum_size);

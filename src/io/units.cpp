@@ -144,7 +144,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   }
   const std::size_t length = numberLength(quantity);
   if (length == 0) {
-    throw std::invalid_argument(fmt::format("'{}' is not a number", text));
+    throw std::invalid_argument("not a number");
   }
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   return UnitConversion(trimmed(quantity.substr(length)), unit)(value);

@@ -112,6 +112,18 @@ TEST(ReadCsvLog, ARateOverridesATimeColumnAndSaysSo) {
   EXPECT_THAT(log.notes, ElementsAre("column 'time_s' is ignored"));
 }
 
+TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
+  const Log log = readText("time_ms,displacement_m\n0.1,0\n3,1\n", makeLogFormat({"time=time_ms"}, "", 0));
+  EXPECT_THAT(log.stamp, ElementsAre(100000, 3000000));
+}
+
+TEST(ReadCsvLog, AUnitServesColumnsWithoutOneAndIsNotedWhereUnused) {
+  const Log bare = readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", makeLogFormat({}, "mm,N", 0));
+  EXPECT_THAT(bare.displacement, ElementsAre(0.001, 0.002));
+  EXPECT_THAT(bare.force, ElementsAre(1000.0, 2000.0));
+  EXPECT_THAT(bare.notes, ElementsAre("unit 'N' is not used: column 'force_kN' names its own"));
+}
+
 TEST(MakeLogFormat, RefusesWhatItCannotUse) {
   EXPECT_THROW(makeLogFormat({"displacement"}, "", 0), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({"speed=v"}, "", 0), std::invalid_argument);

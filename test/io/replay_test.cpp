@@ -87,7 +87,7 @@ TEST(ReplayFigure, ThinsLongLogs) {
   Log log = sineLog(120001);
   log.force.assign(log.size(), 1.0);
   const Figure figure = replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
-  ASSERT_EQ(figure.axes.size(), 3u);
+  ASSERT_EQ(figure.axes.size(), 4u);
   EXPECT_EQ(figure.axes[1].curves.size(), 2u);
   for (const Axes& axes : figure.axes) {
     for (const Curve& curve : axes.curves) {
@@ -96,12 +96,15 @@ TEST(ReplayFigure, ThinsLongLogs) {
     }
   }
   EXPECT_EQ(figure.axes[2].curves[1].y[0], 2.0);  // [kN]
+  EXPECT_EQ(figure.axes[3].curves[0].y[0], -1.999);
+  log.force.clear();
+  EXPECT_EQ(replayFigure("bush", log, std::vector<double>(log.size(), 2000.0)).axes.size(), 3u);
 }
 
 TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {
-  EXPECT_EQ(Progress::bar("x", 0, 80), "x [" + std::string(40, ' ') + "]   0 %");
-  EXPECT_EQ(Progress::bar("x", 50, 80), "x [" + std::string(20, '=') + std::string(20, ' ') + "]  50 %");
-  EXPECT_EQ(Progress::bar("x", 100, 80), "x [" + std::string(40, '=') + "] 100 %");
+  EXPECT_EQ(Progress::bar("x", 0, 80), "x   0 % [" + std::string(40, ' ') + "]");
+  EXPECT_EQ(Progress::bar("x", 50, 80), "x  50 % [" + std::string(20, '=') + std::string(20, ' ') + "]");
+  EXPECT_EQ(Progress::bar("x", 100, 80), "x 100 % [" + std::string(40, '=') + "]");
   EXPECT_EQ(Progress::bar("x", 100, 10).size(), 10u);
 }
 

@@ -35,7 +35,7 @@ struct LogFormat {
   std::string displacement_column;  ///< empty: displacement_<unit>
   std::string force_column;         ///< empty: force_<unit>
   std::string temperature_column;   ///< empty: temperature_degC
-  std::string displacement_unit;    ///< of a mapped column without unit in its name; empty: m
+  std::string displacement_unit;    ///< of that column, or one named `displacement`; empty: by its name, else m
   std::string force_unit;           ///< likewise; empty: N
   std::optional<double> rate;       ///< sampling rate [Hz] of a log without time column; the first sample is at 0 s
 };
@@ -54,6 +54,14 @@ constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 /// number, a row of another length, a blank line between rows, time that does not increase from row to row, less than
 /// two rows. Time becomes the nearest integer nanosecond. Throws LogError.
 Log readCsvLog(const std::string& path, const LogFormat& format = {});
+
+/// Read a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME, and fields
+/// of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left out. Which
+/// columns are read follows the rules of readCsvLog. Throws LogError.
+Log readMatLog(const std::string& path, const LogFormat& format = {});
+
+/// Read a log by its extension: .mat a MATLAB file, otherwise CSV. Throws LogError.
+Log readLog(const std::string& path, const LogFormat& format = {});
 
 /// Check a log from any source: lengths agree, time increases, all is finite, at least two samples.
 /// Throws LogError that names log, sample and value.

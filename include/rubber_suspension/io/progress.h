@@ -19,7 +19,7 @@ class Progress {
 
   void advance(std::size_t n = 1);
 
-  /// The bar as text, "label [=====     ]  50 %"; cut to `width` characters.
+  /// The bar as text, "label  50 % [=====     ]"; cut to `width` characters.
   static std::string bar(const std::string& label, int percent, std::size_t width);
 
  private:

@@ -1,0 +1,88 @@
+// Files that have to be refused, each with the error that it has to give: bad_component_files/X.yaml has it in its
+// first line, `# error: ...`; bad_logs/X.csv has it in X.error. Both begin at the line's number, behind the file's
+// name.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/io/" + folder)) {
+    if (entry.path().extension() == extension) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
+  return std::filesystem::path(info.param).stem().string();
+}
+
+std::string firstLine(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+void expectError(const std::string& error, const std::string& path, const std::string& expected) {
+  ASSERT_FALSE(expected.empty()) << path << " does not say which error it has to give";
+  EXPECT_THAT(error, StartsWith(path + ":" + expected));
+  EXPECT_THAT(error, HasSubstr("accepted"));
+  EXPECT_THAT(error, Not(HasSubstr("\n")));
+  EXPECT_LT(error.size(), path.size() + 1000);
+}
+
+class BadComponentFile : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BadComponentFile, IsRefusedWithItsError) {
+  const std::string mark = "# error: ";
+  const std::string line = firstLine(GetParam());
+  ASSERT_THAT(line, StartsWith(mark));
+  try {
+    loadComponentFile(GetParam());
+    FAIL() << "accepted";
+  } catch (const ComponentFileError& error) {
+    expectError(error.what(), GetParam(), line.substr(mark.size()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadComponentFile, ::testing::ValuesIn(filesIn("bad_component_files", ".yaml")), nameOf);
+
+class BadLog : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BadLog, IsRefusedWithItsError) {
+  const std::string expected = firstLine(std::filesystem::path(GetParam()).replace_extension(".error").string());
+  try {
+    readCsvLog(GetParam());
+    FAIL() << "accepted";
+  } catch (const LogError& error) {
+    expectError(error.what(), GetParam(), expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadLog, ::testing::ValuesIn(filesIn("bad_logs", ".csv")), nameOf);
+
+TEST(BadFiles, AreAllThere) {
+  EXPECT_GE(filesIn("bad_component_files", ".yaml").size(), 95u);
+  EXPECT_GE(filesIn("bad_logs", ".csv").size(), 38u);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
