@@ -179,6 +179,10 @@ class CaseTest(unittest.TestCase):
         built = case.build("bank", 8, 3, "none", (), False)
         self.assertEqual(built["label"]["effects"], [])
         component = base.from_specification(built["model"], built["specification"])
+        for name, text in (("elements", case.elements_yaml("a", case.element_entries(component, 1e-6))),
+                           (built["model"], case.component_yaml(built["rng"], "a", built["model"],
+                                                                built["specification"]))):
+            self.assertIn(f"model: {name}\n", text)
         # The rig's own grid is four times finer than the log: that is all the difference there may be.
         for (_, _, measured), true in zip(built["logs"], built["true"]):
             self.assertLess(np.std(measured - true) / np.std(true), 0.1)
@@ -201,7 +205,8 @@ class ScoreTest(unittest.TestCase):
     def label(number, kind, effects, unknown=None):
         return {"case": f"case_{number:03d}", "kind": kind, "effects": effects, "unknown": unknown,
                 "laws": {e: "x" for e in effects}, "programme": "rich", "model": "maxwell", "parameter_error": None,
-                "gap": {"wanted": 0.1, "visible": 0.1, "full": 0.1}, "noise": {"floor": 0.01, "floor_hold_out": 0.01}}
+                "gap": {"wanted": 0.1, "visible": 0.1, "full": 0.1,
+                        "single": {e: {"visible": 0.1, "full": 0.1} for e in effects}}, "noise": {"floor": 0.01, "floor_hold_out": 0.01}}
 
     def cases(self, report):
         labels = [self.label(0, "single", ["friction"]), self.label(1, "single", ["creep"]),

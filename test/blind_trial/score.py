@@ -69,6 +69,12 @@ class Case:
         return gap["visible"] >= VISIBLE_SHARE * gap["full"] and self.visible_over_noise >= VISIBLE_OVER_NOISE
 
     @property
+    def both_observable(self):
+        """Of a pair: each effect alone would be observable."""
+        gaps, floor = self.label["gap"]["single"].values(), self.label["noise"]["floor"]
+        return all(g["visible"] >= max(VISIBLE_SHARE * g["full"], VISIBLE_OVER_NOISE * floor) for g in gaps)
+
+    @property
     def true_closed(self):
         """The fraction that was really closed: by the reported gaps, but down to the true noise floor."""
         try:
@@ -163,6 +169,8 @@ def goal_rows(cases):
         ("right effect first, gap of 3 %", rate(c.right for c in single if c.small), 0.85, True),
         ("right effect first, gap of 3 %, observable", rate(c.right for c in shown if c.small), 0.85, True),
         ("both named, pairs", rate(set(c.truth) <= set(c.named) for c in pairs), 0.80, True),
+        ("both named, pairs of which each is observable",
+         rate(set(c.truth) <= set(c.named) for c in pairs if c.both_observable), 0.80, True),
         ("at least one named and no wrong one, pairs",
          rate(bool(c.named) and set(c.named) <= set(c.truth) for c in pairs), None, True),
         ("effect named on none or parameter error", rate(c.verdict in NAMING + ("missing",) or c.named for c in clean), 0.02, False),

@@ -112,8 +112,12 @@ def maxwell_response(z, tau, rate):
 
 
 def friction_on_grid(z, z2, rate):
-    """Berg's element at no more than 1 kHz, linear in between: enough for what moves below 40 Hz."""
-    skip = max(1, int(round(rate / 1000.0)))
+    """Berg's element at no more than 500 Hz, linear in between.
+
+    It has no memory beyond the last reversal, so a small reversal between two samples of a log would shift all that
+    follows; a base is to be what its model says, so it sees the samples of the log.
+    """
+    skip = max(1, int(round(rate / 500.0)))
     if skip == 1:
         return berg_response(z, z2)
     n = np.arange(len(z))

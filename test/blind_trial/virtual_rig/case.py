@@ -155,6 +155,9 @@ def build(case_set, seed, number, kind, effect_names, small):
         if reached > (0.85 if by_visible else 0.3):
             break
     case = dict(best, rng=rng, kind=kind, wanted=wanted, by_visible=by_visible)
+    # One component in eight is described by its elements, one with friction more often.
+    share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
+    case["as_elements"] = bool(rng.random() < share)
     apply_parameter_error(case)
     measure(case)
     return finish(case, case_set, seed, number)
@@ -225,6 +228,9 @@ def measure(case):
     for f, x in zip(true, coarse):
         force.append(quantised(f + typical * ratio * noise(rng, len(f), colour), steps[1]))
         displacement.append(quantised(x + sensor * rng.standard_normal(len(x)), steps[0]))
+    # A file that lists elements may give friction its dead band of six times the noise.
+    banded = case["as_elements"] and case["base"].friction_force > 0.0
+    case["dead_band"] = max(6.0 * sensor, 2.0 * steps[0]) if banded else 0.0
     case.update(true=true, coarse=coarse, force=force, displacement=displacement,
                 noise={"force_ratio": ratio, "displacement": sensor, "colour": colour, "steps": steps})
 
@@ -243,17 +249,22 @@ def quantised(x, step):
 
 
 def noise_floor(case, logs):
-    """Gap of a perfect model that is fed with the measured displacement: the part that nothing can close.
+    """Gap of a perfect model of the base that is fed with the measured displacement: the part that nothing can close.
 
-    The effect of the displacement's noise is that of the base's elements on it; its friction is taken as a spring.
+    The model sees samples with noise: a dashpot differentiates that, a Berg element takes it for reversals unless it
+    has a dead band (then its friction is a spring to the noise).
     """
     base, difference = case["base"], []
-    for i in logs:
-        error = case["displacement"][i] - case["coarse"][i]
-        linear = bases.Base(base.k0, base.k, base.tau, base.c0)
-        if base.friction_force > 0.0:
-            linear.k0 += base.friction_force / base.friction_z2
-        difference.append(case["force"][i] - case["true"][i] - linear.force([error], RATE)[0])
+    dead_band = case["dead_band"] > 0.0
+    fine = base.force([case["z"][i] for i in logs], RATE * FINE)
+    for i, reference in zip(logs, fine):
+        seen, error = case["displacement"][i], case["displacement"][i] - case["coarse"][i]
+        if base.friction_force > 0.0 and not dead_band:
+            model = base.force([seen], RATE)[0] - reference[::FINE]
+        else:
+            linear = bases.Base(base.k0 + (base.friction_force / base.friction_z2 if dead_band else 0.0), base.k, base.tau)
+            model = linear.force([error], RATE)[0] + base.c0 * RATE * np.diff(error, prepend=error[0])
+        difference.append(case["force"][i] - case["true"][i] - model)
     return gap(difference, [case["force"][i] for i in logs])
 
 
@@ -274,11 +285,13 @@ def finish(case, case_set, seed, number):
                 "full": case["full"], "visible": case["visible"], "as_configured": configured,
                 "single": {k: {"full": v[0], "visible": v[1]} for k, v in case["single"].items()}},
         "noise": dict(case["noise"], floor=noise_floor(case, everything), floor_hold_out=noise_floor(case, held)),
-        "parameter_error": case["parameter_error"], "model": case["model"], "programme": case["programme"],
+        "parameter_error": case["parameter_error"], "model": case["model"], "as_elements": case["as_elements"],
+        "programme": case["programme"],
         "kinds": case["kinds"], "repeat": case["repeat"],
     }
     return {"label": label, "logs": list(zip(case["kinds"], case["displacement"], case["force"])),
-            "true": case["true"], "rng": rng, "model": case["model"], "specification": case["file_specification"]}
+            "true": case["true"], "rng": rng, "model": case["model"], "specification": case["file_specification"],
+            "elements": element_entries(case["file_base"], case["dead_band"]) if case["as_elements"] else None}
 
 
 # ---- files -----------------------------------------------------------------------------------------------------------
@@ -294,7 +307,8 @@ def write(case, folder, label_folder):
     os.makedirs(label_folder, exist_ok=True)
     name = str(rng.choice(NAMES))
     z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
-    warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 else None
+    # A thermometer in the room; where the specimen heats itself it would have to show that, so there is none.
+    warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 and "self_heating" not in label["effects"] else None
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
         prefix = "log" if i < TRAINING else "hold_out"
@@ -302,7 +316,10 @@ def write(case, folder, label_folder):
         write_log(os.path.join(folder, files[-1]), z, f, z_unit, f_unit,
                   None if warm is None else warm + 0.05 * rng.standard_normal(len(z)))
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as out:
-        out.write(component_yaml(rng, name, case["model"], case["specification"]))
+        if case["elements"]:
+            out.write(elements_yaml(name, case["elements"]))
+        else:
+            out.write(component_yaml(rng, name, case["model"], case["specification"]))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as out:
         json.dump({"component": name, "logs": files[:TRAINING], "hold_out": files[TRAINING:]}, out, indent=1)
     with open(os.path.join(label_folder, label["case"] + ".json"), "w", encoding="utf-8") as out:
@@ -336,4 +353,25 @@ def component_yaml(rng, name, model, s):
         else:
             text = repr(float(value))
         lines.append(f"      {key}: {text}")
+    return "\n".join(lines) + "\n"
+
+
+def element_entries(base, dead_band):
+    """The base as a list of (type, parameters) of a component file's `elements`."""
+    entries = [("spring", {"stiffness": base.k0})]
+    entries += [("maxwell", {"stiffness": k, "break_frequency": 1.0 / (2.0 * math.pi * tau)})
+                for k, tau in zip(base.k, base.tau)]
+    if base.c0 > 0.0:
+        entries.append(("dashpot", {"damping": base.c0}))
+    if base.friction_force > 0.0:
+        friction = {"maximum_force": base.friction_force, "displacement": base.friction_z2}
+        entries.append(("friction", dict(friction, dead_band=dead_band) if dead_band > 0.0 else friction))
+    return entries
+
+
+def elements_yaml(name, entries):
+    lines = ["components:", f"  {name}:", "    model: elements", "    elements:"]
+    for kind, parameters in entries:
+        text = ", ".join(f"{k}: {float(v)!r}" for k, v in parameters.items())
+        lines.append(f"      - {{type: {kind}, {text}}}")
     return "\n".join(lines) + "\n"
