@@ -1,0 +1,45 @@
+// What the node tells about itself once per second: /diagnostics and, if something went wrong, one line of log.
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/ros_interface/component_channel.h"
+
+namespace rubber_suspension {
+
+/// What is worth a log line between two reports of one channel; empty if nothing is.
+std::string describeFaults(const ChannelReport& before, const ChannelReport& now);
+
+/// Write a report as the diagnostic status of a component; `elapsed` is the time since the report before [s].
+void fillStatus(const ChannelReport& before, const ChannelReport& now, double elapsed,
+                diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// Publishes on a timer of steady time, so that it goes on while simulated time stands still.
+class NodeDiagnostics {
+ public:
+  /// The channels must outlive the object.
+  NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle,
+                  const std::vector<ComponentChannel*>& channels);
+
+ private:
+  struct Watched {
+    ComponentChannel* channel;
+    ChannelReport before;
+    ChannelReport now;
+  };
+
+  void update();
+
+  std::vector<Watched> watched_;
+  diagnostic_updater::Updater updater_;
+  std::chrono::steady_clock::time_point last_update_;
+  double elapsed_ = 1.0;  // between the last two updates [s]
+  ros::WallTimer timer_;
+};
+
+}  // namespace rubber_suspension

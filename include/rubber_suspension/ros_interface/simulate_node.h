@@ -1,0 +1,45 @@
+// The node: components, their topics, services and diagnostics, put together for a process of its own or a nodelet.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
+#include <vector>
+
+#include "rubber_suspension/ros_interface/component_channel.h"
+#include "rubber_suspension/ros_interface/node_diagnostics.h"
+#include "rubber_suspension/ros_interface/node_settings.h"
+#include "rubber_suspension/ros_interface/sample_server.h"
+#include "rubber_suspension/ros_interface/serving_thread.h"
+
+namespace rubber_suspension {
+
+/// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
+class SimulateNode {
+ public:
+  /// Throws std::exception with one line that says what is wrong; then nothing was advertised.
+  SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  ~SimulateNode();
+  SimulateNode(const SimulateNode&) = delete;
+  SimulateNode& operator=(const SimulateNode&) = delete;
+
+ private:
+  void makeChannels();
+  void setUpRealTime();
+  void startServing();
+  void advertiseServices();
+
+  bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  ros::NodeHandle handle_;
+  ros::NodeHandle private_handle_;
+  NodeSettings settings_;
+  std::vector<std::unique_ptr<ComponentChannel>> channels_;
+  std::vector<std::unique_ptr<ServingThread>> threads_;
+  std::vector<std::unique_ptr<SampleServer>> servers_;
+  std::unique_ptr<NodeDiagnostics> diagnostics_;
+  std::vector<ros::ServiceServer> services_;
+};
+
+}  // namespace rubber_suspension

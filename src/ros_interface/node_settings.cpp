@@ -1,0 +1,189 @@
+// The node's private parameters, checked strictly against one table.
+#include "rubber_suspension/ros_interface/node_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "rubber_suspension/ros_interface/parameter_yaml.h"
+
+namespace rubber_suspension {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+struct SettingInfo {
+  std::string name;
+  std::string accepted;
+  std::string documentation;
+  std::function<bool(const XmlRpcValue&, NodeSettings&)> read;  // false where the value is not accepted
+};
+
+bool readNumber(const XmlRpcValue& value, double& result) {
+  if (value.getType() == XmlRpcValue::TypeInt) {
+    result = static_cast<int>(value);
+    return true;
+  }
+  if (value.getType() == XmlRpcValue::TypeDouble) {
+    result = static_cast<double>(value);
+    return true;
+  }
+  return false;
+}
+
+template <class Member>
+std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(Member member, int lower, int upper) {
+  return [=](const XmlRpcValue& value, NodeSettings& settings) {
+    if (value.getType() != XmlRpcValue::TypeInt) {
+      return false;
+    }
+    const int number = static_cast<int>(value);
+    settings.*member = number;
+    return number >= lower && number <= upper;
+  };
+}
+
+std::function<bool(const XmlRpcValue&, NodeSettings&)> flag(bool NodeSettings::*member) {
+  return [=](const XmlRpcValue& value, NodeSettings& settings) {
+    if (value.getType() != XmlRpcValue::TypeBoolean) {
+      return false;
+    }
+    settings.*member = static_cast<bool>(value);
+    return true;
+  };
+}
+
+bool readMaxGap(const XmlRpcValue& value, NodeSettings& settings) {
+  return readNumber(value, settings.max_gap) && settings.max_gap > 0.0 && settings.max_gap <= 1e6;
+}
+
+bool readStateFile(const XmlRpcValue& value, NodeSettings& settings) {
+  if (value.getType() != XmlRpcValue::TypeString) {
+    return false;
+  }
+  settings.state_file = static_cast<const std::string&>(value);
+  return true;
+}
+
+const std::vector<SettingInfo>& settingsTable() {
+  static const std::vector<SettingInfo> table = {
+      {"max_gap", "a number of seconds greater than 0, at most 1e6",
+       "time between two samples beyond which a gap is reported (default 0.5); it is bridged exactly", readMaxGap},
+      {"queue_size", "a whole number from 1 to 1000000",
+       "samples that may wait per topic, in and out, before the oldest is lost (default 10000)",
+       integerIn(&NodeSettings::queue_size, 1, 1000000)},
+      {"threads", "a whole number from 1 to 64", "serving threads; components are dealt out in turn (default 1)",
+       integerIn(&NodeSettings::threads, 1, 64)},
+      {"realtime_priority", "a whole number from 0 to 98",
+       "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)",
+       integerIn(&NodeSettings::realtime_priority, 0, 98)},
+      {"lock_memory", "true or false", "keep the process in memory where permitted (default false)",
+       flag(&NodeSettings::lock_memory)},
+      {"state_file", "text, the path of a file", "where ~save_state and ~load_state keep the state (default none)",
+       readStateFile},
+      {"load_state", "true or false", "go on from state_file at the start, if it is there (default false)",
+       flag(&NodeSettings::load_state)},
+  };
+  return table;
+}
+
+// What others read from the node's private namespace.
+bool isForeign(const std::string& name) {
+  return name == "config_file" || name == "components" || name == "diagnostic_period" || name == "num_worker_threads";
+}
+
+std::string acceptedNames() {
+  std::string names = "config_file, components";
+  for (const SettingInfo& setting : settingsTable()) {
+    names += ", " + setting.name;
+  }
+  return names;
+}
+
+// The first level of every parameter below the node's private namespace.
+std::vector<std::string> givenNames(const ros::NodeHandle& private_handle) {
+  std::vector<std::string> all;
+  private_handle.getParamNames(all);
+  const std::string space = private_handle.getNamespace() + "/";
+  std::vector<std::string> names;
+  for (const std::string& name : all) {
+    if (name.compare(0, space.size(), space) == 0) {
+      names.push_back(name.substr(space.size(), name.find('/', space.size()) - space.size()));
+    }
+  }
+  return names;
+}
+
+void refuseUnknown(const ros::NodeHandle& private_handle) {
+  for (const std::string& name : givenNames(private_handle)) {
+    const auto& table = settingsTable();
+    const bool known = isForeign(name) || std::any_of(table.begin(), table.end(),
+                                                      [&](const SettingInfo& setting) { return setting.name == name; });
+    if (!known) {
+      throw std::invalid_argument(
+          fmt::format("unknown parameter {}/{}; accepted: {}", private_handle.getNamespace(), name, acceptedNames()));
+    }
+  }
+}
+
+std::string shown(const XmlRpcValue& value) {
+  try {
+    return toYamlText(value);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
+  refuseUnknown(private_handle);
+  NodeSettings settings;
+  for (const SettingInfo& setting : settingsTable()) {
+    XmlRpcValue value;
+    if (private_handle.getParam(setting.name, value) && !setting.read(value, settings)) {
+      throw std::invalid_argument(fmt::format(
+          "parameter {}: {}; accepted: {}", private_handle.resolveName(setting.name), shown(value), setting.accepted));
+    }
+  }
+  if (settings.load_state && settings.state_file.empty()) {
+    throw std::invalid_argument(fmt::format("parameter {} needs {}", private_handle.resolveName("load_state"),
+                                            private_handle.resolveName("state_file")));
+  }
+  return settings;
+}
+
+std::vector<ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
+  XmlRpcValue file;
+  XmlRpcValue components;
+  const bool has_file = private_handle.getParam("config_file", file);
+  const bool has_components = private_handle.getParam("components", components);
+  const std::string file_name = private_handle.resolveName("config_file");
+  const std::string components_name = private_handle.resolveName("components");
+  if (has_file == has_components) {
+    throw std::invalid_argument(fmt::format("{} parameters {} and {}; accepted: exactly one of them",
+                                            has_file ? "both" : "neither of the", file_name, components_name));
+  }
+  if (has_components) {
+    return parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
+  }
+  if (file.getType() != XmlRpcValue::TypeString) {
+    throw std::invalid_argument(
+        fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
+  }
+  return loadComponentFile(static_cast<const std::string&>(file));
+}
+
+std::string describeNodeSettings() {
+  std::string text;
+  text += fmt::format("  ~{:18} {}\n", "config_file", "path of the component file");
+  text += fmt::format("  ~{:18} {}\n", "components", "or what would stand in it under that key");
+  for (const SettingInfo& setting : settingsTable()) {
+    text += fmt::format("  ~{:18} {}; {}\n", setting.name, setting.documentation, setting.accepted);
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,60 @@
+// The topics of one component.
+#include "rubber_suspension/ros_interface/sample_server.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace rubber_suspension {
+namespace {
+
+using Steady = std::chrono::steady_clock;
+
+// From arrival to now [ns]. ROS stamps arrivals with ros::Time, which stands for real time only if no simulated time is
+// in use; then what is known is the time since the callback began.
+std::int64_t timeSinceArrival(const ros::Time& receipt, Steady::time_point callback) {
+  if (ros::Time::isSystemTime()) {
+    return std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec());
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Steady::now() - callback).count();
+}
+
+}  // namespace
+
+void fillForce(const Displacement& displacement, const ComponentForce& force, Force& message) {
+  message.header = displacement.header;
+  message.displacement = displacement.displacement;
+  message.force = force.total;
+  message.elastic = force.elastic;
+  message.viscous = force.viscous;
+  message.friction = force.friction;
+}
+
+SampleServer::SampleServer(ros::NodeHandle& handle, ComponentChannel& channel, int queue_size) : channel_(channel) {
+  const auto size = static_cast<std::uint32_t>(queue_size);
+  publisher_ = handle.advertise<Force>(channel.name() + "/force", size);
+  subscriber_ = handle.subscribe(channel.name() + "/displacement", size, &SampleServer::serve, this,
+                                 ros::TransportHints().tcpNoDelay());
+}
+
+void SampleServer::shutdown() {
+  subscriber_.shutdown();
+  publisher_.shutdown();
+}
+
+void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
+  const auto callback = Steady::now();
+  const Displacement& sample = *event.getConstMessage();
+  if (const std::uint32_t lost = watch_.take(event.getConnectionHeaderPtr().get(), sample.header.seq)) {
+    channel_.countLost(lost);
+  }
+  ComponentForce force;
+  if (!channel_.push(static_cast<std::int64_t>(sample.header.stamp.toNSec()), sample.displacement, force)) {
+    return;
+  }
+  const auto message = pool_.take();
+  fillForce(sample, force, *message);
+  publisher_.publish(message);
+  channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,50 @@
+// A thread that serves a group of components.
+#include "rubber_suspension/ros_interface/serving_thread.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace rubber_suspension {
+
+std::string ServingThread::start(int realtime_priority) {
+  running_ = true;
+  thread_ = std::thread([this] { run(); });
+  if (realtime_priority <= 0) {
+    return {};
+  }
+  sched_param parameters{};
+  parameters.sched_priority = realtime_priority;
+  const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);
+  return error == 0 ? std::string()
+                    : fmt::format("no real-time priority {}: {}", realtime_priority, std::strerror(error));
+}
+
+void ServingThread::stop() {
+  if (!thread_.joinable()) {
+    return;
+  }
+  running_ = false;
+  queue_.disable();
+  thread_.join();
+  queue_.clear();
+}
+
+void ServingThread::run() {
+  // The wait only bounds how long the thread takes to notice that it has to end.
+  const ros::WallDuration wait(0.1);
+  while (running_) {
+    queue_.callAvailable(wait);
+  }
+}
+
+std::string lockMemory() {
+  return mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? std::string()
+                                                 : fmt::format("memory not locked: {}", std::strerror(errno));
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,27 @@
+// The node as a nodelet: the same, without copies between nodelets of one manager.
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "rubber_suspension/ros_interface/simulate_node.h"
+
+namespace rubber_suspension {
+
+class SimulateNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    try {
+      node_ = std::make_unique<SimulateNode>(getNodeHandle(), getPrivateNodeHandle());
+    } catch (const std::exception& error) {
+      NODELET_FATAL("%s", error.what());
+      throw;  // the manager then reports that the nodelet was not loaded
+    }
+  }
+
+  std::unique_ptr<SimulateNode> node_;
+};
+
+}  // namespace rubber_suspension
+
+PLUGINLIB_EXPORT_CLASS(rubber_suspension::SimulateNodelet, nodelet::Nodelet)
