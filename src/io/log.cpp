@@ -104,12 +104,23 @@ void writeForceCsv(const std::string& path, const Log& log, const std::vector<do
   if (force.size() != log.size()) {
     throw LogError(fmt::format("{}: {} forces for {} samples", path, force.size(), log.size()));
   }
+  Log answered;
+  answered.stamp = log.stamp;
+  answered.displacement = log.displacement;
+  answered.force = force;
+  writeLogCsv(path, answered);
+}
+
+void writeLogCsv(const std::string& path, const Log& log) {
   std::ofstream file(path, std::ios::binary);
   fmt::memory_buffer rows;
-  fmt::format_to(std::back_inserter(rows), "time_s,displacement_m,force_N\n");
+  fmt::format_to(std::back_inserter(rows), "time_s,displacement_m{}\n", log.force.empty() ? "" : ",force_N");
   for (std::size_t i = 0; i < log.size(); ++i) {
-    fmt::format_to(std::back_inserter(rows), "{},{:.17g},{:.17g}\n", formatStamp(log.stamp[i]), log.displacement[i],
-                   force[i]);
+    fmt::format_to(std::back_inserter(rows), "{},{:.17g}", formatStamp(log.stamp[i]), log.displacement[i]);
+    if (!log.force.empty()) {
+      fmt::format_to(std::back_inserter(rows), ",{:.17g}", log.force[i]);
+    }
+    rows.push_back('\n');
   }
   file.write(rows.data(), static_cast<std::streamsize>(rows.size()));
   file.close();

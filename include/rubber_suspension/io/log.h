@@ -71,4 +71,7 @@ void checkLog(const Log& log);
 /// Throws LogError.
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force);
 
+/// Write `time_s,displacement_m` and, if the log has a measured force, `force_N`, as exactly. Throws LogError.
+void writeLogCsv(const std::string& path, const Log& log);
+
 }  // namespace rubber_suspension

@@ -1,0 +1,42 @@
+// The command `bag_to_csv`: one component's displacement and measured force of a bag as a CSV log.
+#include <memory>
+
+#include "command.h"
+#include "rubber_suspension/ros_interface/bag_log.h"
+
+using namespace rubber_suspension;
+
+namespace {
+
+struct Options {
+  std::string component;
+  std::string input;
+  std::string output;
+};
+
+int convert(const Options& options) {
+  const Log log = readBagLog(options.input, options.component);
+  for (const std::string& note : log.notes) {
+    std::cerr << "bag_to_csv: note: " << note << '\n';
+  }
+  writeLogCsv(options.output, log);
+  std::cout << options.output << ": " << log.size() << " samples"
+            << (log.force.empty() ? ", displacement\n" : ", displacement and measured force\n");
+  return kSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runCommand(argc, argv, "bag_to_csv",
+                    "Write one component's displacement and, if recorded, measured force of a bag as a CSV log.",
+                    [](CLI::App& app) {
+                      const auto options = std::make_shared<Options>();
+                      app.add_option("--component", options->component,
+                                     "name of the component; may be left out where "
+                                     "the bag has only one");
+                      app.add_option("--log", options->input, "bag")->required();
+                      app.add_option("--output", options->output, "CSV file to write")->required();
+                      return [options] { return convert(*options); };
+                    });
+}

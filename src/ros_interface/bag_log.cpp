@@ -1,0 +1,268 @@
+// Logs in ROS bags.
+#include "rubber_suspension/ros_interface/bag_log.h"
+
+#include <fmt/format.h>
+#include <rosbag/view.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/MeasuredForce.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace rubber_suspension {
+namespace {
+
+constexpr const char* kDisplacement = "/displacement";
+constexpr const char* kMeasuredForce = "/measured_force";
+
+struct Series {
+  std::vector<std::int64_t> stamp;
+  std::vector<double> value;
+};
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string stem(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return file.substr(0, file.find_last_of('.'));
+}
+
+std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& end) {
+  std::set<std::string> topics;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    // A leading slash makes "name/displacement" end in "/name/displacement" too.
+    if (endsWith("/" + connection->topic, end)) {
+      topics.insert(connection->topic);
+    }
+  }
+  return topics;
+}
+
+std::string join(const std::set<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+// The only topic of displacements that fits. Its end without "displacement" is common to all topics of the component.
+std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
+  const std::string end = component.empty() ? std::string(kDisplacement) : "/" + component + kDisplacement;
+  const std::set<std::string> topics = topicsEndingIn(bag, end);
+  if (topics.empty()) {
+    const std::set<std::string> others = topicsEndingIn(bag, kDisplacement);
+    throw LogError(fmt::format("{}: no topic ends in {}; the bag has {}", path, end,
+                               others.empty() ? "no displacement at all" : join(others)));
+  }
+  if (topics.size() > 1) {
+    throw LogError(fmt::format("{}: several topics end in {}: {}; name the component", path, end, join(topics)));
+  }
+  return *topics.begin();
+}
+
+double valueOf(const Displacement& message) { return message.displacement; }
+double valueOf(const MeasuredForce& message) { return message.force; }
+
+template <class Message>
+Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  if (view.size() > kMaximumLogRows) {
+    throw LogError(
+        fmt::format("{}: {} messages on {}; accepted: at most {}", path, view.size(), topic, kMaximumLogRows));
+  }
+  Series series;
+  series.stamp.reserve(view.size());
+  series.value.reserve(view.size());
+  for (const rosbag::MessageInstance& instance : view) {
+    const auto message = instance.instantiate<Message>();
+    if (!message) {
+      throw LogError(fmt::format("{}: {} has type {} of another definition or name; accepted: {}", path, topic,
+                                 instance.getDataType(), ros::message_traits::datatype<Message>()));
+    }
+    series.stamp.push_back(static_cast<std::int64_t>(message->header.stamp.toNSec()));
+    series.value.push_back(valueOf(*message));
+  }
+  return series;
+}
+
+void checkIncreasing(const Series& series, const std::string& path, const std::string& topic) {
+  for (std::size_t i = 1; i < series.stamp.size(); ++i) {
+    if (series.stamp[i] <= series.stamp[i - 1]) {
+      throw LogError(fmt::format("{}: message {} on {}: stamp {:.9f} s does not increase (before: {:.9f} s)", path,
+                                 i + 1, topic, 1e-9 * static_cast<double>(series.stamp[i]),
+                                 1e-9 * static_cast<double>(series.stamp[i - 1])));
+    }
+  }
+}
+
+// First sample and length of the longest stretch of displacements that all have a force; forces of it in `force`.
+std::size_t longestMatch(const Series& displacement, const Series& measured, std::vector<double>& force) {
+  std::size_t best_start = 0;
+  std::vector<double> current;
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < displacement.stamp.size(); ++i) {
+    while (j < measured.stamp.size() && measured.stamp[j] < displacement.stamp[i]) {
+      ++j;
+    }
+    if (j < measured.stamp.size() && measured.stamp[j] == displacement.stamp[i]) {
+      current.push_back(measured.value[j]);
+    } else {
+      current.clear();
+    }
+    if (current.size() > force.size()) {
+      force = current;
+      best_start = i + 1 - current.size();
+    }
+  }
+  return best_start;
+}
+
+template <class Value>
+void keep(std::vector<Value>& values, std::size_t start, std::size_t count) {
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(start);
+  values = std::vector<Value>(first, first + static_cast<std::ptrdiff_t>(count));
+}
+
+void addMeasuredForce(const Series& displacement, const Series& measured, const std::string& topic, Log& log) {
+  const std::size_t start = longestMatch(displacement, measured, log.force);
+  const std::size_t count = log.force.size();
+  if (count == 0) {
+    log.notes.push_back(fmt::format("{}: {}: no stamp is that of a displacement; ignored", log.name, topic));
+  } else if (count < displacement.stamp.size()) {
+    log.notes.push_back(
+        fmt::format("{}: {}: samples {} to {} of {} have a force of the same stamp; the others are left out", log.name,
+                    topic, start + 1, start + count, displacement.stamp.size()));
+    keep(log.stamp, start, count);
+    keep(log.displacement, start, count);
+  }
+}
+
+Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
+  const std::string topic = displacementTopic(bag, path, component);
+  const Series displacement = readTopic<Displacement>(bag, path, topic);
+  checkIncreasing(displacement, path, topic);
+  Log log;
+  log.name = stem(path);
+  log.stamp = displacement.stamp;
+  log.displacement = displacement.value;
+  const std::string base = topic.substr(0, topic.size() - std::string(kDisplacement).size());
+  const std::string force_topic = base + kMeasuredForce;
+  const Series measured = readTopic<MeasuredForce>(bag, path, force_topic);
+  if (!measured.stamp.empty()) {
+    checkIncreasing(measured, path, force_topic);
+    addMeasuredForce(displacement, measured, force_topic, log);
+  }
+  checkLog(log);
+  return log;
+}
+
+}  // namespace
+
+Log readBagLog(const std::string& path, const std::string& component) {
+  try {
+    rosbag::Bag bag;
+    bag.open(path, rosbag::bagmode::Read);
+    return readOpenBag(bag, path, component);
+  } catch (const LogError&) {
+    throw;
+  } catch (const rosbag::BagUnindexedException&) {
+    throw LogError(fmt::format("{}: the bag has no index, it was not closed; run rosbag reindex", path));
+  } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
+    throw LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
+  }
+}
+
+bool isBagPath(const std::string& path) { return endsWith(path, ".bag"); }
+
+Log readAnyLog(const std::string& path, const std::string& component, const LogFormat& format) {
+  return isBagPath(path) ? readBagLog(path, component) : readCsvLog(path, format);
+}
+
+std::int64_t headerShift(const Log& log) {
+  constexpr std::int64_t kOneSecond = 1000000000;
+  constexpr std::int64_t kEnd = kOneSecond * std::numeric_limits<std::uint32_t>::max();
+  const bool fits = log.stamp.empty() || (log.stamp.front() >= 0 && log.stamp.back() < kEnd);
+  return fits ? 0 : kOneSecond - log.stamp.front();
+}
+
+ros::Time toRosTime(std::int64_t stamp) {
+  ros::Time time;
+  try {
+    time.fromNSec(static_cast<std::uint64_t>(stamp));
+  } catch (const std::runtime_error& error) {
+    throw LogError(fmt::format("stamp {} ns: {}", stamp, error.what()));
+  }
+  return time;
+}
+
+BagWriter::BagWriter(const std::string& path, const std::string& component) : path_(path), component_(component) {
+  try {
+    bag_.open(path, rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    throw LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
+  }
+}
+
+BagWriter::~BagWriter() {
+  try {
+    close();
+  } catch (const LogError&) {  // close() tells it to whoever cares to call it
+  }
+}
+
+template <class Message>
+void BagWriter::write(const std::string& topic, const Message& message) {
+  try {
+    bag_.write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
+  } catch (const rosbag::BagException& error) {
+    throw LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  }
+}
+
+void BagWriter::writeDisplacement(std::int64_t stamp, double displacement) {
+  Displacement message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  write(kDisplacement, message);
+}
+
+void BagWriter::writeMeasuredForce(std::int64_t stamp, double force) {
+  MeasuredForce message;
+  message.header.stamp = toRosTime(stamp);
+  message.force = force;
+  write(kMeasuredForce, message);
+}
+
+void BagWriter::writeForce(std::int64_t stamp, double displacement, const ComponentForce& force) {
+  Force message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  message.force = force.total;
+  message.elastic = force.elastic;
+  message.viscous = force.viscous;
+  message.friction = force.friction;
+  write("/force", message);
+}
+
+void BagWriter::close() {
+  try {
+    bag_.close();
+  } catch (const rosbag::BagException& error) {
+    throw LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  }
+}
+
+void writeBagLog(const std::string& path, const std::string& component, const Log& log) {
+  checkLog(log);
+  BagWriter writer(path, component);
+  const std::int64_t shift = headerShift(log);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
+    if (!log.force.empty()) {
+      writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
+    }
+  }
+  writer.close();
+}
+
+}  // namespace rubber_suspension
