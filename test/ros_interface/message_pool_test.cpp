@@ -1,0 +1,35 @@
+// The message pool: messages are used again once they were let go, never before.
+#include "rubber_suspension/ros_interface/message_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace rubber_suspension {
+namespace {
+
+TEST(MessagePool, UsesMessagesAgain) {
+  MessagePool<std::string> pool("prototype", 4);
+  std::set<std::string*> seen;
+  for (int i = 0; i < 100; ++i) {
+    seen.insert(pool.take().get());
+  }
+  EXPECT_EQ(seen.size(), 4U);
+  EXPECT_EQ(pool.size(), 4U);
+}
+
+TEST(MessagePool, NeverHandsOutWhatSomebodyHolds) {
+  MessagePool<std::string> pool("prototype", 4);
+  std::vector<MessagePool<std::string>::Pointer> held;
+  std::set<std::string*> seen;
+  for (int i = 0; i < 3000; ++i) {
+    held.push_back(pool.take());
+    EXPECT_EQ(*held.back(), "prototype");
+    EXPECT_TRUE(seen.insert(held.back().get()).second);
+  }
+  EXPECT_LE(pool.size(), 1024U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,63 @@
+// Parameters as YAML text: every bit of a number, every character of a text.
+#include "rubber_suspension/ros_interface/parameter_yaml.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+namespace rubber_suspension {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+TEST(ParameterYaml, KeepsEveryBitOfANumber) {
+  for (const double value : {0.1, 1.0 / 3.0, 3.0e6, -4.9e-324, std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(std::strtod(toYamlText(XmlRpcValue(value)).c_str(), nullptr), value);
+  }
+  EXPECT_EQ(toYamlText(XmlRpcValue(6000)), "6000");
+  EXPECT_EQ(toYamlText(XmlRpcValue(true)), "true");
+}
+
+TEST(ParameterYaml, TextThatIsANumberBecomesOne) {
+  // PyYAML, which loads parameters, reads 3.0e6 (no sign in the exponent) as text.
+  EXPECT_EQ(toYamlText(XmlRpcValue("3.0e6")), "3.0e6");
+  EXPECT_EQ(toYamlText(XmlRpcValue("-1")), "-1");
+}
+
+TEST(ParameterYaml, OtherTextIsQuoted) {
+  EXPECT_EQ(toYamlText(XmlRpcValue("3 kN/mm")), "\"3 kN/mm\"");
+  EXPECT_EQ(toYamlText(XmlRpcValue("")), "\"\"");
+  EXPECT_EQ(toYamlText(XmlRpcValue("nan")), "\"nan\"");
+  EXPECT_EQ(toYamlText(XmlRpcValue("0x10")), "\"0x10\"");
+  EXPECT_EQ(toYamlText(XmlRpcValue("1e999")), "\"1e999\"");
+  EXPECT_EQ(toYamlText(XmlRpcValue("a\"b\\c\nd")), "\"a\\\"b\\\\c\\x0ad\"");
+}
+
+TEST(ParameterYaml, NestsMapsAndLists) {
+  XmlRpcValue value;
+  value["a"]["list"][0] = 1;
+  value["a"]["list"][1] = 2.5;
+  value["b"] = "x: {y}";
+  EXPECT_EQ(toYamlText(value), R"({"a": {"list": [1, 2.5]}, "b": "x: {y}"})");
+}
+
+TEST(ParameterYaml, RefusesWhatNoComponentFileHolds) {
+  EXPECT_THROW(toYamlText(XmlRpcValue()), std::invalid_argument);
+  char bytes[4] = {};
+  EXPECT_THROW(toYamlText(XmlRpcValue(bytes, 4)), std::invalid_argument);
+}
+
+TEST(ParameterYaml, RefusesDeepNesting) {
+  XmlRpcValue value = 1.0;
+  for (int i = 0; i < 100; ++i) {
+    XmlRpcValue outer;
+    outer[0] = value;
+    value = outer;
+  }
+  EXPECT_THROW(toYamlText(value), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,164 @@
+// A test bench in lockstep: sends displacements to the node, waits for forces, reads the node's diagnostics.
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/Force.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/ros_interface/bag_log.h"
+#include "rubber_suspension/ros_interface/connection.h"
+
+namespace rubber_suspension {
+
+/// A test must not depend on how fast the machine is: this only bounds how long a failure takes.
+constexpr double kPatience = 30.0;
+
+/// Turn ROS's callbacks until `done` holds; false if it never does.
+template <class Condition>
+bool spinUntil(Condition done, double patience = kPatience) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+  while (!done()) {
+    if (std::chrono::steady_clock::now() > end || !ros::ok()) {
+      return false;
+    }
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+  }
+  return true;
+}
+
+/// One component as its driver sees it.
+class Bench {
+ public:
+  explicit Bench(const std::string& component) : component_(component) {
+    publisher_ = handle_.advertise<Displacement>(component + "/displacement", 100000);
+    subscriber_ = handle_.subscribe<Force>(component + "/force", 100000,
+                                           [this](const Force::ConstPtr& force) { forces.push_back(*force); });
+  }
+
+  /// Wait until nothing sent or answered can be lost.
+  bool connect() {
+    return waitForPublishers(subscriber_.getTopic(), kPatience) &&
+           spinUntil([this] { return publisher_.getNumSubscribers() > 0; });
+  }
+
+  bool isHeard() const { return publisher_.getNumSubscribers() > 0; }
+
+  void send(std::int64_t stamp, double displacement) {
+    Displacement message;
+    message.header.stamp = toRosTime(stamp);
+    message.header.frame_id = "specimen";
+    message.displacement = displacement;
+    publisher_.publish(message);
+  }
+
+  /// Send a sample and wait for its force, which must come. Whatever was sent before must have been answered.
+  Force ask(std::int64_t stamp, double displacement) {
+    const std::size_t before = forces.size();
+    send(stamp, displacement);
+    if (!spinUntil([&] { return forces.size() > before; })) {
+      ADD_FAILURE() << component_ << ": no force for stamp " << stamp;
+      return Force();
+    }
+    return forces.back();
+  }
+
+  /// True once this many forces came in all.
+  bool waitForForces(std::size_t count) {
+    return spinUntil([&] { return forces.size() >= count; });
+  }
+
+  std::vector<Force> forces;  ///< all that came, in order
+
+ private:
+  std::string component_;
+  ros::NodeHandle handle_;
+  ros::Publisher publisher_;
+  ros::Subscriber subscriber_;
+};
+
+/// The newest diagnostics of every component.
+class DiagnosticsWatch {
+ public:
+  DiagnosticsWatch() {
+    subscriber_ = handle_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) { take(*array); });
+  }
+
+  /// The value of a key, or nothing ("") before the component was heard of.
+  std::string value(const std::string& component, const std::string& key) const {
+    const auto status = status_.find(component);
+    if (status != status_.end()) {
+      for (const auto& entry : status->second.values) {
+        if (entry.key == key) {
+          return entry.value;
+        }
+      }
+    }
+    return {};
+  }
+
+  long count(const std::string& component, const std::string& key) const {
+    return std::strtol(value(component, key).c_str(), nullptr, 10);
+  }
+
+  /// Counters are reported once per second: wait until this one has that value.
+  bool waitForCount(const std::string& component, const std::string& key, long expected) {
+    const bool reached = spinUntil([&] { return !value(component, key).empty() && count(component, key) == expected; });
+    if (!reached) {
+      ADD_FAILURE() << component << ": " << key << " is '" << value(component, key) << "', not " << expected;
+    }
+    return reached;
+  }
+
+  /// Every status by component name, as it came last.
+  const std::map<std::string, diagnostic_msgs::DiagnosticStatus>& all() const { return status_; }
+
+  std::size_t arrays = 0;  ///< messages so far
+
+ private:
+  void take(const diagnostic_msgs::DiagnosticArray& array) {
+    ++arrays;
+    for (const auto& status : array.status) {
+      if (!status.values.empty()) {  // without values: the announcement at the node's start
+        status_[status.name.substr(status.name.find(": ") + 2)] = status;
+      }
+    }
+  }
+
+  ros::NodeHandle handle_;
+  ros::Subscriber subscriber_;
+  std::map<std::string, diagnostic_msgs::DiagnosticStatus> status_;
+};
+
+/// Stamps of the tests start here, as far from 0 as those of a clock are.
+constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
+constexpr std::int64_t kMillisecond = 1000000LL;
+
+/// The path of another program of the package, which lies beside this one.
+inline std::string siblingProgram(const std::string& name) {
+  std::array<char, 4096> path{};
+  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
+  const std::string self(path.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
+  return self.substr(0, self.find_last_of('/') + 1) + name;
+}
+
+/// Run all tests of a rostest program as a ROS node.
+inline int runAsNode(int argc, char** argv, const std::string& name) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, name);
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
+
+}  // namespace rubber_suspension

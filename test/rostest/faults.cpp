@@ -1,0 +1,235 @@
+// Faults in the stream of samples, one test and one component each: what is accepted has exactly one force, equal to
+// that of an undisturbed stream; what is dropped is counted on /diagnostics.
+#include <std_srvs/SetBool.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "bench.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr std::int64_t kSecond = 1000 * kMillisecond;
+
+double wave(std::int64_t stamp) {
+  return 2e-3 * std::sin(2.0 * M_PI * 4.0 * 1e-9 * static_cast<double>(stamp - kStart));
+}
+
+// The component named like the test, with what it should answer.
+class Fault : public testing::Test {
+ protected:
+  void open(const std::string& name) {
+    name_ = name;
+    static const auto components = loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
+    component_ = std::make_unique<Component>(selectComponent(components, name).makeComponent());
+    expected_ = std::make_unique<SampleStream>(*component_);
+    bench_ = std::make_unique<Bench>(name);
+    ASSERT_TRUE(bench_->connect());
+  }
+
+  // A sample that has to be answered, with the force that it has to have.
+  void expectAnswer(std::int64_t stamp, double displacement) {
+    const std::size_t before = bench_->forces.size();
+    const Force force = bench_->ask(stamp, displacement);
+    EXPECT_EQ(force.header.stamp, toRosTime(stamp));
+    EXPECT_EQ(force.force, expected_->push(stamp, displacement).force.total);
+    EXPECT_TRUE(std::isfinite(force.force));
+    EXPECT_EQ(bench_->forces.size(), before + 1);
+  }
+
+  void run(std::int64_t first, int count) {
+    for (int i = 0; i < count; ++i) {
+      expectAnswer(first + i * kMillisecond, wave(first + i * kMillisecond));
+    }
+  }
+
+  // Diagnostics come once per second and hold all counters: those named must be so, all drops zero but those named.
+  void expectCounts(std::map<std::string, long> expected) {
+    for (const char* key : {"dropped", "dropped, not finite", "dropped, repeated stamp", "dropped, stepped back",
+                            "dropped, disabled", "lost before arrival", "restarts", "gaps bridged"}) {
+      expected.emplace(key, 0);
+    }
+    const long accepted = expected.at("accepted");
+    ASSERT_TRUE(diagnostics_.waitForCount(name_, "accepted", accepted));
+    for (const auto& [key, value] : expected) {
+      EXPECT_TRUE(diagnostics_.waitForCount(name_, key, value));
+    }
+    EXPECT_EQ(bench_->forces.size(), static_cast<std::size_t>(accepted));
+  }
+
+  std::string name_;
+  std::unique_ptr<Component> component_;
+  std::unique_ptr<SampleStream> expected_;
+  std::unique_ptr<Bench> bench_;
+  DiagnosticsWatch diagnostics_;
+};
+
+TEST_F(Fault, NotFinite) {
+  open("not_finite");
+  run(kStart, 50);
+  bench_->send(kStart + 50 * kMillisecond, std::numeric_limits<double>::quiet_NaN());
+  bench_->send(kStart + 51 * kMillisecond, std::numeric_limits<double>::infinity());
+  bench_->send(kStart + 52 * kMillisecond, -std::numeric_limits<double>::infinity());
+  run(kStart + 53 * kMillisecond, 50);
+  expectCounts({{"accepted", 100}, {"dropped", 3}, {"dropped, not finite", 3}});
+}
+
+TEST_F(Fault, RepeatedStamp) {
+  open("repeated");
+  run(kStart, 50);
+  bench_->send(kStart + 49 * kMillisecond, 0.5);  // another displacement: the state must not see it
+  bench_->send(kStart + 49 * kMillisecond, wave(kStart + 49 * kMillisecond));
+  run(kStart + 50 * kMillisecond, 50);
+  expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, repeated stamp", 2}});
+}
+
+TEST_F(Fault, StepBack) {
+  open("stepped_back");
+  run(kStart, 50);
+  bench_->send(kStart + 48 * kMillisecond, 0.5);
+  bench_->send(kStart + 49 * kMillisecond - kSecond, 0.5);  // a second back at most is no new replay
+  run(kStart + 50 * kMillisecond, 50);
+  expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, stepped back", 2}});
+}
+
+TEST_F(Fault, ClockResetByARestartedBag) {
+  open("clock_reset");
+  run(kStart + 100 * kSecond, 50);
+  run(kStart, 50);  // the expected stream starts anew, too: a new specimen
+  expectCounts({{"accepted", 100}, {"restarts", 1}});
+}
+
+TEST_F(Fault, BagLooped) {
+  open("looped");
+  constexpr int kLoops = 3;
+  std::vector<double> first;
+  for (int loop = 0; loop < kLoops; ++loop) {
+    for (int i = 0; i < 60; ++i) {
+      expectAnswer(kStart + i * 20 * kMillisecond, wave(kStart + i * 17 * kMillisecond));
+      if (loop == 0) {
+        first.push_back(bench_->forces.back().force);
+      } else {
+        EXPECT_EQ(bench_->forces.back().force, first[static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+  expectCounts({{"accepted", 180}, {"restarts", 2}});
+}
+
+TEST_F(Fault, Gap) {
+  open("gap");
+  run(kStart, 50);
+  expectAnswer(kStart + 10 * kSecond, 1e-3);
+  run(kStart + 10 * kSecond + kMillisecond, 49);
+  expectCounts({{"accepted", 100}, {"gaps bridged", 1}});
+}
+
+TEST_F(Fault, Burst) {
+  open("burst");
+  constexpr int kBurst = 5000;  // all at once, within the node's queue of 10000
+  for (int i = 0; i < kBurst; ++i) {
+    bench_->send(kStart + i * kMillisecond, wave(kStart + i * kMillisecond));
+  }
+  ASSERT_TRUE(bench_->waitForForces(kBurst));
+  for (int i = 0; i < kBurst; ++i) {
+    const std::int64_t stamp = kStart + i * kMillisecond;
+    ASSERT_EQ(bench_->forces[static_cast<std::size_t>(i)].force, expected_->push(stamp, wave(stamp)).force.total);
+  }
+  expectCounts({{"accepted", kBurst}});
+}
+
+// Three seconds of samples at 10 kHz by their stamps, sent as fast as they go, a thousand under way.
+TEST_F(Fault, FloodOfTenKilohertz) {
+  open("flood");
+  constexpr int kFlood = 30000;
+  constexpr std::size_t kUnderWay = 1000;
+  for (int i = 0; i < kFlood; ++i) {
+    const std::int64_t stamp = kStart + i * kMillisecond / 10;
+    ASSERT_TRUE(spinUntil([&] { return static_cast<std::size_t>(i) < bench_->forces.size() + kUnderWay; }));
+    bench_->send(stamp, wave(stamp));
+  }
+  ASSERT_TRUE(bench_->waitForForces(kFlood));
+  for (int i = 0; i < kFlood; ++i) {
+    const std::int64_t stamp = kStart + i * kMillisecond / 10;
+    ASSERT_EQ(bench_->forces[static_cast<std::size_t>(i)].force, expected_->push(stamp, wave(stamp)).force.total);
+  }
+  expectCounts({{"accepted", kFlood}});
+}
+
+// A subscriber that takes nothing off its socket must not hold up the others.
+TEST_F(Fault, SubscriberThatStalls) {
+  open("stalled");
+  ros::NodeHandle handle;
+  ros::CallbackQueue never_served;
+  handle.setCallbackQueue(&never_served);
+  const boost::function<void(const Force::ConstPtr&)> nothing = [](const Force::ConstPtr&) {};
+  const ros::Subscriber stalled = handle.subscribe<Force>("stalled/force", 1, nothing);
+  run(kStart, 2000);
+  expectCounts({{"accepted", 2000}});
+}
+
+TEST_F(Fault, PublisherThatComesAndGoes) {
+  open("comes_and_goes");
+  run(kStart, 20);
+  for (int visit = 1; visit <= 3; ++visit) {
+    bench_.reset();
+    bench_ = std::make_unique<Bench>("comes_and_goes");
+    ASSERT_TRUE(bench_->connect());
+    run(kStart + visit * 20 * kMillisecond, 20);
+    ASSERT_EQ(bench_->forces.size(), 20U);
+  }
+  EXPECT_TRUE(diagnostics_.waitForCount("comes_and_goes", "accepted", 80));
+  EXPECT_EQ(diagnostics_.count("comes_and_goes", "dropped"), 0);
+  EXPECT_EQ(diagnostics_.count("comes_and_goes", "lost before arrival"), 0);
+}
+
+// The second publisher is a process of its own that passes on what it is sent. They take turns; then the second is
+// late.
+TEST_F(Fault, TwoPublishersOnOneTopic) {
+  open("two_publishers");
+  Bench second("relay");
+  ASSERT_TRUE(spinUntil([&] { return second.isHeard(); }));
+  for (int i = 0; i < 100; ++i) {
+    const std::int64_t stamp = kStart + i * kMillisecond;
+    if (i % 2 == 0) {
+      expectAnswer(stamp, wave(stamp));
+      continue;
+    }
+    second.send(stamp, wave(stamp));
+    ASSERT_TRUE(bench_->waitForForces(static_cast<std::size_t>(i) + 1));
+    EXPECT_EQ(bench_->forces.back().force, expected_->push(stamp, wave(stamp)).force.total);
+  }
+  second.send(kStart + 98 * kMillisecond, 0.5);
+  second.send(kStart + 99 * kMillisecond, 0.5);
+  expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, repeated stamp", 1}, {"dropped, stepped back", 1}});
+}
+
+// Passes on displacements from another topic, as a second publisher to the component `two_publishers`.
+int relay(int argc, char** argv) {
+  ros::init(argc, argv, "relay");
+  ros::NodeHandle handle;
+  const ros::Publisher publisher = handle.advertise<Displacement>("two_publishers/displacement", 1000);
+  const boost::function<void(const Displacement::ConstPtr&)> pass = [&](const Displacement::ConstPtr& message) {
+    publisher.publish(*message);
+  };
+  while (publisher.getNumSubscribers() == 0 && ros::ok()) {
+    ros::WallDuration(0.01).sleep();
+  }
+  const ros::Subscriber subscriber = handle.subscribe<Displacement>("relay/displacement", 1000, pass);
+  ros::spin();
+  return 0;
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "--relay") {
+    return rubber_suspension::relay(argc, argv);
+  }
+  return rubber_suspension::runAsNode(argc, argv, "faults");
+}

@@ -1,0 +1,57 @@
+// The node as it should run: one force per displacement, headers, parts, diagnostics, reset.
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+
+#include "bench.h"
+
+namespace rubber_suspension {
+namespace {
+
+TEST(Nominal, EverySampleHasOneForceWithItsHeader) {
+  Bench bench("left_secondary");
+  ASSERT_TRUE(bench.connect());
+  constexpr std::size_t kSamples = 5000;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    bench.send(kStart + static_cast<std::int64_t>(i) * kMillisecond, 1e-3 * std::sin(0.025 * static_cast<double>(i)));
+  }
+  ASSERT_TRUE(bench.waitForForces(kSamples));
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const Force& force = bench.forces[i];
+    EXPECT_EQ(force.header.stamp, toRosTime(kStart + static_cast<std::int64_t>(i) * kMillisecond));
+    EXPECT_EQ(force.header.frame_id, "specimen");
+    EXPECT_EQ(force.displacement, 1e-3 * std::sin(0.025 * static_cast<double>(i)));
+    // The parts are summed in another order than the total: equal but for rounding.
+    EXPECT_NEAR(force.force, force.elastic + force.viscous + force.friction, 1e-12 * (1.0 + std::abs(force.force)));
+  }
+}
+
+TEST(Nominal, RestAtADisplacementIsTheStaticForce) {
+  Bench bench("left_secondary");
+  ASSERT_TRUE(bench.connect());
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+  EXPECT_TRUE(reset.response.success) << reset.response.message;
+  // 2 mm at 3 kN/mm; a specimen at rest is relaxed, so the static stiffness is all there is.
+  EXPECT_NEAR(bench.ask(kStart, 0.002).force, 6000.0, 1e-6);
+}
+
+TEST(Nominal, DiagnosticsTellRateAndCounts) {
+  DiagnosticsWatch diagnostics;
+  Bench bench("right_secondary");
+  ASSERT_TRUE(bench.connect());
+  for (int i = 0; i < 100; ++i) {
+    bench.ask(kStart + i * kMillisecond, 1e-5 * i);
+  }
+  EXPECT_TRUE(diagnostics.waitForCount("right_secondary", "accepted", 100));
+  EXPECT_EQ(diagnostics.count("right_secondary", "dropped"), 0);
+  EXPECT_EQ(diagnostics.count("right_secondary", "lost before arrival"), 0);
+  const auto& status = diagnostics.all().at("right_secondary");
+  EXPECT_EQ(status.level, diagnostic_msgs::DiagnosticStatus::OK) << status.message;
+  EXPECT_EQ(status.name, "simulate: right_secondary");
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "nominal"); }

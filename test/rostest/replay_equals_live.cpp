@@ -1,0 +1,85 @@
+// The same log gives the same forces to the last bit: live, from a CSV file, from a bag, and by the command `replay`.
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "bench.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/replay.h"
+#include "rubber_suspension/ros_interface/log_player.h"
+
+namespace rubber_suspension {
+namespace {
+
+class ReplayEqualsLive : public testing::TestWithParam<std::string> {
+ protected:
+  std::string configFile() const { return ros::NodeHandle("~").param<std::string>("config_file", ""); }
+  std::string path(const std::string& end) const { return testing::TempDir() + "live_" + GetParam() + end; }
+};
+
+// Noise-like motion with uneven steps and one gap longer than max_gap; seed fixed.
+Log unevenLog(double start) {
+  std::mt19937 random(20151);
+  std::normal_distribution<double> kick(0.0, 2e-4);
+  std::uniform_int_distribution<std::int64_t> step(100, 3000000);
+  Log log;
+  log.name = "uneven";
+  std::int64_t stamp = static_cast<std::int64_t>(start * 1e9);
+  double displacement = 1e-3;
+  for (int i = 0; i < 20000; ++i) {
+    stamp += i == 7000 ? 2000000000LL : step(random);
+    displacement = 0.99 * displacement + kick(random);
+    log.stamp.push_back(stamp);
+    log.displacement.push_back(displacement);
+  }
+  return log;
+}
+
+std::vector<double> live(const std::string& component, const Log& log) {
+  PlayOptions options;
+  options.component = component;
+  LogPlayer player(ros::NodeHandle(), options);
+  const PlayResult result = player.play(log);
+  EXPECT_TRUE(result.exactlyOneEach()) << result.answered() << " of " << log.size() << " answered";
+  std::vector<double> force;
+  for (const ComponentForce& answer : result.force) {
+    force.push_back(answer.total);
+  }
+  return force;
+}
+
+void expectSame(const std::vector<double>& expected, const std::vector<double>& actual) {
+  ASSERT_EQ(expected.size(), actual.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(expected[i], actual[i]) << "sample " << i;
+  }
+}
+
+TEST_P(ReplayEqualsLive, ToTheLastBit) {
+  const auto components = loadComponentFile(configFile());
+  const Component component = selectComponent(components, GetParam()).makeComponent();
+  const Log log = unevenLog(100.0);
+  expectSame(simulateLog(component, log), live(GetParam(), log));
+}
+
+// Files start earlier than the log above, so that the node sees a jump back of more than a second: a new specimen.
+TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
+  const auto components = loadComponentFile(configFile());
+  const Component component = selectComponent(components, GetParam()).makeComponent();
+  const Log log = unevenLog(50.0);
+  const std::vector<double> expected = simulateLog(component, log);
+  writeLogCsv(path(".csv"), log);
+  writeBagLog(path(".bag"), GetParam(), log);
+  expectSame(expected, live(GetParam(), readAnyLog(path(".csv"))));
+  expectSame(expected, live(GetParam(), readAnyLog(path(".bag"), GetParam())));
+}
+
+INSTANTIATE_TEST_SUITE_P(Components, ReplayEqualsLive, testing::Values("left_secondary", "right_secondary"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "replay_equals_live"); }
