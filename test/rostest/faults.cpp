@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "bench.h"
+#include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension {

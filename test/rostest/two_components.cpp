@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "bench.h"
+#include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension {
