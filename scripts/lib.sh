@@ -2,7 +2,7 @@
 # Sets `root`, the package's folder, and puts Debian's own Python first: catkin runs on no other.
 
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build_dir=$root/build
+build_dir=$root/build-ros  # not build/: rosrun skips whatever lies in a package's folder of that name
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 unset PYTHONHOME PYTHONPATH
 

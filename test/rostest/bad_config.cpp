@@ -27,7 +27,7 @@ struct Outcome {
 Outcome runNode(const std::string& arguments) {
   Outcome outcome;
   const std::string command =
-      std::string("timeout 20 rosrun rubber_suspension simulate __name:=") + kNode + " " + arguments + " 2>&1";
+      "timeout 20 " + siblingProgram("simulate") + " __name:=" + kNode + " " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::array<char, 4096> buffer{};
   while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
