@@ -19,6 +19,8 @@ class UsageError : public std::runtime_error {
 
 enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2 };
 
+struct VersionRequest {};
+
 /// What a command does once its options are read; returns the exit status.
 using CommandBody = std::function<int()>;
 
@@ -34,12 +36,16 @@ inline int runCommand(int argc, char** argv, const std::string& name, const std:
                       const std::function<CommandBody(CLI::App&)>& define) {
   try {
     CLI::App app(description, name);
-    app.set_version_flag("--version", name + " " + RUBBER_SUSPENSION_VERSION);
+    app.add_flag_callback(
+        "--version", [] { throw VersionRequest(); }, "Print the version and exit");
     const CommandBody body = define(app);
     try {
       app.parse(argc, argv);
-    } catch (const CLI::Success& request) {  // --help, --version
+    } catch (const CLI::Success& request) {  // --help
       return app.exit(request);
+    } catch (const VersionRequest&) {
+      std::cout << name << " " << RUBBER_SUSPENSION_VERSION << '\n';
+      return kSuccess;
     } catch (const CLI::ParseError& error) {
       throw UsageError(std::string(error.what()) + " (see --help)");
     }

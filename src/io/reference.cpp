@@ -1,0 +1,91 @@
+// The reference page of the component file, written from the tables that check it.
+#include "rubber_suspension/io/reference.h"
+
+#include <fmt/format.h>
+
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/estimation/specification.h"
+#include "text.h"
+
+namespace rubber_suspension {
+namespace {
+
+std::vector<std::string> asCode(std::vector<std::string> names) {
+  for (std::string& name : names) {
+    name = "`" + name + "`";
+  }
+  return names;
+}
+
+// A pipe would end the cell of a table, asterisks would set text in italics.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '|' || c == '*' ? std::string("\\") + c : std::string(1, c);
+  }
+  return result;
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  }
+  return text.empty() || text.back() == '.' ? text : text + ".";
+}
+
+void addGroups(std::vector<std::string>& needs, const std::string& count,
+               const std::vector<std::vector<std::string>>& groups) {
+  for (const auto& group : groups) {
+    needs.push_back(fmt::format("{} of {}", count, join(asCode(group))));
+  }
+}
+
+std::string modelRow(Model model) {
+  const ModelInfo& info = modelInfo(model);
+  std::vector<std::string> needs = asCode(info.required);
+  addGroups(needs, "one", info.one_of);
+  addGroups(needs, "two", info.two_of);
+  return fmt::format("| `{}` | {} | {} | {} |\n", toString(model), escaped(sentence(info.documentation)), join(needs),
+                     join(asCode(info.optional)));
+}
+
+std::string parameterTable(const std::vector<ParameterInfo>& parameters) {
+  std::string text = "| key | unit | accepted | default | meaning |\n|---|---|---|---|---|\n";
+  for (const ParameterInfo& parameter : parameters) {
+    const std::string unit = parameter.unit == "1" ? "-" : parameter.unit;
+    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", parameter.name, unit,
+                        parameter.is_list ? "list, each " : "", describe(parameter.range),
+                        parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "",
+                        escaped(parameter.documentation));
+  }
+  return text;
+}
+
+std::string elementSection(const ElementType& type) {
+  return fmt::format("\n### {}\n\n{}\n\n{}", type.name, escaped(sentence(type.documentation)),
+                     parameterTable(type.parameters));
+}
+
+}  // namespace
+
+std::string parameterReference() {
+  std::string text =
+      "# Reference of the component file\n\n"
+      "Written by the command `reference` from the tables that check a file; `config/example.yaml` shows it in use.\n"
+      "Numbers are SI, in the units below; text carries its own unit, as `\"3 kN/mm\"`, `\"5.7 deg\"` or `\"5 %\"`.\n\n"
+      "A component has a `model`, a `specification` (or a list of `elements`, for the model of that name), and may "
+      "have\n"
+      "effects on top in a list `add`.\n\n"
+      "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
+  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
+    text += modelRow(static_cast<Model>(i));
+  }
+  text += "\n## Keys of `specification`\n\n" + parameterTable(specificationParameters());
+  text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
+  for (const ElementType& type : elementTypes()) {
+    text += elementSection(type);
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension
