@@ -13,25 +13,29 @@ class Unsolvable(ValueError):
     """The specification has no solution."""
 
 
-def berg_response(z, z2):
-    """Friction force over F_max of Berg's element along the displacement z [m]; starts at rest, so does z."""
+def berg_response(z, z2, dead_band=0.0):
+    """Friction force over F_max of Berg's element along the displacement z [m]; starts at rest, so does z.
+
+    A reversal counts once the motion has backed off from its extremum by more than the dead band [m].
+    """
     out = np.empty_like(z)
-    z_s, f_s, direction, last_z, last_f = float(z[0]), 0.0, 0, float(z[0]), 0.0
+    z_s, f_s, direction, extremum = float(z[0]), 0.0, 0, float(z[0])
     for i, x in enumerate(z.tolist()):
-        step = x - last_z
-        if step > 0.0:
-            if direction < 0:
-                z_s, f_s = last_z, last_f
-            direction = 1
-            last_f = f_s + (x - z_s) * (1.0 - f_s) / (z2 * (1.0 - f_s) + x - z_s)
-        elif step < 0.0:
-            if direction > 0:
-                z_s, f_s = last_z, last_f
-            direction = -1
-            last_f = f_s + (x - z_s) * (1.0 + f_s) / (z2 * (1.0 + f_s) - (x - z_s))
-        last_z = x
-        out[i] = last_f
+        if (x - extremum) * direction > 0.0:
+            extremum = x
+        elif abs(x - extremum) > dead_band:
+            if direction != 0:
+                f_s = _branch(extremum - z_s, f_s, direction, z2)
+                z_s = extremum
+            direction, extremum = (1 if x > extremum else -1), x
+        out[i] = _branch(x - z_s, f_s, direction or (1 if x >= z_s else -1), z2)
     return out
+
+
+def _branch(way, start, direction, z2):
+    """Force over F_max at a distance `way` from the last reversal, where it was `start`."""
+    room = 1.0 - direction * start
+    return start + way * room / (z2 * room + direction * way)
 
 
 @dataclasses.dataclass
@@ -44,6 +48,7 @@ class Base:
     c0: float = 0.0
     friction_force: float = 0.0
     friction_z2: float = 0.0
+    dead_band: float = 0.0
 
     def parts(self, z, rate):
         """Elastic force and the rest [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
@@ -61,7 +66,7 @@ class Base:
         if self.c0 > 0.0:
             rest += self.c0 * np.gradient(z) * rate
         if self.friction_force > 0.0:
-            rest += self.friction_force * friction_on_grid(z, self.friction_z2, rate)
+            rest += self.friction_force * friction_on_grid(z, self.friction_z2, rate, self.dead_band)
         return rest
 
     def tangent(self, z, rate):
@@ -111,7 +116,7 @@ def maxwell_response(z, tau, rate):
     return lfilter([gain], [1.0, -math.exp(decay)], np.diff(z, prepend=z[0]))
 
 
-def friction_on_grid(z, z2, rate):
+def friction_on_grid(z, z2, rate, dead_band):
     """Berg's element at no more than 500 Hz, linear in between.
 
     It has no memory beyond the last reversal, so a small reversal between two samples of a log would shift all that
@@ -119,9 +124,9 @@ def friction_on_grid(z, z2, rate):
     """
     skip = max(1, int(round(rate / 500.0)))
     if skip == 1:
-        return berg_response(z, z2)
+        return berg_response(z, z2, dead_band)
     n = np.arange(len(z))
-    return np.interp(n, n[::skip], berg_response(z[::skip], z2))
+    return np.interp(n, n[::skip], berg_response(z[::skip], z2, dead_band))
 
 
 # ---- from a specification to parameters -----------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 # One case of the trial: draws component, programme, effects and noise, runs the rig, writes the folder and the label.
 # Everything follows from (set, seed, number); the label goes to another folder than what a diagnosis may see.
 """Cases of the blind trial."""
+import dataclasses
 import json
 import math
 import os
@@ -251,19 +252,16 @@ def quantised(x, step):
 def noise_floor(case, logs):
     """Gap of a perfect model of the base that is fed with the measured displacement: the part that nothing can close.
 
-    The model sees samples with noise: a dashpot differentiates that, a Berg element takes it for reversals unless it
-    has a dead band (then its friction is a spring to the noise).
+    The model sees samples with noise: a dashpot differentiates that, and a Berg element takes it for reversals unless
+    it has a dead band, after which its path is another one.
     """
     base, difference = case["base"], []
-    dead_band = case["dead_band"] > 0.0
-    fine = base.force([case["z"][i] for i in logs], RATE * FINE)
-    for i, reference in zip(logs, fine):
-        seen, error = case["displacement"][i], case["displacement"][i] - case["coarse"][i]
-        if base.friction_force > 0.0 and not dead_band:
-            model = base.force([seen], RATE)[0] - reference[::FINE]
-        else:
-            linear = bases.Base(base.k0 + (base.friction_force / base.friction_z2 if dead_band else 0.0), base.k, base.tau)
-            model = linear.force([error], RATE)[0] + base.c0 * RATE * np.diff(error, prepend=error[0])
+    model_base = dataclasses.replace(base, dead_band=case["dead_band"], c0=0.0)
+    for i in logs:
+        seen, clean = case["displacement"][i], case["coarse"][i]
+        model, bare = (b.force([x], RATE)[0] for b, x in ((model_base, seen), (dataclasses.replace(base, c0=0.0), clean)))
+        error = seen - clean
+        model = model - bare + base.c0 * RATE * np.diff(error, prepend=error[0])
         difference.append(case["force"][i] - case["true"][i] - model)
     return gap(difference, [case["force"][i] for i in logs])
 
