@@ -224,8 +224,8 @@ def split_rows(cases):
             splits[f"{key} {value}"] = [c for c in single if c.label[key] == value]
     for flag, name in ((True, "file's parameters slightly wrong"), (False, "file's parameters true")):
         splits[name] = [c for c in single if (c.label["parameter_error"] is not None) == flag]
-    for value in sorted({l for c in single for l in c.label["laws"].values()}):
-        splits[f"law {value}"] = [c for c in single if value in c.label["laws"].values()]
+    for value in sorted({item for c in single for item in c.label["laws"].items()}):
+        splits[f"{value[0]} by {value[1]}"] = [c for c in single if value in c.label["laws"].items()]
     return {name: rate(c.right for c in group) for name, group in splits.items() if group}
 
 
