@@ -1,0 +1,42 @@
+// The search over candidate effects: all singles, all pairs, triples where a rest remains.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/diagnosis/hypothesis.h"
+
+namespace rubber_suspension {
+
+/// A set of candidate effects fitted jointly with the model's own parameters.
+struct Trial {
+  std::vector<int> members;  ///< indices into Search::candidates, ascending
+  std::vector<Atom> atoms;
+  Fit fit;
+};
+
+/// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
+struct Search {
+  std::vector<Candidate> candidates;
+  double configured_gap = 0.0;  ///< as configured
+  Trial re_estimated;           ///< own parameters alone
+  Fit element_level;            ///< every parameter of every element of the model free, nothing added
+  std::vector<Trial> singles;   ///< one per candidate, in their order
+  std::vector<Trial> pairs;     ///< the pairs that a screening of all found worth a full fit, best first
+  std::vector<Trial> triples;
+  double noise = 0.0;                 ///< noise floor of all logs
+  std::vector<double> record_noise;   ///< of each log, in units of its force's deviation
+  std::string noise_source;
+};
+
+/// Called with the stage's name and the fraction done.
+using ProgressCallback = std::function<void(const std::string&, double)>;
+
+/// Fit all hypotheses on `threads` threads.
+Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress = {});
+
+/// Run body(i) for i in [0, count) on some threads; the first exception is thrown on.
+void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+}  // namespace rubber_suspension

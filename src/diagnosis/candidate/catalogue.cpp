@@ -1,0 +1,55 @@
+// The list of candidate effects.
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubber_suspension {
+
+Excitation summarise(const std::vector<Record>& records) {
+  Excitation result;
+  double force_power = 0.0;
+  double displacement_power = 0.0;
+  for (const Record& record : records) {
+    const auto count = static_cast<double>(record.size());
+    const Eigen::ArrayXd centred = record.displacement.array() - record.displacement.mean();
+    const Eigen::Index steps = record.size() - 1;
+    const Eigen::ArrayXd rate = (record.displacement.tail(steps) - record.displacement.head(steps)).array() / record.dt;
+    result.largest_displacement = std::max(result.largest_displacement, record.displacement.cwiseAbs().maxCoeff());
+    result.highest_frequency = std::max(result.highest_frequency, record.highest_frequency);
+    result.longest_duration = std::max(result.longest_duration, record.duration());
+    result.dt = std::max(result.dt, record.dt);
+    result.power = std::max(result.power, (rate * record.force.tail(steps).array()).abs().mean());
+    force_power += std::pow(record.force_deviation, 2) * count;
+    displacement_power += centred.square().sum();
+    result.force = std::max(result.force, record.force_deviation);
+  }
+  result.stiffness = std::sqrt(force_power / displacement_power);
+  return result;
+}
+
+Atom additiveAtom(const std::string& type, const std::string& scaled, double typical, const ParameterValues& others) {
+  Atom atom;
+  atom.typical = typical;
+  atom.at = [=](double scale) {
+    ElementDescription description{type, others};
+    description.values[scaled] = {scale};
+    return description;
+  };
+  return atom;
+}
+
+std::vector<Candidate> candidates(const Excitation& excitation) {
+  return {
+      frictionCandidate(excitation),           relaxationCandidate(excitation),
+      creepCandidate(excitation),              viscousDampingCandidate(excitation),
+      progressiveStiffnessCandidate(excitation), asymmetricStiffnessCandidate(excitation),
+      bumpStopCandidate(excitation),           freePlayCandidate(excitation),
+      stressSofteningCandidate(excitation),    selfHeatingCandidate(excitation),
+      seriesComplianceCandidate(excitation),   inertiaCandidate(excitation),
+      timeDelayCandidate(excitation),          forceOffsetCandidate(excitation),
+      forceDriftCandidate(excitation),
+  };
+}
+
+}  // namespace rubber_suspension

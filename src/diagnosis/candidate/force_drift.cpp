@@ -1,0 +1,12 @@
+// Candidate effect: a force that drifts with time.
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+
+namespace rubber_suspension {
+
+Candidate forceDriftCandidate(const Excitation& excitation) {
+  Atom atom = additiveAtom("force_drift", "rate", 0.02 * excitation.force / excitation.longest_duration);
+  atom.lower = -atom.upper;
+  return {"force_drift", "drift of the load cell: open loops, whatever the displacement", true, {atom}};
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,12 @@
+// Candidate effect: a constant force.
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+
+namespace rubber_suspension {
+
+Candidate forceOffsetCandidate(const Excitation& excitation) {
+  Atom atom = additiveAtom("force_offset", "offset", 0.02 * excitation.force);
+  atom.lower = -atom.upper;
+  return {"force_offset", "zero of the load cell: error of the mean only", true, {atom}};
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,14 @@
+// Candidate effect: displacement or force that is recorded late.
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+
+namespace rubber_suspension {
+
+Candidate timeDelayCandidate(const Excitation& excitation) {
+  Atom atom = additiveAtom("time_delay", "delay", excitation.dt);
+  atom.lower = -4.0 * excitation.dt;
+  atom.upper = 0.03;
+  atom.additive = false;
+  return {"time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {atom}};
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,305 @@
+// Joint fits of own parameters and atoms.
+#include "rubber_suspension/diagnosis/hypothesis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/diagnosis/bounded_least_squares.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kOwnStep = 1e-4;    // of a logarithm, for difference quotients
+constexpr double kAtomStep = 0.02;   // of the typical scale
+constexpr int kTrendsPerLog = 5;     // a ramp and four half cosines
+constexpr double kBlockLength = 2.5; // [s]
+constexpr int kMostBlocks = 12;
+constexpr int kFewestBlocks = 8;
+
+int blocksOf(const Record& record) {
+  const int count = static_cast<int>(std::lround(record.duration() / kBlockLength));
+  return std::clamp(count, kFewestBlocks, kMostBlocks);
+}
+
+Eigen::MatrixXd trendColumns(const Record& record) {
+  Eigen::MatrixXd columns(record.size(), kTrendsPerLog);
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
+  columns.col(0) = (time - 0.5).matrix();
+  for (int k = 1; k < kTrendsPerLog; ++k) {
+    columns.col(k) = (time * M_PI * static_cast<double>(k)).cos().matrix();
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& elements,
+                                      const std::vector<Record>& records, bool raw_displacement) {
+  const Component component(elements);
+  ComponentState state = component.makeState();
+  std::vector<Eigen::VectorXd> forces;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::VectorXd& z = raw_displacement ? records[r].raw_displacement : records[r].displacement;
+    Eigen::VectorXd force(z.size());
+    force[0] = (r == 0 ? component.rest(state, z[0]) : component.restAgain(state, z[0])).total;
+    for (Eigen::Index i = 1; i < z.size(); ++i) {
+      force[i] = component.step(state, records[r].dt, z[i]).total;
+    }
+    forces.push_back(std::move(force));
+  }
+  return forces;
+}
+
+Eigen::MatrixXd BlockGrams::sum(int without_fold) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(gram[0].rows(), gram[0].cols());
+  for (std::size_t b = 0; b < gram.size(); ++b) {
+    if (fold[b] != without_fold) {
+      result += gram[b];
+    }
+  }
+  return result;
+}
+
+Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_(std::move(records)), own_(own) {
+  for (const Record& record : records_) {
+    const double samples = static_cast<double>(record.size()) * static_cast<double>(records_.size());
+    weights_.push_back(1.0 / (record.force_deviation * std::sqrt(samples)));
+  }
+}
+
+Point Fitter::configured(std::size_t atoms) const {
+  return {Eigen::VectorXd::Zero(own_.size()), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(atoms))};
+}
+
+std::optional<std::vector<ElementDescription>> Fitter::elements(const Point& point,
+                                                                const std::vector<Atom>& atoms) const {
+  auto result = own_.elements(point.own);
+  for (std::size_t a = 0; result && a < atoms.size(); ++a) {
+    const double scale = point.scales[static_cast<Eigen::Index>(a)];
+    if (scale != 0.0) {
+      result->push_back(atoms[a].at(scale));
+    }
+  }
+  return result;
+}
+
+double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
+  const auto description = elements(point, atoms);
+  if (!description) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto forces = simulate(*description, records_);
+  double sum = 0.0;
+  for (std::size_t r = 0; r < records_.size(); ++r) {
+    sum += (weights_[r] * (records_[r].force - forces[r])).squaredNorm();
+  }
+  return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
+}
+
+BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms, bool trends) const {
+  const auto base = elements(point, atoms);
+  if (!base) {
+    throw std::invalid_argument("the model has no solution at the point of linearisation");
+  }
+  const auto forces = simulate(*base, records_);
+  const bool plain = std::all_of(atoms.begin(), atoms.end(), [](const Atom& atom) { return atom.additive; });
+
+  std::vector<std::vector<Eigen::VectorXd>> columns;
+  for (Eigen::Index j = 0; j < own_.size(); ++j) {
+    Point moved = point;
+    double step = kOwnStep;
+    moved.own[j] += step;
+    auto description = elements(moved, atoms);
+    if (!description) {
+      step = -kOwnStep;
+      moved.own[j] = point.own[j] + step;
+      description = elements(moved, atoms);
+    }
+    auto column = description ? simulate(*description, records_) : forces;
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+      column[r] = (column[r] - forces[r]) / step;
+    }
+    columns.push_back(std::move(column));
+  }
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    if (plain && atoms[a].additive) {
+      auto column = simulate({atoms[a].at(atoms[a].typical)}, records_);
+      for (auto& part : column) {
+        part /= atoms[a].typical;
+      }
+      columns.push_back(std::move(column));
+      continue;
+    }
+    Point moved = point;
+    const auto i = static_cast<Eigen::Index>(a);
+    const double step = (point.scales[i] == 0.0 ? 1.0 : kAtomStep) * atoms[a].typical *
+                        (point.scales[i] + atoms[a].typical > atoms[a].upper ? -1.0 : 1.0);
+    moved.scales[i] += step;
+    auto column = simulate(*elements(moved, atoms), records_);
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+      column[r] = (column[r] - forces[r]) / step;
+    }
+    columns.push_back(std::move(column));
+  }
+
+  BlockGrams result;
+  const auto modelled = static_cast<Eigen::Index>(columns.size());
+  const Eigen::Index trend_columns = trends ? kTrendsPerLog * static_cast<Eigen::Index>(records_.size()) : 0;
+  const Eigen::Index width = modelled + trend_columns + 1;
+  for (std::size_t r = 0; r < records_.size(); ++r) {
+    const Record& record = records_[r];
+    // Only this log's own trends: the others are zero here.
+    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
+    Eigen::MatrixXd local(record.size(), modelled + own_trends + 1);
+    for (Eigen::Index j = 0; j < modelled; ++j) {
+      local.col(j) = weights_[r] * columns[static_cast<std::size_t>(j)][r];
+    }
+    if (trends) {
+      local.middleCols(modelled, own_trends) = weights_[r] * record.force_deviation * trendColumns(record);
+    }
+    local.col(modelled + own_trends) = weights_[r] * (record.force - forces[r]);
+    const int blocks = blocksOf(record);
+    for (int b = 0; b < blocks; ++b) {
+      const Eigen::Index first = record.size() * b / blocks;
+      const Eigen::Index last = record.size() * (b + 1) / blocks;
+      const auto rows = local.middleRows(first, last - first);
+      Eigen::MatrixXd small = Eigen::MatrixXd::Zero(local.cols(), local.cols());
+      small.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+      small.triangularView<Eigen::StrictlyUpper>() = small.transpose();
+      Eigen::MatrixXd gram = small;
+      if (trends) {
+        gram = Eigen::MatrixXd::Zero(width, width);
+        std::vector<Eigen::Index> place;
+        for (Eigen::Index j = 0; j < modelled; ++j) {
+          place.push_back(j);
+        }
+        for (Eigen::Index j = 0; j < own_trends; ++j) {
+          place.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(r) + j);
+        }
+        place.push_back(width - 1);
+        for (std::size_t i = 0; i < place.size(); ++i) {
+          for (std::size_t j = 0; j < place.size(); ++j) {
+            gram(place[i], place[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+          }
+        }
+      }
+      result.gram.push_back(std::move(gram));
+      result.fold.push_back((b + static_cast<int>(r)) % kFolds);
+      result.record.push_back(static_cast<int>(r));
+      result.weight.push_back(static_cast<double>(last - first) /
+                              (static_cast<double>(record.size()) * static_cast<double>(records_.size())));
+    }
+  }
+  return result;
+}
+
+void Fitter::stepBounds(const Point& point, const std::vector<Atom>& atoms, Eigen::Index columns,
+                        Eigen::VectorXd& lower, Eigen::VectorXd& upper) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  lower = Eigen::VectorXd::Constant(columns, -kInfinity);
+  upper = Eigen::VectorXd::Constant(columns, kInfinity);
+  for (Eigen::Index j = 0; j < own_.size(); ++j) {
+    lower[j] = -OwnParameters::bound() - point.own[j];
+    upper[j] = OwnParameters::bound() - point.own[j];
+  }
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    lower[own_.size() + i] = atoms[a].lower - point.scales[i];
+    upper[own_.size() + i] = atoms[a].upper - point.scales[i];
+  }
+}
+
+Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends) const {
+  Fit result;
+  result.point = start;
+  BlockGrams blocks = linearise(start, atoms, trends);
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+  double cost = gapAt(start, atoms);
+  const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const Eigen::MatrixXd total = blocks.sum();
+    stepBounds(result.point, atoms, unknowns, lower, upper);
+    const Eigen::VectorXd step = boundedLeastSquares(total.topLeftCorner(unknowns, unknowns),
+                                                     total.col(unknowns).head(unknowns), lower, upper);
+    double factor = 1.0;
+    bool improved = false;
+    for (int halving = 0; halving < 6 && !improved; ++halving, factor *= 0.5) {
+      Point trial = result.point;
+      trial.own += factor * step.head(own_.size());
+      trial.scales += factor * step.segment(own_.size(), trial.scales.size());
+      for (std::size_t a = 0; a < atoms.size(); ++a) {  // rounding must not leave the bounds
+        auto& scale = trial.scales[static_cast<Eigen::Index>(a)];
+        scale = std::clamp(scale, atoms[a].lower, atoms[a].upper);
+        scale = std::abs(scale) < 1e-9 * atoms[a].typical ? 0.0 : scale;
+      }
+      const double trial_cost = gapAt(trial, atoms);
+      if (trial_cost < cost) {
+        improved = cost - trial_cost > 1e-5 * cost;
+        cost = trial_cost;
+        result.point = trial;
+        if (!improved) {
+          break;
+        }
+      }
+    }
+    if (!improved) {
+      break;
+    }
+    blocks = linearise(result.point, atoms, trends);
+  }
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
+  for (Eigen::Index j = 0; j < unknowns; ++j) {
+    columns[static_cast<std::size_t>(j)] = j;
+  }
+  stepBounds(result.point, atoms, unknowns, lower, upper);
+  result.block_errors = crossValidate(blocks, columns, lower, upper);
+  result.block_weights = blocks.weight;
+  double held_out = 0.0;
+  for (std::size_t b = 0; b < blocks.weight.size(); ++b) {
+    held_out += result.block_errors[b] * blocks.weight[b];
+  }
+  result.held_out = std::sqrt(held_out);
+  result.gap = cost;
+  return result;
+}
+
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  const Eigen::Index last = blocks.gram[0].rows() - 1;
+  std::vector<double> errors(blocks.gram.size());
+  Eigen::MatrixXd small(count, count);
+  Eigen::VectorXd moment(count);
+  for (int fold = 0; fold < kFolds; ++fold) {
+    const Eigen::MatrixXd total = blocks.sum(fold);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto row = columns[static_cast<std::size_t>(i)];
+      moment[i] = total(row, last);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        small(i, j) = total(row, columns[static_cast<std::size_t>(j)]);
+      }
+    }
+    const Eigen::VectorXd x = boundedLeastSquares(small, moment, lower, upper);
+    for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
+      if (blocks.fold[b] != fold) {
+        continue;
+      }
+      const Eigen::MatrixXd& gram = blocks.gram[b];
+      double error = gram(last, last);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = columns[static_cast<std::size_t>(i)];
+        error -= 2.0 * x[i] * gram(row, last);
+        for (Eigen::Index j = 0; j < count; ++j) {
+          error += x[i] * x[j] * gram(row, columns[static_cast<std::size_t>(j)]);
+        }
+      }
+      errors[b] = std::max(error, 0.0) / blocks.weight[b];
+    }
+  }
+  return errors;
+}
+
+}  // namespace rubber_suspension
