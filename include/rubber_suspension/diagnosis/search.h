@@ -28,6 +28,8 @@ struct Search {
   double noise = 0.0;                 ///< noise floor of all logs
   std::vector<double> record_noise;   ///< of each log, in units of its force's deviation
   std::string noise_source;
+  std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
+  std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 };
 
 /// Called with the stage's name and the fraction done.

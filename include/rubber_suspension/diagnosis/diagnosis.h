@@ -1,0 +1,119 @@
+// Where the model fails, which unmodelled effect causes it, how far the gap shrinks: the diagnosis as one call.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/diagnosis/search.h"
+#include "rubber_suspension/diagnosis/where.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/log.h"
+
+namespace rubber_suspension {
+
+/// What a diagnosis is told besides the component and the logs.
+struct DiagnosisOptions {
+  int threads = 2;
+  ProgressCallback progress;
+  unsigned seed = 1;        ///< of the resampling for intervals
+  int resamplings = 400;
+};
+
+/// What the diagnosis says of one candidate effect.
+struct CandidateResult {
+  std::string effect;
+  std::string documentation;
+  bool on_rig = false;
+  double probability = 0.0;      ///< that this is the (most important) effect
+  double gap = 0.0;              ///< held out, with this effect alone added
+  double closed = 0.0;           ///< fraction of the closable gap
+  std::array<double, 2> interval{};  ///< 95 % interval of `closed`
+  bool testable = false;         ///< a typical size of it would be visible in these logs after re-estimation
+  double visible_share = 0.0;    ///< of a typical effect's force, the part that re-estimation does not hide [-]
+  std::map<std::string, double> parameters;
+  std::vector<ElementDescription> add;
+};
+
+struct Gap {
+  double as_configured = 0.0;
+  double re_estimated = 0.0;
+  double augmented = 0.0;
+  double noise_floor = 0.0;
+};
+
+/// Errors of the characteristics on held-out data, relative RMS over windows.
+struct CharacteristicErrors {
+  double stiffness = 0.0;      ///< [-]
+  double loss_angle = 0.0;     ///< [rad]
+  double energy = 0.0;         ///< of the loss per cycle [-]
+};
+
+/// A log as it was admitted.
+struct Admission {
+  std::string log;
+  bool hold_out = false;
+  double duration = 0.0;             ///< [s]
+  double dt = 0.0;                   ///< [s]
+  double largest_displacement = 0.0; ///< [m]
+  double highest_frequency = 0.0;    ///< [Hz]
+  double noise = 0.0;                ///< floor in units of the force's deviation
+  double repeats = 0.0;              ///< share of the log that repeats an earlier motion
+  std::vector<std::string> notes;
+};
+
+/// Own parameters that each log alone would want, as ratios to the configured values.
+struct ParameterByLog {
+  std::string log;
+  double amplitude = 0.0;  ///< sqrt(2) times the standard deviation of the displacement [m]
+  double frequency = 0.0;  ///< mean frequency of the motion [Hz]
+  std::vector<double> ratios;
+};
+
+struct Diagnosis {
+  std::string component;
+  std::string verdict;
+  std::vector<std::string> effects;
+  Gap gap;
+  double closed = 0.0;
+  std::array<double, 2> closed_interval{};
+  std::vector<std::vector<std::string>> confounded;
+  std::vector<CandidateResult> candidates;  ///< most probable first
+  double probability_none = 0.0;            ///< that no effect of the list is at work
+  std::vector<GapCell> where;
+  std::string next_experiment;
+  std::string sentence;  ///< the verdict for an engineer
+  std::string noise_source;
+
+  std::vector<Admission> admission;
+  std::vector<std::string> own_parameters;
+  std::vector<double> own_ratios;  ///< re-estimated over configured
+  std::vector<ParameterByLog> by_log;
+  CharacteristicErrors errors_before;  ///< re-estimated
+  CharacteristicErrors errors_after;   ///< augmented
+  ComponentDescription re_estimated;
+  ComponentDescription augmented;
+  Search search;  ///< everything that was tried
+
+  std::vector<Record> records;   ///< of the logs, then of the hold-outs
+  std::size_t training = 0;      ///< how many of them took part in the fit
+  std::vector<Eigen::VectorXd> force_configured;   ///< per record [N]
+  std::vector<Eigen::VectorXd> force_re_estimated;
+  std::vector<Eigen::VectorXd> force_augmented;
+};
+
+/// Diagnose one component. Logs in the order of recording, on one specimen; each hold-out starts with a new one.
+/// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
+/// Throws LogError for a log that cannot be used, std::invalid_argument for a component that cannot be built.
+Diagnosis diagnose(const ComponentDescription& component, const std::vector<Log>& logs,
+                   const std::vector<Log>& hold_out, const DiagnosisOptions& options = {});
+
+/// The report as JSON text, schema rubber_suspension/gap_report/1.
+std::string toJson(const Diagnosis& diagnosis);
+
+/// The report as a page that needs no network.
+std::string toHtml(const Diagnosis& diagnosis);
+
+/// Write report.json, report.html and augmented.yaml into a folder, which is made. Throws std::runtime_error.
+void writeReport(const Diagnosis& diagnosis, const std::string& folder);
+
+}  // namespace rubber_suspension

@@ -1,0 +1,380 @@
+// The diagnosis from logs to a report.
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "characteristics.h"
+#include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "rubber_suspension/diagnosis/verdict.h"
+
+namespace rubber_suspension {
+namespace {
+
+// Squared error of a block of a log in units of its force's variance, and its share of all samples.
+struct BlockError {
+  double error;
+  double weight;
+};
+
+using Forces = std::vector<Eigen::VectorXd>;
+
+double rootMeanSquare(const std::vector<BlockError>& blocks) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const BlockError& block : blocks) {
+    sum += block.weight * block.error;
+    weight += block.weight;
+  }
+  return std::sqrt(sum / weight);
+}
+
+std::vector<BlockError> blocksOfFit(const Fit& fit) {
+  std::vector<BlockError> blocks;
+  for (std::size_t b = 0; b < fit.block_errors.size(); ++b) {
+    blocks.push_back({fit.block_errors[b], fit.block_weights[b]});
+  }
+  return blocks;
+}
+
+std::vector<BlockError> blocksOfReplay(const std::vector<Record>& records, const Forces& forces) {
+  constexpr Eigen::Index kBlocks = 10;
+  std::vector<BlockError> blocks;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Record& record = records[r];
+    for (Eigen::Index b = 0; b < kBlocks; ++b) {
+      const Eigen::Index first = record.size() * b / kBlocks;
+      const Eigen::Index count = record.size() * (b + 1) / kBlocks - first;
+      const double squared = (record.force - forces[r]).segment(first, count).squaredNorm();
+      const double share = static_cast<double>(count) / static_cast<double>(record.size());
+      blocks.push_back({squared / (static_cast<double>(count) * std::pow(record.force_deviation, 2)), share});
+    }
+  }
+  return blocks;
+}
+
+// Each log on a new specimen at rest, from the displacement as recorded: what `replay` and the node compute.
+Forces replayEach(const std::vector<ElementDescription>& elements, const std::vector<Record>& records) {
+  Forces forces;
+  for (const Record& record : records) {
+    forces.push_back(simulate(elements, {record}, true).front());
+  }
+  return forces;
+}
+
+double closedFraction(double re_estimated, double augmented, double floor) {
+  const double closable = re_estimated - floor;
+  return closable > 1e-12 ? std::clamp((re_estimated - augmented) / closable, -1.0, 1.0) : 0.0;
+}
+
+std::array<double, 2> closedInterval(const std::vector<BlockError>& before, const std::vector<BlockError>& after,
+                                     double floor, const DiagnosisOptions& options) {
+  std::mt19937 generator(options.seed);
+  std::uniform_int_distribution<std::size_t> pick(0, before.size() - 1);
+  std::vector<double> fractions;
+  for (int i = 0; i < options.resamplings; ++i) {
+    std::vector<BlockError> a;
+    std::vector<BlockError> b;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const std::size_t chosen = pick(generator);
+      a.push_back(before[chosen]);
+      b.push_back(after[chosen]);
+    }
+    fractions.push_back(closedFraction(rootMeanSquare(a), rootMeanSquare(b), floor));
+  }
+  std::sort(fractions.begin(), fractions.end());
+  const auto at = [&](double share) {
+    return fractions[static_cast<std::size_t>(share * static_cast<double>(fractions.size() - 1))];
+  };
+  return {at(0.025), at(0.975)};
+}
+
+// The entries of a fitted trial as a user would write them: sliders of one friction in one table.
+std::vector<ElementDescription> entriesOf(const Trial& trial) {
+  std::vector<ElementDescription> entries;
+  ElementDescription sliders{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
+  for (std::size_t a = 0; a < trial.atoms.size(); ++a) {
+    const double scale = trial.fit.point.scales[static_cast<Eigen::Index>(a)];
+    if (scale == 0.0) {
+      continue;
+    }
+    const ElementDescription entry = trial.atoms[a].at(scale);
+    if (entry.type == sliders.type) {
+      for (auto& [name, values] : sliders.values) {
+        values.push_back(entry.value(name));
+      }
+    } else {
+      entries.push_back(entry);
+    }
+  }
+  if (!sliders.values["stiffness"].empty()) {
+    entries.insert(entries.begin(), sliders);
+  }
+  return entries;
+}
+
+// Headline numbers of an effect for the report; all of them are in `add`.
+std::map<std::string, double> parametersOf(const std::vector<ElementDescription>& entries) {
+  std::map<std::string, double> result;
+  for (const ElementDescription& entry : entries) {
+    if (entry.type == "iwan_table") {
+      double force = 0.0;
+      for (std::size_t i = 0; i < entry.values.at("stiffness").size(); ++i) {
+        force += entry.values.at("stiffness")[i] * entry.values.at("yield_displacement")[i];
+      }
+      result["maximum_force"] = force;
+      continue;
+    }
+    for (const auto& [name, values] : entry.values) {
+      std::string key = name;
+      for (int i = 2; result.count(key) != 0; ++i) {
+        key = fmt::format("{}_{}", name, i);
+      }
+      result[key] = values.at(0);
+    }
+  }
+  return result;
+}
+
+double meanFrequency(const Record& record) {
+  const Eigen::Index steps = record.size() - 1;
+  const double rate = std::sqrt((record.displacement.tail(steps) - record.displacement.head(steps)).squaredNorm() /
+                                static_cast<double>(steps)) /
+                      record.dt;
+  const double deviation = std::sqrt((record.displacement.array() - record.displacement.mean()).square().mean());
+  return rate / (2.0 * M_PI * deviation);
+}
+
+// What each log alone would make of the model's own parameters, by one Gauss-Newton step from the joint fit. Directions
+// that a log hardly determines stay near the joint fit: a prior of 10 % keeps them there.
+std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joint) {
+  constexpr double kPrior = 0.1;
+  std::vector<ParameterByLog> result;
+  const BlockGrams blocks = fitter.linearise(joint.point, {}, false);
+  const Eigen::Index own = fitter.own().size();
+  for (std::size_t r = 0; r < fitter.records().size(); ++r) {
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(own + 1, own + 1);
+    for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
+      if (blocks.record[b] == static_cast<int>(r)) {
+        gram += static_cast<double>(fitter.records().size()) * blocks.gram[b];
+      }
+    }
+    const double variance = std::max(gram(own, own), 1e-12);
+    Eigen::MatrixXd normal = gram.topLeftCorner(own, own);
+    normal.diagonal().array() += variance / (kPrior * kPrior) / 100.0;
+    const Eigen::VectorXd infinite = Eigen::VectorXd::Constant(own, 2.0);
+    const Eigen::VectorXd step = boundedLeastSquares(normal, gram.col(own).head(own), -infinite, infinite);
+    const Record& record = fitter.records()[r];
+    ParameterByLog row;
+    row.log = record.name;
+    row.amplitude =
+        std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
+    row.frequency = meanFrequency(record);
+    for (Eigen::Index j = 0; j < own; ++j) {
+      row.ratios.push_back(std::exp(joint.point.own[j] + step[j]));
+    }
+    result.push_back(std::move(row));
+  }
+  return result;
+}
+
+std::vector<Record> makeRecords(const std::vector<Log>& logs) {
+  std::vector<Record> records;
+  for (const Log& log : logs) {
+    records.push_back(makeRecord(log));
+  }
+  return records;
+}
+
+ComponentDescription augmentedDescription(const OwnParameters& own, const Trial& trial) {
+  ComponentDescription result = own.apply(trial.fit.point.own);
+  const auto entries = entriesOf(trial);
+  result.add.insert(result.add.end(), entries.begin(), entries.end());
+  return result;
+}
+
+Admission admit(const Record& record, bool hold_out, double noise) {
+  Admission admission;
+  admission.log = record.name;
+  admission.hold_out = hold_out;
+  admission.duration = record.duration();
+  admission.dt = record.dt;
+  admission.largest_displacement = record.displacement.cwiseAbs().maxCoeff();
+  admission.highest_frequency = record.highest_frequency;
+  admission.noise = noise;
+  admission.notes = record.notes;
+  return admission;
+}
+
+// Noise floor of hold-out logs by what the augmented model leaves above their band.
+double noiseOf(const Record& record, const Eigen::VectorXd& simulated) {
+  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
+  return whiteNoiseAbove(record.force - simulated, record.dt, edge) / record.force_deviation;
+}
+
+class Diagnoser {
+ public:
+  Diagnoser(const ComponentDescription& component, const std::vector<Log>& logs, const std::vector<Log>& hold_out,
+            const DiagnosisOptions& options)
+      : options_(options),
+        component_(component),
+        training_(makeRecords(logs)),
+        held_out_(makeRecords(hold_out)),
+        own_(component, Level::specification),
+        own_elements_(component, Level::elements),
+        fitter_(training_, own_),
+        element_fitter_(training_, own_elements_) {}
+
+  Diagnosis run() {
+    result_.component = component_.name;
+    result_.search = search(fitter_, element_fitter_, options_.threads, options_.progress);
+    verdict_ = decide(result_.search);
+    result_.re_estimated = own_.apply(result_.search.re_estimated.fit.point.own);
+    result_.augmented = augmentedDescription(own_, verdict_.model);
+    simulateAll();
+    measureGap();
+    describeCandidates();
+    describeOwnParameters();
+    describeVerdict();
+    return std::move(result_);
+  }
+
+ private:
+  void simulateAll() {
+    result_.records = training_;
+    result_.records.insert(result_.records.end(), held_out_.begin(), held_out_.end());
+    result_.training = training_.size();
+    const auto all = [&](const ComponentDescription& description) {
+      const auto elements = description.allElements();
+      Forces forces = simulate(elements, training_, true);
+      const Forces unseen = replayEach(elements, held_out_);
+      forces.insert(forces.end(), unseen.begin(), unseen.end());
+      return forces;
+    };
+    result_.force_configured = all(component_);
+    result_.force_re_estimated = all(result_.re_estimated);
+    result_.force_augmented = all(result_.augmented);
+  }
+
+  Forces unseen(const Forces& forces) const {
+    return Forces(forces.begin() + static_cast<std::ptrdiff_t>(training_.size()), forces.end());
+  }
+
+  void measureGap() {
+    const Search& s = result_.search;
+    result_.noise_source = s.noise_source;
+    for (std::size_t r = 0; r < training_.size(); ++r) {
+      result_.admission.push_back(admit(training_[r], false, s.record_noise[r]));
+    }
+    if (held_out_.empty()) {
+      before_ = blocksOfFit(s.re_estimated.fit);
+      after_ = blocksOfFit(verdict_.model.fit);
+      result_.gap = {s.configured_gap, rootMeanSquare(before_), rootMeanSquare(after_), s.noise};
+      result_.errors_before = characteristicErrors(training_, result_.force_re_estimated);
+      result_.errors_after = characteristicErrors(training_, result_.force_augmented);
+    } else {
+      before_ = blocksOfReplay(held_out_, unseen(result_.force_re_estimated));
+      after_ = blocksOfReplay(held_out_, unseen(result_.force_augmented));
+      double noise = 0.0;
+      for (std::size_t r = 0; r < held_out_.size(); ++r) {
+        const double floor = noiseOf(held_out_[r], result_.force_augmented[training_.size() + r]);
+        result_.admission.push_back(admit(held_out_[r], true, floor));
+        noise += floor * floor / static_cast<double>(held_out_.size());
+      }
+      result_.gap = {rootMeanSquare(blocksOfReplay(held_out_, unseen(result_.force_configured))),
+                     rootMeanSquare(before_), rootMeanSquare(after_), std::sqrt(noise)};
+      result_.errors_before = characteristicErrors(held_out_, unseen(result_.force_re_estimated));
+      result_.errors_after = characteristicErrors(held_out_, unseen(result_.force_augmented));
+    }
+    result_.closed = closedFraction(result_.gap.re_estimated, result_.gap.augmented, result_.gap.noise_floor);
+    result_.closed_interval = closedInterval(before_, after_, result_.gap.noise_floor, options_);
+    Forces residual;
+    std::vector<double> noise;
+    for (std::size_t r = 0; r < training_.size(); ++r) {
+      residual.push_back(training_[r].force - result_.force_configured[r]);
+    }
+    result_.where = gapMap(training_, residual, s.record_noise);
+  }
+
+  void describeCandidates() {
+    const Search& s = result_.search;
+    std::vector<std::vector<BlockError>> errors(s.candidates.size());
+    parallelFor(s.candidates.size(), options_.threads, [&](std::size_t c) {
+      const Trial& trial = s.singles[c];
+      errors[c] = held_out_.empty()
+                      ? blocksOfFit(trial.fit)
+                      : blocksOfReplay(held_out_, replayEach(augmentedDescription(own_, trial).allElements(), held_out_));
+    });
+    for (std::size_t c = 0; c < s.candidates.size(); ++c) {
+      CandidateResult candidate;
+      candidate.effect = s.candidates[c].effect;
+      candidate.documentation = s.candidates[c].documentation;
+      candidate.on_rig = s.candidates[c].on_rig;
+      candidate.probability = verdict_.probabilities[c];
+      candidate.gap = rootMeanSquare(errors[c]);
+      candidate.closed = closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor);
+      candidate.interval = closedInterval(before_, errors[c], result_.gap.noise_floor, options_);
+      candidate.visible_share = s.visible_share[c];
+      candidate.testable = s.testable[c];
+      candidate.add = entriesOf(s.singles[c]);
+      candidate.parameters = parametersOf(candidate.add);
+      result_.candidates.push_back(std::move(candidate));
+    }
+    std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
+                     [](const CandidateResult& a, const CandidateResult& b) {
+                       return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
+                     });
+  }
+
+  void describeOwnParameters() {
+    const Fit& joint = result_.search.re_estimated.fit;
+    result_.own_parameters = own_.names();
+    for (Eigen::Index j = 0; j < own_.size(); ++j) {
+      result_.own_ratios.push_back(std::exp(joint.point.own[j]));
+    }
+    result_.by_log = parametersByLog(fitter_, joint);
+  }
+
+  void describeVerdict() {
+    const auto name = [&](int candidate) { return result_.search.candidates[static_cast<std::size_t>(candidate)].effect; };
+    result_.verdict = toString(verdict_.kind);
+    result_.probability_none = verdict_.probability_none_of_these;
+    for (const int effect : verdict_.effects) {
+      result_.effects.push_back(name(effect));
+    }
+    for (const auto& set : verdict_.confounded) {
+      result_.confounded.emplace_back();
+      for (const int effect : set) {
+        result_.confounded.back().push_back(name(effect));
+      }
+    }
+  }
+
+  const DiagnosisOptions& options_;
+  const ComponentDescription& component_;
+  std::vector<Record> training_;
+  std::vector<Record> held_out_;
+  OwnParameters own_;
+  OwnParameters own_elements_;
+  Fitter fitter_;
+  Fitter element_fitter_;
+  Verdict verdict_;
+  std::vector<BlockError> before_;
+  std::vector<BlockError> after_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const ComponentDescription& component, const std::vector<Log>& logs,
+                   const std::vector<Log>& hold_out, const DiagnosisOptions& options) {
+  if (logs.empty()) {
+    throw LogError("no log: a diagnosis needs at least one");
+  }
+  return Diagnoser(component, logs, hold_out, options).run();
+}
+
+}  // namespace rubber_suspension

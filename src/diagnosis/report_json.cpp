@@ -1,0 +1,121 @@
+// The report for programs: report.json.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+using nlohmann::ordered_json;
+
+// JSON has no infinity; a value that is not finite is left null.
+ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+ordered_json interval(const std::array<double, 2>& bounds) { return {number(bounds[0]), number(bounds[1])}; }
+
+ordered_json entries(const std::vector<ElementDescription>& elements) {
+  ordered_json result = ordered_json::array();
+  for (const ElementDescription& element : elements) {
+    ordered_json entry = {{"type", element.type}};
+    for (const auto& [name, values] : element.values) {
+      entry[name] = values.size() == 1 ? ordered_json(values[0]) : ordered_json(values);
+    }
+    result.push_back(entry);
+  }
+  return result;
+}
+
+ordered_json candidateJson(const CandidateResult& candidate) {
+  return {{"effect", candidate.effect},
+          {"probability", number(candidate.probability)},
+          {"gap", number(candidate.gap)},
+          {"closed", number(candidate.closed)},
+          {"interval_95", interval(candidate.interval)},
+          {"testable", candidate.testable},
+          {"visible_share", number(candidate.visible_share)},
+          {"on_rig", candidate.on_rig},
+          {"parameters", candidate.parameters},
+          {"add", entries(candidate.add)}};
+}
+
+ordered_json cellJson(const GapCell& cell) {
+  return {{"log", cell.log},
+          {"frequency_hz", {cell.frequency[0], cell.frequency[1]}},
+          {"amplitude_m", {cell.amplitude[0], cell.amplitude[1]}},
+          {"quantity", toString(cell.quantity)},
+          {"share", number(cell.share)},
+          {"noise_ratio", number(cell.noise_ratio)}};
+}
+
+ordered_json admissionJson(const Admission& log) {
+  return {{"log", log.log},
+          {"hold_out", log.hold_out},
+          {"duration_s", log.duration},
+          {"step_s", log.dt},
+          {"largest_displacement_m", log.largest_displacement},
+          {"highest_frequency_hz", log.highest_frequency},
+          {"noise_floor", number(log.noise)},
+          {"repeats", number(log.repeats)},
+          {"notes", log.notes}};
+}
+
+ordered_json errorsJson(const CharacteristicErrors& errors) {
+  return {{"stiffness", number(errors.stiffness)},
+          {"loss_angle_rad", number(errors.loss_angle)},
+          {"energy_per_cycle", number(errors.energy)}};
+}
+
+ordered_json ownJson(const Diagnosis& diagnosis) {
+  ordered_json ratios;
+  for (std::size_t i = 0; i < diagnosis.own_parameters.size(); ++i) {
+    ratios[diagnosis.own_parameters[i]] = number(diagnosis.own_ratios[i]);
+  }
+  ordered_json by_log = ordered_json::array();
+  for (const ParameterByLog& row : diagnosis.by_log) {
+    ordered_json entry = {{"log", row.log}, {"amplitude_m", number(row.amplitude)}, {"frequency_hz", number(row.frequency)}};
+    for (std::size_t i = 0; i < row.ratios.size(); ++i) {
+      entry["ratios"][diagnosis.own_parameters[i]] = number(row.ratios[i]);
+    }
+    by_log.push_back(entry);
+  }
+  return {{"ratio_to_configured", ratios}, {"by_log", by_log}};
+}
+
+template <class T, class Function>
+ordered_json list(const std::vector<T>& values, Function convert) {
+  ordered_json result = ordered_json::array();
+  for (const T& value : values) {
+    result.push_back(convert(value));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string toJson(const Diagnosis& diagnosis) {
+  const ordered_json report = {
+      {"schema", "rubber_suspension/gap_report/1"},
+      {"component", diagnosis.component},
+      {"verdict", diagnosis.verdict},
+      {"sentence", diagnosis.sentence},
+      {"effects", diagnosis.effects},
+      {"gap",
+       {{"as_configured", number(diagnosis.gap.as_configured)},
+        {"re_estimated", number(diagnosis.gap.re_estimated)},
+        {"augmented", number(diagnosis.gap.augmented)},
+        {"noise_floor", number(diagnosis.gap.noise_floor)},
+        {"noise_source", diagnosis.noise_source}}},
+      {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
+      {"confounded", diagnosis.confounded},
+      {"candidates", list(diagnosis.candidates, candidateJson)},
+      {"probability_none_of_these", number(diagnosis.probability_none)},
+      {"where", list(diagnosis.where, cellJson)},
+      {"next_experiment", diagnosis.next_experiment},
+      {"errors", {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
+      {"own_parameters", ownJson(diagnosis)},
+      {"admission", list(diagnosis.admission, admissionJson)}};
+  return report.dump(2) + "\n";
+}
+
+}  // namespace rubber_suspension
