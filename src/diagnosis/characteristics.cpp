@@ -16,12 +16,23 @@ struct Loop {
   double energy_scale = 0.0;  // pi/4 (Fmax - Fmin)(zmax - zmin) per radian of the window's motion
 };
 
+// About the mean and filled with zeros to a power of two: fast at any length.
+std::vector<double> padded(const Eigen::VectorXd& values) {
+  std::size_t length = 2;
+  while (length < static_cast<std::size_t>(values.size())) {
+    length *= 2;
+  }
+  std::vector<double> result(length, 0.0);
+  Eigen::Map<Eigen::VectorXd>(result.data(), values.size()) = values.array() - values.mean();
+  return result;
+}
+
 Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
   Eigen::FFT<double> fft;
   std::vector<std::complex<double>> z;
   std::vector<std::complex<double>> f;
-  fft.fwd(z, std::vector<double>(displacement.data(), displacement.data() + displacement.size()));
-  fft.fwd(f, std::vector<double>(force.data(), force.data() + force.size()));
+  fft.fwd(z, padded(displacement));
+  fft.fwd(f, padded(force));
   std::complex<double> cross = 0.0;
   double power = 0.0;
   for (std::size_t i = 1; i < z.size() / 2; ++i) {

@@ -173,9 +173,7 @@ std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joi
     row.amplitude =
         std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
     row.frequency = meanFrequency(record);
-    for (Eigen::Index j = 0; j < own; ++j) {
-      row.ratios.push_back(std::exp(joint.point.own[j] + step[j]));
-    }
+    row.ratios = fitter.own().ratios(joint.point.own + step);
     result.push_back(std::move(row));
   }
   return result;
@@ -331,10 +329,7 @@ class Diagnoser {
 
   void describeOwnParameters() {
     const Fit& joint = result_.search.re_estimated.fit;
-    result_.own_parameters = own_.names();
-    for (Eigen::Index j = 0; j < own_.size(); ++j) {
-      result_.own_ratios.push_back(std::exp(joint.point.own[j]));
-    }
+    result_.own_ratios = own_.ratios(joint.point.own);
     result_.by_log = parametersByLog(fitter_, joint);
   }
 

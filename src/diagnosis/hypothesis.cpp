@@ -43,7 +43,7 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd& z = raw_displacement ? records[r].raw_displacement : records[r].displacement;
     Eigen::VectorXd force(z.size());
-    force[0] = (r == 0 ? component.rest(state, z[0]) : component.restAgain(state, z[0])).total;
+    force[0] = (r == 0 ? component.rest(state, z[0]) : component.recover(state, z[0])).total;
     for (Eigen::Index i = 1; i < z.size(); ++i) {
       force[i] = component.step(state, records[r].dt, z[i]).total;
     }

@@ -1,4 +1,5 @@
 // The report for programs: report.json.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -66,20 +67,40 @@ ordered_json errorsJson(const CharacteristicErrors& errors) {
           {"energy_per_cycle", number(errors.energy)}};
 }
 
-ordered_json ownJson(const Diagnosis& diagnosis) {
-  ordered_json ratios;
-  for (std::size_t i = 0; i < diagnosis.own_parameters.size(); ++i) {
-    ratios[diagnosis.own_parameters[i]] = number(diagnosis.own_ratios[i]);
+// Every hypothesis that was fitted, with its held-out error.
+ordered_json trialsJson(const Search& search) {
+  ordered_json result = ordered_json::array();
+  const auto add = [&](const Trial& trial) {
+    ordered_json effects = ordered_json::array();
+    for (const int member : trial.members) {
+      effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
+    }
+    result.push_back({{"effects", effects}, {"held_out", number(trial.fit.held_out)}, {"in_sample", number(trial.fit.gap)}});
+  };
+  add(search.re_estimated);
+  for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {
+    std::for_each(trials->begin(), trials->end(), add);
   }
+  return result;
+}
+
+ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratios) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, ratio] : ratios) {
+    result[name] = number(ratio);
+  }
+  return result;
+}
+
+ordered_json ownJson(const Diagnosis& diagnosis) {
   ordered_json by_log = ordered_json::array();
   for (const ParameterByLog& row : diagnosis.by_log) {
-    ordered_json entry = {{"log", row.log}, {"amplitude_m", number(row.amplitude)}, {"frequency_hz", number(row.frequency)}};
-    for (std::size_t i = 0; i < row.ratios.size(); ++i) {
-      entry["ratios"][diagnosis.own_parameters[i]] = number(row.ratios[i]);
-    }
-    by_log.push_back(entry);
+    by_log.push_back({{"log", row.log},
+                      {"amplitude_m", number(row.amplitude)},
+                      {"frequency_hz", number(row.frequency)},
+                      {"ratios", ratiosJson(row.ratios)}});
   }
-  return {{"ratio_to_configured", ratios}, {"by_log", by_log}};
+  return {{"ratio_to_configured", ratiosJson(diagnosis.own_ratios)}, {"by_log", by_log}};
 }
 
 template <class T, class Function>
@@ -113,6 +134,8 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"where", list(diagnosis.where, cellJson)},
       {"next_experiment", diagnosis.next_experiment},
       {"errors", {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
+      {"trials", trialsJson(diagnosis.search)},
+      {"element_level_gap", number(diagnosis.search.element_level.held_out)},
       {"own_parameters", ownJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};
   return report.dump(2) + "\n";

@@ -1,6 +1,7 @@
 // The search over candidate effects.
 #include "rubber_suspension/diagnosis/search.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -56,8 +57,33 @@ struct Screened {
   double error;
 };
 
+// Part of each candidate's force that the model's own parameters cannot take over, and whether a typical size of it
+// stands out of the noise.
+void measureVisibility(const BlockGrams& blocks, Eigen::Index own,
+                       const std::vector<std::vector<Eigen::Index>>& columns_of, const std::vector<Atom>& all,
+                       double noise, Search& result) {
+  constexpr double kVisible = 0.05;
+  const Eigen::MatrixXd total = blocks.sum();
+  const auto base = total.topLeftCorner(own, own).completeOrthogonalDecomposition();
+  for (const auto& columns : columns_of) {
+    double share = 0.0;
+    bool testable = false;
+    for (const Eigen::Index j : columns) {
+      const Eigen::VectorXd cross = total.col(j).head(own);
+      const double whole = total(j, j);
+      const double rest = std::max(0.0, whole - cross.dot(base.solve(cross)));
+      const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
+      share = std::max(share, visible);
+      const double size = all[static_cast<std::size_t>(j - own)].typical * std::sqrt(rest);
+      testable = testable || (visible >= kVisible && size >= 0.2 * noise);
+    }
+    result.visible_share.push_back(share);
+    result.testable.push_back(testable);
+  }
+}
+
 // Held-out error of every pair from one set of normal equations about the re-estimated model.
-std::vector<Screened> screenPairs(const Fitter& fitter, const Search& result) {
+std::vector<Screened> screenPairs(const Fitter& fitter, Search& result) {
   std::vector<Atom> all;
   std::vector<std::vector<Eigen::Index>> columns_of;
   const Eigen::Index own = fitter.own().size();
@@ -75,6 +101,7 @@ std::vector<Screened> screenPairs(const Fitter& fitter, const Search& result) {
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   fitter.stepBounds(point, all, unknowns, lower, upper);
+  measureVisibility(blocks, own, columns_of, all, result.noise, result);
 
   std::vector<Screened> screened;
   const int count = static_cast<int>(result.candidates.size());
@@ -139,6 +166,11 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
     }
   });
 
+  const auto best = std::min_element(result.singles.begin(), result.singles.end(), [](const Trial& a, const Trial& b) {
+    return a.fit.held_out < b.fit.held_out;
+  });
+  estimateNoise(fitter, best->fit, best->atoms, result);
+
   say("screening all pairs", 0.4);
   const std::vector<Screened> screened = screenPairs(fitter, result);
   for (std::size_t i = 0; i < std::min(kPairsFitted, screened.size()); ++i) {
@@ -148,8 +180,6 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
   parallelFor(result.pairs.size(), threads,
               [&](std::size_t i) { fitTrial(fitter, result.candidates, own, kPairIterations, result.pairs[i]); });
   sortByError(result.pairs);
-
-  estimateNoise(fitter, result.pairs.front().fit, result.pairs.front().atoms, result);
   return result;
 }
 

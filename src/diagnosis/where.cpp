@@ -33,9 +33,15 @@ struct Energy {
 constexpr int kWholeBand = 1 << 20;
 constexpr double kShortestWindow = 2.0;  // [s]
 
+// Filled with zeros to a power of two, which leaves energies as they are and is fast at any length.
 Spectrum transform(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count) {
   Eigen::FFT<double> fft;
   std::vector<double> piece(values.data() + first, values.data() + first + count);
+  std::size_t length = 2;
+  while (length < piece.size()) {
+    length *= 2;
+  }
+  piece.resize(length, 0.0);
   Spectrum spectrum;
   fft.fwd(spectrum, piece);
   return spectrum;
@@ -43,7 +49,8 @@ Spectrum transform(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Ind
 
 // The frequency below which 2 % of the displacement's power lies.
 double slowestMotion(const Record& record) {
-  const Spectrum spectrum = transform(record.displacement, 0, record.size());
+  const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
+  const Spectrum spectrum = transform(centred, 0, record.size());
   double total = 0.0;
   const std::size_t half = spectrum.size() / 2;
   for (std::size_t i = 1; i < half; ++i) {
@@ -53,7 +60,7 @@ double slowestMotion(const Record& record) {
   for (std::size_t i = 1; i < half; ++i) {
     sum += std::norm(spectrum[i]);
     if (sum > 0.02 * total) {
-      return static_cast<double>(i) / record.duration();
+      return static_cast<double>(i) / (static_cast<double>(spectrum.size()) * record.dt);
     }
   }
   return 1.0 / record.duration();
@@ -97,18 +104,21 @@ class Map {
     add({r, kWholeBand, amplitude_band, Quantity::mean}, scale * samples * mean * (2.0 * window_mean - mean), 0.0);
     add({r, kWholeBand, amplitude_band, Quantity::drift}, scale * samples * std::pow(window_mean - mean, 2), 0.0);
 
-    const Spectrum residual = transform(residual_[r], first, count);
-    const Spectrum displacement = transform(record.displacement, first, count);
+    const Eigen::VectorXd error = residual_[r].segment(first, count).array() - window_mean;
+    const Eigen::VectorXd motion = part.array() - part.mean();
+    const Spectrum residual = transform(error, 0, count);
+    const Spectrum displacement = transform(motion, 0, count);
     const std::size_t half = residual.size() / 2;
-    const double line = 1.0 / (samples * record.dt);
+    const double length = static_cast<double>(residual.size());
+    const double line = 1.0 / (length * record.dt);
     for (std::size_t i = 1; i <= half;) {
       const int band = static_cast<int>(std::floor(std::log2(static_cast<double>(i) * line)));
       std::size_t end = i;
       while (end <= half && static_cast<int>(std::floor(std::log2(static_cast<double>(end) * line))) == band) {
         ++end;
       }
-      addBand({r, band, amplitude_band, Quantity::harmonics}, residual, displacement, i, end, scale / samples,
-              1.0 / static_cast<double>(record.size()));
+      addBand({r, band, amplitude_band, Quantity::harmonics}, residual, displacement, i, end, scale / length,
+              samples / (length * static_cast<double>(record.size())));
       i = end;
     }
   }

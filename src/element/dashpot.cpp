@@ -6,9 +6,19 @@ namespace rubber_suspension {
 ElementType dashpotType() {
   return {"dashpot",
           "Linear dashpot, F = c dz/dt.",
-          {{"damping", "N s/m", Range::positive(), std::nullopt, "damping constant c"}},
+          {{"damping", "N s/m", Range::positive(), std::nullopt, "damping constant c"},
+           {"order", "1", Range::closed(1.0, 2.0), 1.0,
+            "of the difference for the rate; 1: displacement linear between samples, 2: smooth, without lag"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const Dashpot>(description.value("damping"));
+            const double damping = description.value("damping");
+            const double order = description.value("order");
+            if (order == 2.0) {
+              return std::make_shared<const SmoothDashpot>(damping);
+            }
+            if (order != 1.0) {
+              refuseValue(description.type, "order", order, "1", "1 or 2");
+            }
+            return std::make_shared<const Dashpot>(damping);
           }};
 }
 

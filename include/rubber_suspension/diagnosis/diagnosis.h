@@ -66,7 +66,7 @@ struct ParameterByLog {
   std::string log;
   double amplitude = 0.0;  ///< sqrt(2) times the standard deviation of the displacement [m]
   double frequency = 0.0;  ///< mean frequency of the motion [Hz]
-  std::vector<double> ratios;
+  std::vector<std::pair<std::string, double>> ratios;
 };
 
 struct Diagnosis {
@@ -85,8 +85,7 @@ struct Diagnosis {
   std::string noise_source;
 
   std::vector<Admission> admission;
-  std::vector<std::string> own_parameters;
-  std::vector<double> own_ratios;  ///< re-estimated over configured
+  std::vector<std::pair<std::string, double>> own_ratios;  ///< re-estimated over configured, by parameter
   std::vector<ParameterByLog> by_log;
   CharacteristicErrors errors_before;  ///< re-estimated
   CharacteristicErrors errors_after;   ///< augmented

@@ -1,23 +1,25 @@
 // Odd polynomial spring: stiffness that rises with amplitude alike in both directions.
 #pragma once
 
+#include <cmath>
+
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension {
 
-/// F = k3 z^3 + k5 z^5, to be added to a linear spring. No loss.
+/// F = k2 z|z| + k3 z^3 + k5 z^5, to be added to a linear spring. No loss.
 /// Under z = A sin(wt) the cubic term adds 3/4 k3 A^2 to the stiffness of the first harmonic and a third harmonic of
-/// -1/4 k3 A^3 (180 degrees). The secant stiffness grows by k3 A^2 + k5 A^4.
+/// -1/4 k3 A^3 (180 degrees). The secant stiffness grows by k2 A + k3 A^2 + k5 A^4.
 /// Validity: within the amplitudes that the coefficients were fitted to; a polynomial says nothing beyond.
 /// Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1.
 class ProgressiveStiffness final : public ParallelElement {
  public:
-  ProgressiveStiffness(double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */)
-      : cubic_(cubic), quintic_(quintic) {}
+  ProgressiveStiffness(double quadratic /* k2 [N/m^2] */, double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */)
+      : quadratic_(quadratic), cubic_(cubic), quintic_(quintic) {}
 
   double force(double displacement) const {
     const double square = displacement * displacement;
-    return displacement * square * (cubic_ + quintic_ * square);
+    return displacement * (quadratic_ * std::abs(displacement) + square * (cubic_ + quintic_ * square));
   }
 
   double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
@@ -25,6 +27,7 @@ class ProgressiveStiffness final : public ParallelElement {
   Part part() const override { return Part::elastic; }
 
  private:
+  double quadratic_;
   double cubic_;
   double quintic_;
 };

@@ -1,11 +1,13 @@
 // Candidate effect: displacement or force that is recorded late.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
+#include <algorithm>
+
 namespace rubber_suspension {
 
 Candidate timeDelayCandidate(const Excitation& excitation) {
   Atom atom = additiveAtom("time_delay", "delay", excitation.dt);
-  atom.lower = -4.0 * excitation.dt;
+  atom.lower = -std::min(4.0 * excitation.dt, 0.02);
   atom.upper = 0.03;
   atom.additive = false;
   return {"time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {atom}};

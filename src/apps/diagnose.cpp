@@ -1,0 +1,67 @@
+// diagnose: where the simulation differs from measured logs, which unmodelled effect causes it, how far the gap shrinks.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include "command.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace {
+
+using namespace rubber_suspension;
+
+struct Options {
+  std::string config;
+  std::string component;
+  std::vector<std::string> logs;
+  std::vector<std::string> hold_out;
+  std::string output;
+  int threads = 2;
+};
+
+std::vector<Log> readLogs(const std::vector<std::string>& paths) {
+  std::vector<Log> logs;
+  for (const std::string& path : paths) {
+    logs.push_back(readCsvLog(path));
+  }
+  return logs;
+}
+
+void showStage(const std::string& stage, double fraction) {
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K[{:3.0f} %] {}", 100.0 * fraction, stage);
+  }
+}
+
+int run(const Options& options) {
+  const auto components = loadComponentFile(options.config);
+  const ComponentDescription& component = selectComponent(components, options.component);
+  DiagnosisOptions settings;
+  settings.threads = options.threads;
+  settings.progress = showStage;
+  const Diagnosis diagnosis = diagnose(component, readLogs(options.logs), readLogs(options.hold_out), settings);
+  showStage("writing the report", 0.95);
+  writeReport(diagnosis, options.output);
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K");
+  }
+  fmt::print("{}\nreport: {}/report.html\n", diagnosis.sentence, options.output);
+  return kSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runCommand(argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
+                    [](CLI::App& app) -> CommandBody {
+                      auto options = std::make_shared<Options>();
+                      app.add_option("--config", options->config, "component file")->required();
+                      app.add_option("--component", options->component, "name of the component; may be left out if there is one only");
+                      app.add_option("--log", options->logs, "measured logs of one specimen in the order of recording")->required();
+                      app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen");
+                      app.add_option("--output", options->output, "folder of the report")->required();
+                      app.add_option("--threads", options->threads, "number of threads")->capture_default_str()->check(CLI::Range(1, 64));
+                      return [options] { return run(*options); };
+                    });
+}
