@@ -9,6 +9,7 @@
 
 #include "characteristics.h"
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension {

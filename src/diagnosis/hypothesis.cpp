@@ -7,6 +7,7 @@
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "rubber_suspension/diagnosis/parallel.h"
 
 namespace rubber_suspension {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kOwnStep = 1e-4;    // of a logarithm, for difference quotients
 constexpr double kAtomStep = 0.02;   // of the typical scale
 constexpr int kTrendsPerLog = 5;     // a ramp and four half cosines
 constexpr double kBlockLength = 2.5; // [s]
+constexpr double kEnoughGain = 1e-3;  // of the gap, to go on
 constexpr int kMostBlocks = 12;
 constexpr int kFewestBlocks = 8;
 
@@ -31,6 +33,16 @@ Eigen::MatrixXd trendColumns(const Record& record) {
     columns.col(k) = (time * M_PI * static_cast<double>(k)).cos().matrix();
   }
   return columns;
+}
+
+// True if no effect that acts on the sum of the elements is at work.
+bool isPlain(const Point& point, const std::vector<Atom>& atoms) {
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    if (point.scales[static_cast<Eigen::Index>(a)] != 0.0 && !atoms[a].unit_force) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -85,65 +97,111 @@ std::optional<std::vector<ElementDescription>> Fitter::elements(const Point& poi
   return result;
 }
 
-double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
-  const auto description = elements(point, atoms);
+void Fitter::precompute(std::vector<Candidate>& candidates, int threads) const {
+  std::vector<Atom*> additive;
+  for (Candidate& candidate : candidates) {
+    for (Atom& atom : candidate.atoms) {
+      if (atom.additive) {
+        additive.push_back(&atom);
+      }
+    }
+  }
+  parallelFor(additive.size(), threads, [&](std::size_t i) {
+    Atom& atom = *additive[i];
+    auto unit = simulate({atom.at(atom.typical)}, records_);
+    for (Eigen::VectorXd& force : unit) {
+      force /= atom.typical;
+    }
+    atom.unit_force = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(unit));
+  });
+}
+
+std::optional<std::vector<Eigen::VectorXd>> Fitter::forces(const Point& point, const std::vector<Atom>& atoms) const {
+  if (!isPlain(point, atoms)) {
+    const auto description = elements(point, atoms);
+    return description ? std::optional(simulate(*description, records_)) : std::nullopt;
+  }
+  const auto description = own_.elements(point.own);
   if (!description) {
+    return std::nullopt;
+  }
+  auto result = simulate(*description, records_);
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const double scale = point.scales[static_cast<Eigen::Index>(a)];
+    for (std::size_t r = 0; scale != 0.0 && r < records_.size(); ++r) {
+      result[r] += scale * (*atoms[a].unit_force)[r];
+    }
+  }
+  return result;
+}
+
+double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
+  const auto simulated = forces(point, atoms);
+  if (!simulated) {
     return std::numeric_limits<double>::infinity();
   }
-  const auto forces = simulate(*description, records_);
   double sum = 0.0;
   for (std::size_t r = 0; r < records_.size(); ++r) {
-    sum += (weights_[r] * (records_[r].force - forces[r])).squaredNorm();
+    sum += std::pow(weights_[r], 2) * (records_[r].force - (*simulated)[r]).squaredNorm();
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
 BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms, bool trends) const {
-  const auto base = elements(point, atoms);
+  const auto base = forces(point, atoms);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the point of linearisation");
   }
-  const auto forces = simulate(*base, records_);
-  const bool plain = std::all_of(atoms.begin(), atoms.end(), [](const Atom& atom) { return atom.additive; });
-
-  std::vector<std::vector<Eigen::VectorXd>> columns;
+  // The force is linear in the own parameters' part and in additive atoms alike as long as nothing acts on their sum.
+  const bool plain = isPlain(point, atoms);
+  std::vector<Columns> columns;
   for (Eigen::Index j = 0; j < own_.size(); ++j) {
-    Point moved = point;
-    double step = kOwnStep;
-    moved.own[j] += step;
-    auto description = elements(moved, atoms);
-    if (!description) {
-      step = -kOwnStep;
-      moved.own[j] = point.own[j] + step;
-      description = elements(moved, atoms);
-    }
-    auto column = description ? simulate(*description, records_) : forces;
-    for (std::size_t r = 0; r < records_.size(); ++r) {
-      column[r] = (column[r] - forces[r]) / step;
-    }
-    columns.push_back(std::move(column));
+    columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(ownColumn(point, atoms, j, *base)));
   }
   for (std::size_t a = 0; a < atoms.size(); ++a) {
-    if (plain && atoms[a].additive) {
-      auto column = simulate({atoms[a].at(atoms[a].typical)}, records_);
-      for (auto& part : column) {
-        part /= atoms[a].typical;
-      }
-      columns.push_back(std::move(column));
-      continue;
-    }
-    Point moved = point;
-    const auto i = static_cast<Eigen::Index>(a);
-    const double step = (point.scales[i] == 0.0 ? 1.0 : kAtomStep) * atoms[a].typical *
-                        (point.scales[i] + atoms[a].typical > atoms[a].upper ? -1.0 : 1.0);
-    moved.scales[i] += step;
-    auto column = simulate(*elements(moved, atoms), records_);
-    for (std::size_t r = 0; r < records_.size(); ++r) {
-      column[r] = (column[r] - forces[r]) / step;
-    }
-    columns.push_back(std::move(column));
+    columns.push_back(plain && atoms[a].unit_force
+                          ? atoms[a].unit_force
+                          : std::make_shared<std::vector<Eigen::VectorXd>>(atomColumn(point, atoms, a, *base)));
   }
+  return normalEquations(*base, columns, trends);
+}
 
+std::vector<Eigen::VectorXd> Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                                               const std::vector<Eigen::VectorXd>& base) const {
+  Point moved = point;
+  double step = kOwnStep;
+  moved.own[j] += step;
+  auto column = forces(moved, atoms);
+  if (!column) {
+    step = -kOwnStep;
+    moved.own[j] = point.own[j] + step;
+    column = forces(moved, atoms);
+  }
+  if (!column) {
+    column = base;  // no model on either side: the parameter cannot move
+  }
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    (*column)[r] = ((*column)[r] - base[r]) / step;
+  }
+  return *column;
+}
+
+std::vector<Eigen::VectorXd> Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                                                const std::vector<Eigen::VectorXd>& base) const {
+  const auto i = static_cast<Eigen::Index>(a);
+  const double room = point.scales[i] + atoms[a].typical > atoms[a].upper ? -1.0 : 1.0;
+  const double step = (point.scales[i] == 0.0 ? 1.0 : kAtomStep) * atoms[a].typical * room;
+  Point moved = point;
+  moved.scales[i] += step;
+  auto column = *forces(moved, atoms);
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    column[r] = (column[r] - base[r]) / step;
+  }
+  return column;
+}
+
+BlockGrams Fitter::normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns,
+                                   bool trends) const {
   BlockGrams result;
   const auto modelled = static_cast<Eigen::Index>(columns.size());
   const Eigen::Index trend_columns = trends ? kTrendsPerLog * static_cast<Eigen::Index>(records_.size()) : 0;
@@ -154,12 +212,12 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
     const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
     Eigen::MatrixXd local(record.size(), modelled + own_trends + 1);
     for (Eigen::Index j = 0; j < modelled; ++j) {
-      local.col(j) = weights_[r] * columns[static_cast<std::size_t>(j)][r];
+      local.col(j) = weights_[r] * (*columns[static_cast<std::size_t>(j)])[r];
     }
     if (trends) {
       local.middleCols(modelled, own_trends) = weights_[r] * record.force_deviation * trendColumns(record);
     }
-    local.col(modelled + own_trends) = weights_[r] * (record.force - forces[r]);
+    local.col(modelled + own_trends) = weights_[r] * (record.force - base[r]);
     const int blocks = blocksOf(record);
     for (int b = 0; b < blocks; ++b) {
       const Eigen::Index first = record.size() * b / blocks;
@@ -237,7 +295,7 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
       }
       const double trial_cost = gapAt(trial, atoms);
       if (trial_cost < cost) {
-        improved = cost - trial_cost > 1e-5 * cost;
+        improved = cost - trial_cost > kEnoughGain * cost;
         cost = trial_cost;
         result.point = trial;
         if (!improved) {

@@ -1,10 +1,11 @@
 // A loop shared by some threads.
+#include "rubber_suspension/diagnosis/parallel.h"
+
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
-
-#include "rubber_suspension/diagnosis/search.h"
+#include <vector>
 
 namespace rubber_suspension {
 

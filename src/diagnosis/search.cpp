@@ -6,13 +6,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "rubber_suspension/diagnosis/parallel.h"
+
 namespace rubber_suspension {
 namespace {
 
 constexpr int kBaseIterations = 10;
 constexpr int kSingleIterations = 6;
 constexpr int kPairIterations = 5;
-constexpr std::size_t kPairsFitted = 14;
+constexpr std::size_t kPairsFitted = 8;
+constexpr std::size_t kAdditionsFitted = 3;
+constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 
 bool wantsTrends(const Candidate& candidate) { return candidate.effect == "force_drift"; }
 
@@ -57,80 +61,131 @@ struct Screened {
   double error;
 };
 
-// Part of each candidate's force that the model's own parameters cannot take over, and whether a typical size of it
-// stands out of the noise.
-void measureVisibility(const BlockGrams& blocks, Eigen::Index own,
-                       const std::vector<std::vector<Eigen::Index>>& columns_of, const std::vector<Atom>& all,
-                       double noise, Search& result) {
-  constexpr double kVisible = 0.05;
-  const Eigen::MatrixXd total = blocks.sum();
-  const auto base = total.topLeftCorner(own, own).completeOrthogonalDecomposition();
-  for (const auto& columns : columns_of) {
-    double share = 0.0;
-    bool testable = false;
-    for (const Eigen::Index j : columns) {
-      const Eigen::VectorXd cross = total.col(j).head(own);
-      const double whole = total(j, j);
-      const double rest = std::max(0.0, whole - cross.dot(base.solve(cross)));
-      const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
-      share = std::max(share, visible);
-      const double size = all[static_cast<std::size_t>(j - own)].typical * std::sqrt(rest);
-      testable = testable || (visible >= kVisible && size >= 0.2 * noise);
+// Held-out errors of many hypotheses from one set of normal equations with the atoms of all candidates.
+class Screen {
+ public:
+  // About a fitted trial: its own parameters and scales, all other candidates at nothing.
+  Screen(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& about)
+      : candidates_(candidates), own_(fitter.own().size()) {
+    Point point{about.fit.point.own, {}};
+    std::vector<double> scales;
+    for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
+      columns_of_.emplace_back();
+      for (const Atom& atom : candidates[static_cast<std::size_t>(c)].atoms) {
+        columns_of_.back().push_back(own_ + static_cast<Eigen::Index>(all_.size()));
+        all_.push_back(atom);
+        scales.push_back(0.0);
+      }
     }
-    result.visible_share.push_back(share);
-    result.testable.push_back(testable);
+    Eigen::Index fitted = 0;
+    for (const int member : about.members) {
+      for (const Eigen::Index column : columns_of_[static_cast<std::size_t>(member)]) {
+        scales[static_cast<std::size_t>(column - own_)] = about.fit.point.scales[fitted++];
+      }
+    }
+    point.scales = Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
+    blocks_ = fitter.linearise(point, all_, true);
+    fitter.stepBounds(point, all_, unknowns(), lower_, upper_);
   }
-}
 
-// Held-out error of every pair from one set of normal equations about the re-estimated model.
-std::vector<Screened> screenPairs(const Fitter& fitter, Search& result) {
-  std::vector<Atom> all;
-  std::vector<std::vector<Eigen::Index>> columns_of;
-  const Eigen::Index own = fitter.own().size();
-  for (const Candidate& candidate : result.candidates) {
-    columns_of.emplace_back();
-    for (const Atom& atom : candidate.atoms) {
-      columns_of.back().push_back(own + static_cast<Eigen::Index>(all.size()));
-      all.push_back(atom);
+  Screened operator()(std::vector<int> members) const {
+    std::sort(members.begin(), members.end());
+    std::vector<Eigen::Index> columns(static_cast<std::size_t>(own_));
+    std::iota(columns.begin(), columns.end(), 0);
+    for (const int member : members) {
+      const auto& more = columns_of_[static_cast<std::size_t>(member)];
+      columns.insert(columns.end(), more.begin(), more.end());
     }
+    if (hasTrends(candidates_, members)) {
+      for (Eigen::Index j = own_ + static_cast<Eigen::Index>(all_.size()); j < unknowns(); ++j) {
+        columns.push_back(j);
+      }
+    }
+    Eigen::VectorXd lower(static_cast<Eigen::Index>(columns.size()));
+    Eigen::VectorXd upper(lower.size());
+    for (Eigen::Index i = 0; i < lower.size(); ++i) {
+      lower[i] = lower_[columns[static_cast<std::size_t>(i)]];
+      upper[i] = upper_[columns[static_cast<std::size_t>(i)]];
+    }
+    const std::vector<double> errors = crossValidate(blocks_, columns, lower, upper);
+    return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
   }
-  Point point = fitter.configured(all.size());
-  point.own = result.re_estimated.fit.point.own;
-  const BlockGrams blocks = fitter.linearise(point, all, true);
-  const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
-  Eigen::VectorXd lower;
-  Eigen::VectorXd upper;
-  fitter.stepBounds(point, all, unknowns, lower, upper);
-  measureVisibility(blocks, own, columns_of, all, result.noise, result);
 
-  std::vector<Screened> screened;
-  const int count = static_cast<int>(result.candidates.size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      std::vector<Eigen::Index> columns(static_cast<std::size_t>(own));
-      std::iota(columns.begin(), columns.end(), 0);
-      for (const int member : {a, b}) {
-        const auto& more = columns_of[static_cast<std::size_t>(member)];
-        columns.insert(columns.end(), more.begin(), more.end());
+  // Each other candidate added to these, best first.
+  std::vector<Screened> additions(const std::vector<int>& members) const {
+    std::vector<Screened> result;
+    for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
+      if (std::find(members.begin(), members.end(), c) == members.end()) {
+        std::vector<int> more = members;
+        more.push_back(c);
+        result.push_back((*this)(more));
       }
-      if (hasTrends(result.candidates, {a, b})) {
-        for (Eigen::Index j = own + static_cast<Eigen::Index>(all.size()); j < unknowns; ++j) {
-          columns.push_back(j);
-        }
+    }
+    return sorted(std::move(result));
+  }
+
+  std::vector<Screened> pairs() const {
+    std::vector<Screened> result;
+    const int count = static_cast<int>(candidates_.size());
+    for (int a = 0; a < count; ++a) {
+      for (int b = a + 1; b < count; ++b) {
+        result.push_back((*this)({a, b}));
       }
-      Eigen::VectorXd low(static_cast<Eigen::Index>(columns.size()));
-      Eigen::VectorXd high(low.size());
-      for (Eigen::Index i = 0; i < low.size(); ++i) {
-        low[i] = lower[columns[static_cast<std::size_t>(i)]];
-        high[i] = upper[columns[static_cast<std::size_t>(i)]];
+    }
+    return sorted(std::move(result));
+  }
+
+  // Part of each candidate's force that the model's own parameters cannot take over, and whether a typical size of it
+  // stands out of the noise.
+  void measureVisibility(double noise, Search& result) const {
+    constexpr double kVisible = 0.05;
+    constexpr double kOverNoise = 0.2;
+    const Eigen::MatrixXd total = blocks_.sum();
+    const auto base = total.topLeftCorner(own_, own_).completeOrthogonalDecomposition();
+    for (const auto& columns : columns_of_) {
+      double share = 0.0;
+      bool testable = false;
+      for (const Eigen::Index j : columns) {
+        const Eigen::VectorXd cross = total.col(j).head(own_);
+        const double whole = total(j, j);
+        const double rest = std::max(0.0, whole - cross.dot(base.solve(cross)));
+        const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
+        share = std::max(share, visible);
+        const double size = all_[static_cast<std::size_t>(j - own_)].typical * std::sqrt(rest);
+        testable = testable || (visible >= kVisible && size >= kOverNoise * noise);
       }
-      const std::vector<double> errors = crossValidate(blocks, columns, low, high);
-      const double error = std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0);
-      screened.push_back({{a, b}, std::sqrt(error)});
+      result.visible_share.push_back(share);
+      result.testable.push_back(testable);
     }
   }
-  std::sort(screened.begin(), screened.end(), [](const Screened& x, const Screened& y) { return x.error < y.error; });
-  return screened;
+
+ private:
+  Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
+
+  static std::vector<Screened> sorted(std::vector<Screened> screened) {
+    std::sort(screened.begin(), screened.end(),
+              [](const Screened& x, const Screened& y) { return x.error < y.error; });
+    return screened;
+  }
+
+  const std::vector<Candidate>& candidates_;
+  Eigen::Index own_;
+  std::vector<Atom> all_;
+  std::vector<std::vector<Eigen::Index>> columns_of_;
+  BlockGrams blocks_;
+  Eigen::VectorXd lower_;
+  Eigen::VectorXd upper_;
+};
+
+// Take the best of a screening that are not yet in the list.
+void choose(const std::vector<Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
+            std::vector<Trial>& trials) {
+  for (std::size_t i = 0; i < std::min(most, screened.size()); ++i) {
+    const auto same = [&](const Trial& trial) { return trial.members == screened[i].members; };
+    if (std::none_of(trials.begin(), trials.end(), same)) {
+      trials.push_back(makeTrial(candidates, screened[i].members));
+    }
+  }
 }
 
 void sortByError(std::vector<Trial>& trials) {
@@ -148,6 +203,7 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
   };
   Search result;
   result.candidates = candidates(summarise(fitter.records()));
+  fitter.precompute(result.candidates, threads);
 
   say("re-estimating the model's own parameters", 0.0);
   result.configured_gap = fitter.gapAt(fitter.configured(0), {});
@@ -166,20 +222,38 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
     }
   });
 
-  const auto best = std::min_element(result.singles.begin(), result.singles.end(), [](const Trial& a, const Trial& b) {
-    return a.fit.held_out < b.fit.held_out;
-  });
-  estimateNoise(fitter, best->fit, best->atoms, result);
+  std::vector<Trial> ranked = result.singles;
+  sortByError(ranked);
+  estimateNoise(fitter, ranked.front().fit, ranked.front().atoms, result);
 
   say("screening all pairs", 0.4);
-  const std::vector<Screened> screened = screenPairs(fitter, result);
-  for (std::size_t i = 0; i < std::min(kPairsFitted, screened.size()); ++i) {
-    result.pairs.push_back(makeTrial(result.candidates, screened[i].members));
-  }
+  std::vector<Screened> screened[3];
+  parallelFor(3, threads, [&](std::size_t i) {
+    const Screen screen(fitter, result.candidates, i == 0 ? result.re_estimated : ranked[i - 1]);
+    if (i == 0) {
+      screened[i] = screen.pairs();
+      screen.measureVisibility(result.noise, result);
+    } else {
+      screened[i] = screen.additions(ranked[i - 1].members);
+    }
+  });
+  choose(result.candidates, screened[0], kPairsFitted, result.pairs);
+  choose(result.candidates, screened[1], kAdditionsFitted, result.pairs);
+  choose(result.candidates, screened[2], kAdditionsFitted, result.pairs);
   say("fitting the best pairs", 0.5);
   parallelFor(result.pairs.size(), threads,
               [&](std::size_t i) { fitTrial(fitter, result.candidates, own, kPairIterations, result.pairs[i]); });
   sortByError(result.pairs);
+
+  const Trial& pair = result.pairs.front();
+  if (pair.fit.held_out > kSignificantRest * result.noise) {
+    say("fitting triples", 0.75);
+    const Screen screen(fitter, result.candidates, pair);
+    choose(result.candidates, screen.additions(pair.members), kAdditionsFitted, result.triples);
+    parallelFor(result.triples.size(), threads,
+                [&](std::size_t i) { fitTrial(fitter, result.candidates, own, kPairIterations, result.triples[i]); });
+    sortByError(result.triples);
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Atom {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
+  /// Force of the entry alone at scale 1, per log [N]; set by Fitter::precompute for additive atoms.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_force;
 };
 
 /// An unmodelled effect by its name in reports. Its atoms span the shapes that the effect's law can take: their scales are

@@ -61,6 +61,12 @@ class Fitter {
   /// reproduces, is free too (drift of the load cell that is not a ramp).
   Fit fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends = false) const;
 
+  /// Simulate additive atoms once, so that every hypothesis that holds them may use their forces.
+  void precompute(std::vector<Candidate>& candidates, int threads) const;
+
+  /// Simulated forces at a point; nothing where the own parameters have no solution.
+  std::optional<std::vector<Eigen::VectorXd>> forces(const Point& point, const std::vector<Atom>& atoms) const;
+
   /// The point of no change.
   Point configured(std::size_t atoms) const;
 
@@ -72,6 +78,15 @@ class Fitter {
                   Eigen::VectorXd& upper) const;
 
  private:
+  using Columns = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
+
+  std::vector<Eigen::VectorXd> ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                                         const std::vector<Eigen::VectorXd>& base) const;
+  std::vector<Eigen::VectorXd> atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                                          const std::vector<Eigen::VectorXd>& base) const;
+  BlockGrams normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns,
+                             bool trends) const;
+
   std::vector<Record> records_;
   const OwnParameters& own_;
   std::vector<double> weights_;  // per record: 1/(force deviation sqrt(samples records))

@@ -38,7 +38,4 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 /// Fit all hypotheses on `threads` threads.
 Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress = {});
 
-/// Run body(i) for i in [0, count) on some threads; the first exception is thrown on.
-void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
-
 }  // namespace rubber_suspension

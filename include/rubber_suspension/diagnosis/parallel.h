@@ -1,0 +1,12 @@
+// A loop shared by some threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace rubber_suspension {
+
+/// Run body(i) for i in [0, count) on some threads; the last exception is thrown on.
+void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+}  // namespace rubber_suspension
