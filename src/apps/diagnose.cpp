@@ -1,4 +1,5 @@
-// diagnose: where the simulation differs from measured logs, which unmodelled effect causes it, how far the gap shrinks.
+// diagnose: where the simulation differs from measured logs, which unmodelled effect causes it, how far the gap
+// shrinks.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -53,15 +54,19 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
-                    [](CLI::App& app) -> CommandBody {
-                      auto options = std::make_shared<Options>();
-                      app.add_option("--config", options->config, "component file")->required();
-                      app.add_option("--component", options->component, "name of the component; may be left out if there is one only");
-                      app.add_option("--log", options->logs, "measured logs of one specimen in the order of recording")->required();
-                      app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen");
-                      app.add_option("--output", options->output, "folder of the report")->required();
-                      app.add_option("--threads", options->threads, "number of threads")->capture_default_str()->check(CLI::Range(1, 64));
-                      return [options] { return run(*options); };
-                    });
+  return runCommand(
+      argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
+      [](CLI::App& app) -> CommandBody {
+        auto options = std::make_shared<Options>();
+        app.add_option("--config", options->config, "component file")->required();
+        app.add_option("--component", options->component,
+                       "name of the component; may be left out if there is one only");
+        app.add_option("--log", options->logs, "measured logs of one specimen in the order of recording")->required();
+        app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen");
+        app.add_option("--output", options->output, "folder of the report")->required();
+        app.add_option("--threads", options->threads, "number of threads")
+            ->capture_default_str()
+            ->check(CLI::Range(1, 64));
+        return [options] { return run(*options); };
+      });
 }

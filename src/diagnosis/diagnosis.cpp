@@ -171,8 +171,7 @@ std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joi
     const Record& record = fitter.records()[r];
     ParameterByLog row;
     row.log = record.name;
-    row.amplitude =
-        std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
+    row.amplitude = std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
     row.frequency = meanFrequency(record);
     row.ratios = fitter.own().ratios(joint.point.own + step);
     result.push_back(std::move(row));
@@ -303,9 +302,10 @@ class Diagnoser {
     std::vector<std::vector<BlockError>> errors(s.candidates.size());
     parallelFor(s.candidates.size(), options_.threads, [&](std::size_t c) {
       const Trial& trial = s.singles[c];
-      errors[c] = held_out_.empty()
-                      ? blocksOfFit(trial.fit)
-                      : blocksOfReplay(held_out_, replayEach(augmentedDescription(own_, trial).allElements(), held_out_));
+      errors[c] =
+          held_out_.empty()
+              ? blocksOfFit(trial.fit)
+              : blocksOfReplay(held_out_, replayEach(augmentedDescription(own_, trial).allElements(), held_out_));
     });
     for (std::size_t c = 0; c < s.candidates.size(); ++c) {
       CandidateResult candidate;
@@ -335,7 +335,9 @@ class Diagnoser {
   }
 
   void describeVerdict() {
-    const auto name = [&](int candidate) { return result_.search.candidates[static_cast<std::size_t>(candidate)].effect; };
+    const auto name = [&](int candidate) {
+      return result_.search.candidates[static_cast<std::size_t>(candidate)].effect;
+    };
     result_.verdict = toString(verdict_.kind);
     result_.probability_none = verdict_.probability_none_of_these;
     for (const int effect : verdict_.effects) {

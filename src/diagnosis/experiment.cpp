@@ -29,7 +29,8 @@ void addSines(double z, double highest, double dt, std::vector<Experiment>& menu
       if (frequency > highest) {
         continue;
       }
-      // Fast motion with the full stroke is beyond most test benches: the rate of a 2 Hz sine with full stroke is allowed.
+      // Fast motion with the full stroke is beyond most test benches: the rate of a 2 Hz sine with full stroke is
+      // allowed.
       const double amplitude = share * z * std::min(1.0, 2.0 / frequency);
       menu.push_back(make(fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, 1e3 * amplitude),
                           std::max(kLength, 3.0 / frequency), dt,
@@ -47,17 +48,14 @@ std::vector<Experiment> experimentMenu(double largest_displacement, double highe
   menu.push_back(make(fmt::format("ramp of 0.2 s to {:.3g} mm and hold for 60 s", 500.0 * z), 60.0, dt,
                       [=](double t) { return 0.5 * z * std::min(1.0, t / 0.2); }));
   for (const double side : {1.0, -1.0}) {
-    menu.push_back(make(fmt::format("preload of {:.3g} mm, then a sine at 1 Hz with {:.3g} mm about it",
-                                    side * 500.0 * z, 300.0 * z),
-                        kLength, dt, [=](double t) {
-                          return side * 0.5 * z * std::min(1.0, t) + 0.3 * z * std::sin(2.0 * kPi * t);
-                        }));
+    menu.push_back(make(
+        fmt::format("preload of {:.3g} mm, then a sine at 1 Hz with {:.3g} mm about it", side * 500.0 * z, 300.0 * z),
+        kLength, dt, [=](double t) { return side * 0.5 * z * std::min(1.0, t) + 0.3 * z * std::sin(2.0 * kPi * t); }));
   }
   menu.push_back(make(fmt::format("sine at 1 Hz: 5 s with {:.3g} mm, 5 s with {:.3g} mm, and 5 s with {:.3g} mm again",
                                   200.0 * z, 1000.0 * z, 200.0 * z),
-                      15.0, dt, [=](double t) {
-                        return (t >= 5.0 && t < 10.0 ? z : 0.2 * z) * std::sin(2.0 * kPi * t);
-                      }));
+                      15.0, dt,
+                      [=](double t) { return (t >= 5.0 && t < 10.0 ? z : 0.2 * z) * std::sin(2.0 * kPi * t); }));
   menu.push_back(make(fmt::format("sine at 2 Hz with {:.3g} mm for 5 minutes", 700.0 * z), 300.0, 2.0 * dt,
                       [=](double t) { return 0.7 * z * std::sin(4.0 * kPi * t); }));
   return menu;

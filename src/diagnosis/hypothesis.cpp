@@ -13,12 +13,12 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kOwnStep = 1e-4;    // of a logarithm, for difference quotients
-constexpr double kAtomStep = 0.02;   // of the typical scale
-constexpr int kTrendsPerLog = 5;     // a ramp and four half cosines
-constexpr double kBlockLength = 2.5; // [s]
+constexpr double kOwnStep = 1e-4;     // of a logarithm, for difference quotients
+constexpr double kAtomStep = 0.02;    // of the typical scale
+constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
+constexpr double kBlockLength = 1.5;  // [s]
 constexpr double kEnoughGain = 1e-3;  // of the gap, to go on
-constexpr int kMostBlocks = 12;
+constexpr int kMostBlocks = 24;
 constexpr int kFewestBlocks = 8;
 
 int blocksOf(const Record& record) {
@@ -29,9 +29,10 @@ int blocksOf(const Record& record) {
 Eigen::MatrixXd trendColumns(const Record& record) {
   Eigen::MatrixXd columns(record.size(), kTrendsPerLog);
   const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
-  columns.col(0) = (time - 0.5).matrix();
-  for (int k = 1; k < kTrendsPerLog; ++k) {
-    columns.col(k) = (time * M_PI * static_cast<double>(k)).cos().matrix();
+  columns.col(0).setOnes();
+  columns.col(1) = (time - 0.5).matrix();
+  for (int k = 2; k < kTrendsPerLog; ++k) {
+    columns.col(k) = (time * M_PI * static_cast<double>(k - 1)).cos().matrix();
   }
   return columns;
 }
@@ -281,8 +282,8 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const Eigen::MatrixXd total = blocks.sum();
     stepBounds(result.point, atoms, unknowns, lower, upper);
-    const Eigen::VectorXd step = boundedLeastSquares(total.topLeftCorner(unknowns, unknowns),
-                                                     total.col(unknowns).head(unknowns), lower, upper);
+    const Eigen::VectorXd step =
+        boundedLeastSquares(total.topLeftCorner(unknowns, unknowns), total.col(unknowns).head(unknowns), lower, upper);
     double factor = 1.0;
     bool improved = false;
     for (int halving = 0; halving < 6 && !improved; ++halving, factor *= 0.5) {
@@ -356,8 +357,8 @@ std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Ei
           error += x[i] * x[j] * gram(row, columns[static_cast<std::size_t>(j)]);
         }
       }
-      errors[b] = std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b]
-                                       : std::numeric_limits<double>::infinity();
+      errors[b] =
+          std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
     }
   }
   return errors;

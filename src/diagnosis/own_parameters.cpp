@@ -11,10 +11,9 @@ namespace rubber_suspension {
 namespace {
 
 bool isChoice(const std::string& key) {
-  static const std::vector<std::string> choices = {"nominal_frequency", "nominal_amplitude", "maxwell_elements",
-                                                   "viscous_share",     "dead_band",         "sliders",
-                                                   "side",              "exponent",          "reference_frequency",
-                                                   "reference_depth",  "order"};
+  static const std::vector<std::string> choices = {
+      "nominal_frequency", "nominal_amplitude",   "maxwell_elements", "viscous_share", "dead_band", "sliders", "side",
+      "exponent",          "reference_frequency", "reference_depth",  "order"};
   return std::find(choices.begin(), choices.end(), key) != choices.end();
 }
 

@@ -33,9 +33,7 @@ Eigen::Index segmentLength(Eigen::Index samples) {
   return std::min(length, samples);
 }
 
-double deviation(const Eigen::VectorXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().mean());
-}
+double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
 // Even time steps. A log that has them is taken as it is.
 void setTimeBase(const Log& log, Record& record) {
@@ -57,8 +55,8 @@ void setTimeBase(const Log& log, Record& record) {
     record.force = force;
     return;
   }
-  record.notes.push_back(fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", record.dt,
-                                     *worst));
+  record.notes.push_back(
+      fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", record.dt, *worst));
   const auto even = static_cast<Eigen::Index>(std::floor(last / record.dt)) + 1;
   record.raw_displacement.resize(even);
   record.force.resize(even);
@@ -143,9 +141,7 @@ void smoothDisplacement(Record& record) {
 
 // A sensor that stays at its extreme value for a run of samples is at its stop.
 void noteSaturation(Record& record) {
-  const auto count = [](const Eigen::VectorXd& values, double extreme) {
-    return (values.array() == extreme).count();
-  };
+  const auto count = [](const Eigen::VectorXd& values, double extreme) { return (values.array() == extreme).count(); };
   for (const double extreme : {record.force.maxCoeff(), record.force.minCoeff()}) {
     const auto equal = count(record.force, extreme);
     if (equal >= 5) {
@@ -198,8 +194,8 @@ Record makeRecord(const Log& log) {
     throw LogError(log.name + ": has no measured force; needed is a column force_<unit>");
   }
   if (static_cast<Eigen::Index>(log.size()) < kFewestSamples) {
-    throw LogError(fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(),
-                               kFewestSamples));
+    throw LogError(
+        fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(), kFewestSamples));
   }
   Record record;
   record.name = log.name;

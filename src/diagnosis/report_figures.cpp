@@ -73,7 +73,8 @@ Figure loops(const Diagnosis& diagnosis) {
     axes.x_label = "displacement [mm]";
     axes.y_label = "force [kN]";
     axes.curves.push_back({"measured", z, take(record.force, first, count, 1e-3), "-", 0});
-    axes.curves.push_back({"model, re-estimated", z, take(diagnosis.force_re_estimated[r], first, count, 1e-3), "--", 1});
+    axes.curves.push_back(
+        {"model, re-estimated", z, take(diagnosis.force_re_estimated[r], first, count, 1e-3), "--", 1});
     axes.curves.push_back({"augmented", z, take(diagnosis.force_augmented[r], first, count, 1e-3), ":", 2});
     figure.axes.push_back(std::move(axes));
   }
@@ -94,8 +95,9 @@ Figure gapMapFigure(const Diagnosis& diagnosis) {
   }
   const auto unique = [](std::vector<double>& edges) {
     std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end(), [](double a, double b) { return std::abs(a / b - 1.0) < 1e-9; }),
-                edges.end());
+    edges.erase(
+        std::unique(edges.begin(), edges.end(), [](double a, double b) { return std::abs(a / b - 1.0) < 1e-9; }),
+        edges.end());
   };
   unique(x_edges);
   unique(y_edges);
@@ -194,7 +196,8 @@ Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorX
     const Record& record = diagnosis.records[r];
     const auto step = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1.0 / record.dt));
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
-      const double rms = (record.force - simulated[r]).segment(first, step).norm() / std::sqrt(static_cast<double>(step));
+      const double rms =
+          (record.force - simulated[r]).segment(first, step).norm() / std::sqrt(static_cast<double>(step));
       curve.x.push_back(start + static_cast<double>(first) * record.dt);
       curve.y.push_back(std::max(1e-5, rms / record.force_deviation));
     }

@@ -62,7 +62,8 @@ std::string gapTable(const Diagnosis& d) {
   std::string rows;
   const auto row = [&](const std::string& name, double value, const std::string& meaning) {
     rows += fmt::format(
-        "<tr><td>{}</td><td class=n>{}</td><td><span class=bar style=\"width:{:.1f}rem\"></span></td><td>{}</td></tr>\n",
+        "<tr><td>{}</td><td class=n>{}</td><td><span class=bar "
+        "style=\"width:{:.1f}rem\"></span></td><td>{}</td></tr>\n",
         name, percent(value), 14.0 * value / widest, meaning);
   };
   row("as configured", d.gap.as_configured, "the component file as it is");
@@ -101,7 +102,8 @@ std::string whereTable(const Diagnosis& d) {
   for (std::size_t i = 0; i < std::min(kMost, d.where.size()); ++i) {
     const GapCell& cell = d.where[i];
     rows += fmt::format(
-        "<tr><td>{}</td><td class=n>{:.3g} to {:.3g}</td><td class=n>{:.3g} to {:.3g}</td><td>{}</td><td class=n>{:.1f} %</td>"
+        "<tr><td>{}</td><td class=n>{:.3g} to {:.3g}</td><td class=n>{:.3g} to {:.3g}</td><td>{}</td><td "
+        "class=n>{:.1f} %</td>"
         "<td class=n>{:.1f}</td></tr>\n",
         escape(cell.log), cell.frequency[0], cell.frequency[1], 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1],
         toString(cell.quantity), 100.0 * cell.share, cell.noise_ratio);
@@ -120,7 +122,8 @@ std::string ratiosText(const std::vector<std::pair<std::string, double>>& ratios
 }
 
 std::string parameterTable(const Diagnosis& d) {
-  std::string rows = fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.own_ratios));
+  std::string rows =
+      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.own_ratios));
   for (const ParameterByLog& row : d.by_log) {
     rows += fmt::format("<tr><td>{}</td><td class=n>{:.3g}</td><td class=n>{:.3g}</td><td>{}</td></tr>\n",
                         escape(row.log), 1e3 * row.amplitude, row.frequency, ratiosText(row.ratios));
@@ -135,7 +138,8 @@ std::string errorTable(const Diagnosis& d) {
     return fmt::format("<tr><td>{}</td><td class=n>{}</td><td class=n>{:.2f}&deg;</td><td class=n>{}</td></tr>\n", name,
                        percent(e.stiffness), e.loss_angle * 57.29577951308232, percent(e.energy));
   };
-  return "<table><tr><th>model</th><th class=n>stiffness</th><th class=n>loss angle</th><th class=n>energy per cycle</th></tr>\n" +
+  return "<table><tr><th>model</th><th class=n>stiffness</th><th class=n>loss angle</th><th class=n>energy per "
+         "cycle</th></tr>\n" +
          row("re-estimated", d.errors_before) + row("augmented", d.errors_after) + "</table>\n";
 }
 
@@ -149,7 +153,8 @@ std::string admissionTable(const Diagnosis& d) {
         log.highest_frequency, percent(log.noise), 100.0 * log.repeats, escape(join(log.notes)));
   }
   return "<table><tr><th>log</th><th class=n>length [s]</th><th class=n>rate [Hz]</th><th class=n>largest |z| [mm]</th>"
-         "<th class=n>excited up to [Hz]</th><th class=n>noise floor</th><th class=n>repeats</th><th>notes</th></tr>\n" +
+         "<th class=n>excited up to [Hz]</th><th class=n>noise floor</th><th "
+         "class=n>repeats</th><th>notes</th></tr>\n" +
          rows + "</table>\n";
 }
 
@@ -190,13 +195,17 @@ std::string toHtml(const Diagnosis& d) {
   }
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
-      "<title>Gap report: {0}</title><style>{1}</style></head><body>\n<h1>Gap between simulation and measurement: {0}</h1>\n",
+      "<title>Gap report: {0}</title><style>{1}</style></head><body>\n<h1>Gap between simulation and measurement: "
+      "{0}</h1>\n",
       escape(d.component), kStyle);
   html += "<p class=verdict>" + escape(d.sentence) + "</p>\n";
-  html += "<h2>How far</h2>\n<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation of "
-          "the measured force, on data that took no part in the fit.</p>\n" + gapTable(d);
-  html += fmt::format("<p>Closed: {:.0f} % of the closable gap, 95 % interval {:.0f} to {:.0f} %.</p>\n", 100.0 * d.closed,
-                      100.0 * d.closed_interval[0], 100.0 * d.closed_interval[1]);
+  html +=
+      "<h2>How far</h2>\n<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation "
+      "of "
+      "the measured force, on data that took no part in the fit.</p>\n" +
+      gapTable(d);
+  html += fmt::format("<p>Closed: {:.0f} % of the closable gap, 95 % interval {:.0f} to {:.0f} %.</p>\n",
+                      100.0 * d.closed, 100.0 * d.closed_interval[0], 100.0 * d.closed_interval[1]);
   html += "<p class=note>Errors of the characteristics on the same data:</p>\n" + errorTable(d);
   html += "<h2>Which</h2>\n" + candidateTable(d) +
           fmt::format("<p>Probability that it is none of these: {:.0f} %.</p>\n", 100.0 * d.probability_none);
@@ -207,7 +216,8 @@ std::string toHtml(const Diagnosis& d) {
   html += "<h2>Where</h2>\n" + whereTable(d) + "<h2>Figures</h2>\n" + figuresHtml(d);
   html += "<h2>Which parameter would have to move</h2>\n" + parameterTable(d);
   html += "<h2>The logs</h2>\n" + admissionTable(d);
-  html += "<h2>Component file with what was found</h2>\n<pre>" + escape(toYaml({d.augmented})) + "</pre>\n</body></html>\n";
+  html +=
+      "<h2>Component file with what was found</h2>\n<pre>" + escape(toYaml({d.augmented})) + "</pre>\n</body></html>\n";
   return html;
 }
 

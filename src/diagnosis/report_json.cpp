@@ -75,7 +75,8 @@ ordered_json trialsJson(const Search& search) {
     for (const int member : trial.members) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
-    result.push_back({{"effects", effects}, {"held_out", number(trial.fit.held_out)}, {"in_sample", number(trial.fit.gap)}});
+    result.push_back(
+        {{"effects", effects}, {"held_out", number(trial.fit.held_out)}, {"in_sample", number(trial.fit.gap)}});
   };
   add(search.re_estimated);
   for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {
@@ -133,7 +134,8 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"probability_none_of_these", number(diagnosis.probability_none)},
       {"where", list(diagnosis.where, cellJson)},
       {"next_experiment", diagnosis.next_experiment},
-      {"errors", {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
+      {"errors",
+       {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
       {"trials", trialsJson(diagnosis.search)},
       {"element_level_gap", number(diagnosis.search.element_level.held_out)},
       {"own_parameters", ownJson(diagnosis)},

@@ -35,10 +35,26 @@ bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>&
                      [&](int member) { return wantsTrends(candidates[static_cast<std::size_t>(member)]); });
 }
 
-void fitTrial(const Fitter& fitter, const std::vector<Candidate>& candidates, const Eigen::VectorXd& own,
-              int iterations, Trial& trial) {
-  const Point start{own, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trial.atoms.size()))};
-  trial.fit = fitter.fit(trial.atoms, start, iterations, hasTrends(candidates, trial.members));
+// Fit from several starts of the own parameters, nothing added; the best counts.
+void fitTrial(const Fitter& fitter, const std::vector<Candidate>& candidates,
+              const std::vector<Eigen::VectorXd>& starts, int iterations, Trial& trial) {
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trial.atoms.size()));
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    Fit fit = fitter.fit(trial.atoms, {starts[i], nothing}, iterations, hasTrends(candidates, trial.members));
+    if (i == 0 || fit.held_out < trial.fit.held_out) {
+      trial.fit = std::move(fit);
+    }
+  }
+}
+
+// Own parameters that the fits of the members alone arrived at, the best first.
+std::vector<Eigen::VectorXd> startsOf(const Search& result, const std::vector<int>& members) {
+  const Trial* best = &result.singles[static_cast<std::size_t>(members.front())];
+  for (const int member : members) {
+    const Trial& single = result.singles[static_cast<std::size_t>(member)];
+    best = single.fit.held_out < best->fit.held_out ? &single : best;
+  }
+  return {best->fit.point.own};
 }
 
 // White noise of what the best model leaves, above the band of the excitation, for each log.
@@ -163,8 +179,7 @@ class Screen {
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
 
   static std::vector<Screened> sorted(std::vector<Screened> screened) {
-    std::sort(screened.begin(), screened.end(),
-              [](const Screened& x, const Screened& y) { return x.error < y.error; });
+    std::sort(screened.begin(), screened.end(), [](const Screened& x, const Screened& y) { return x.error < y.error; });
     return screened;
   }
 
@@ -208,7 +223,7 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
   say("re-estimating the model's own parameters", 0.0);
   result.configured_gap = fitter.gapAt(fitter.configured(0), {});
   result.re_estimated.fit = fitter.fit({}, fitter.configured(0), kBaseIterations);
-  const Eigen::VectorXd own = result.re_estimated.fit.point.own;
+  const std::vector<Eigen::VectorXd> starts = {result.re_estimated.fit.point.own, fitter.configured(0).own};
 
   say("fitting single effects", 0.1);
   for (int c = 0; c < static_cast<int>(result.candidates.size()); ++c) {
@@ -218,7 +233,7 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
     if (i == result.singles.size()) {
       result.element_level = element_level.fit({}, element_level.configured(0), kBaseIterations);
     } else {
-      fitTrial(fitter, result.candidates, own, kSingleIterations, result.singles[i]);
+      fitTrial(fitter, result.candidates, starts, kSingleIterations, result.singles[i]);
     }
   });
 
@@ -241,8 +256,12 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
   choose(result.candidates, screened[1], kAdditionsFitted, result.pairs);
   choose(result.candidates, screened[2], kAdditionsFitted, result.pairs);
   say("fitting the best pairs", 0.5);
-  parallelFor(result.pairs.size(), threads,
-              [&](std::size_t i) { fitTrial(fitter, result.candidates, own, kPairIterations, result.pairs[i]); });
+  const auto fitSeveral = [&](std::vector<Trial>& trials) {
+    parallelFor(trials.size(), threads, [&](std::size_t i) {
+      fitTrial(fitter, result.candidates, startsOf(result, trials[i].members), kPairIterations, trials[i]);
+    });
+  };
+  fitSeveral(result.pairs);
   sortByError(result.pairs);
 
   const Trial& pair = result.pairs.front();
@@ -250,8 +269,7 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
     say("fitting triples", 0.75);
     const Screen screen(fitter, result.candidates, pair);
     choose(result.candidates, screen.additions(pair.members), kAdditionsFitted, result.triples);
-    parallelFor(result.triples.size(), threads,
-                [&](std::size_t i) { fitTrial(fitter, result.candidates, own, kPairIterations, result.triples[i]); });
+    fitSeveral(result.triples);
     sortByError(result.triples);
   }
   return result;

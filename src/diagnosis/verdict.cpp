@@ -1,29 +1,205 @@
-// The verdict.
+// The verdict: thresholds, probabilities, sets that cannot be told apart.
 #include "rubber_suspension/diagnosis/verdict.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace rubber_suspension {
+namespace {
+
+// All errors are RMS in units of the force's deviation. What counts is the excess over the noise floor.
+constexpr double kFloorMargin = 1.03;        // the floor is known to some percent only
+constexpr double kInsignificantGap = 0.006;  // of the force: smaller gaps are within the accuracy of discretisation
+constexpr double kWithinNoise = 0.5;         // an excess below this part of the floor is noise
+constexpr double kRestOfGap = 0.12;          // what may remain of a gap that counts as closed
+constexpr double kNeedsAnother = 0.6;        // one more effect has to reduce the excess below this part
+constexpr double kUnknown = 0.4;             // a gap closed by less than this is not explained
+constexpr double kPartly = 0.7;              // closed by less than this: explained in part
+constexpr double kSharpness = 2.0;           // of the probabilities over the logarithm of the excess
+constexpr double kSetProbability = 0.9;
+
+class Decision {
+ public:
+  explicit Decision(const Search& search) : search_(search) {
+    verdict_.model = search.re_estimated;
+    verdict_.probabilities.assign(search.candidates.size(), 0.0);
+    base_ = excess(search.re_estimated.fit.held_out);
+  }
+
+  Verdict decide() {
+    const double configured = excess(search_.configured_gap);
+    rank();
+    if (configured < std::max(kWithinNoise * search_.noise, kInsignificantGap)) {
+      verdict_.kind = VerdictKind::none;
+      verdict_.model = configuredTrial();
+    } else if (closedByOwnParameters(configured)) {
+      verdict_.kind = VerdictKind::parameter_error;
+    } else {
+      name();
+    }
+    return std::move(verdict_);
+  }
+
+ private:
+  double excess(double error) const {
+    return std::sqrt(std::max(0.0, error * error - std::pow(kFloorMargin * search_.noise, 2)));
+  }
+
+  double excess(const Trial& trial) const { return excess(trial.fit.held_out); }
+
+  Trial configuredTrial() const {
+    Trial trial = search_.re_estimated;
+    trial.fit.point.own.setZero();
+    return trial;
+  }
+
+  bool closedByOwnParameters(double configured) const {
+    const double small = std::max({kWithinNoise * search_.noise, kInsignificantGap, kRestOfGap * configured});
+    if (base_ < small) {
+      return true;
+    }
+    // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
+    // closed by the numbers of the specification.
+    return excess(search_.element_level.held_out) < std::max(kWithinNoise * search_.noise, 0.3 * base_) &&
+           base_ < 0.4 * configured;
+  }
+
+  // Probability of each candidate from what it leaves: proportional to a power of the closed part, softened by the
+  // noise, within which nothing can be told apart.
+  std::vector<double> softmax(const std::vector<double>& excesses) const {
+    std::vector<double> weights;
+    const double blur = 0.3 * search_.noise + 0.02 * base_;
+    for (const double x : excesses) {
+      weights.push_back(std::isfinite(x) ? std::pow(x * x + blur * blur, -kSharpness) : 0.0);
+    }
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (double& weight : weights) {
+      weight /= sum;
+    }
+    return weights;
+  }
+
+  void rank() {
+    std::vector<double> excesses;
+    for (const Trial& trial : search_.singles) {
+      excesses.push_back(excess(trial));
+    }
+    excesses.push_back(base_);  // none of them
+    const std::vector<double> weights = softmax(excesses);
+    std::copy(weights.begin(), weights.end() - 1, verdict_.probabilities.begin());
+    verdict_.probability_none_of_these = weights.back();
+  }
+
+  static const Trial* best(const std::vector<Trial>& trials) {
+    const auto found = std::min_element(trials.begin(), trials.end(),
+                                        [](const Trial& a, const Trial& b) { return a.fit.held_out < b.fit.held_out; });
+    return found == trials.end() ? nullptr : &*found;
+  }
+
+  void name() {
+    const Trial* chosen = best(search_.singles);
+    for (const auto* more : {&search_.pairs, &search_.triples}) {
+      const Trial* trial = best(*more);
+      const double enough = std::max(kWithinNoise * search_.noise, 0.5 * kRestOfGap * base_);
+      if (trial != nullptr && excess(*chosen) > enough && excess(*trial) < kNeedsAnother * excess(*chosen)) {
+        chosen = trial;
+      }
+    }
+    const double closed = 1.0 - excess(*chosen) / base_;
+    if (closed < kUnknown) {
+      verdict_.kind = VerdictKind::unknown;
+      return;
+    }
+    verdict_.model = *chosen;
+    orderEffects(*chosen);
+    findSets(*chosen);
+    const bool rest = excess(*chosen) > kWithinNoise * search_.noise && closed < kPartly;
+    const bool ambiguous = std::any_of(verdict_.confounded.begin(), verdict_.confounded.end(),
+                                       [](const std::vector<int>& set) { return set.size() > 1; });
+    verdict_.kind = rest ? VerdictKind::partly : ambiguous ? VerdictKind::confounded : VerdictKind::named;
+  }
+
+  const Trial* find(std::vector<int> members) const {
+    std::sort(members.begin(), members.end());
+    for (const auto* trials : {&search_.singles, &search_.pairs, &search_.triples}) {
+      for (const Trial& trial : *trials) {
+        if (trial.members == members) {
+          return &trial;
+        }
+      }
+    }
+    return nullptr;
+  }
+
+  // What the excess would be without one of the effects; infinite where that was not worth a fit.
+  double without(const Trial& trial, int effect) const {
+    std::vector<int> others;
+    std::copy_if(trial.members.begin(), trial.members.end(), std::back_inserter(others),
+                 [&](int member) { return member != effect; });
+    const Trial* rest = others.empty() ? &search_.re_estimated : find(others);
+    return rest != nullptr ? excess(*rest) : std::numeric_limits<double>::infinity();
+  }
+
+  // Most important is the effect whose absence leaves most.
+  void orderEffects(const Trial& trial) {
+    verdict_.effects = trial.members;
+    std::stable_sort(verdict_.effects.begin(), verdict_.effects.end(),
+                     [&](int a, int b) { return without(trial, a) > without(trial, b); });
+  }
+
+  // For each effect: which others in its place would explain the logs as well.
+  void findSets(const Trial& trial) {
+    for (const int effect : verdict_.effects) {
+      std::vector<double> excesses;
+      for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
+        std::vector<int> members = trial.members;
+        std::replace(members.begin(), members.end(), effect, c);
+        const bool twice =
+            c != effect && std::find(trial.members.begin(), trial.members.end(), c) != trial.members.end();
+        const Trial* other = twice ? nullptr : find(members);
+        excesses.push_back(other != nullptr ? excess(*other) : std::numeric_limits<double>::infinity());
+      }
+      const std::vector<double> weights = softmax(excesses);
+      if (trial.members.size() > 1) {  // in company, an effect is as sure as its place is
+        verdict_.probabilities[static_cast<std::size_t>(effect)] = weights[static_cast<std::size_t>(effect)];
+      }
+      verdict_.confounded.push_back(smallestSet(weights));
+    }
+  }
+
+  static std::vector<int> smallestSet(const std::vector<double>& weights) {
+    std::vector<int> order(weights.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      return weights[static_cast<std::size_t>(a)] > weights[static_cast<std::size_t>(b)];
+    });
+    std::vector<int> set;
+    double sum = 0.0;
+    for (const int candidate : order) {
+      if (sum >= kSetProbability) {
+        break;
+      }
+      set.push_back(candidate);
+      sum += weights[static_cast<std::size_t>(candidate)];
+    }
+    return set;
+  }
+
+  const Search& search_;
+  Verdict verdict_;
+  double base_ = 0.0;
+};
+
+}  // namespace
 
 std::string toString(VerdictKind kind) {
   static const char* const names[] = {"none", "parameter_error", "named", "confounded", "unknown", "partly"};
   return names[static_cast<int>(kind)];
 }
 
-Verdict decide(const Search& search) {
-  Verdict verdict;
-  verdict.model = search.re_estimated;
-  verdict.probabilities.assign(search.candidates.size(), 0.0);
-  const auto best = std::min_element(search.singles.begin(), search.singles.end(), [](const Trial& a, const Trial& b) {
-    return a.fit.held_out < b.fit.held_out;
-  });
-  verdict.kind = VerdictKind::named;
-  verdict.effects = best->members;
-  verdict.model = *best;
-  verdict.confounded = {best->members};
-  verdict.probabilities[static_cast<std::size_t>(best->members[0])] = 1.0;
-  return verdict;
-}
+Verdict decide(const Search& search) { return Decision(search).decide(); }
 
 }  // namespace rubber_suspension

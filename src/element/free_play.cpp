@@ -6,9 +6,10 @@ namespace rubber_suspension {
 ElementType freePlayType() {
   return {"free_play",
           "Dead zone of displacement in which the specimen is not moved.",
-          {{"gap", "m", Range::positive(), std::nullopt, "width g of the dead zone to either side of zero"}},
+          {{"gap", "m", Range::positive(), std::nullopt, "width g of the dead zone to either side of zero"},
+           {"share", "1", {0.0, 1.0, true, false}, 1.0, "part s of the motion within the gap that is lost"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const FreePlay>(description.value("gap"));
+            return std::make_shared<const FreePlay>(description.value("gap"), description.value("share"));
           }};
 }
 

@@ -37,8 +37,8 @@ struct Atom {
   std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_force;
 };
 
-/// An unmodelled effect by its name in reports. Its atoms span the shapes that the effect's law can take: their scales are
-/// bounded such that only physical laws can be composed (dissipating friction, stiffening stops, ...).
+/// An unmodelled effect by its name in reports. Its atoms span the shapes that the effect's law can take: their scales
+/// are bounded such that only physical laws can be composed (dissipating friction, stiffening stops, ...).
 struct Candidate {
   std::string effect;
   std::string documentation;  ///< what it is and its signature, one sentence
@@ -46,10 +46,12 @@ struct Candidate {
   std::vector<Atom> atoms;
 };
 
-/// All candidates for these logs, in the order of the reference page. To add one: a file in candidate/ and its line here.
+/// All candidates for these logs, in the order of the reference page. To add one: a file in candidate/ and its line
+/// here.
 std::vector<Candidate> candidates(const Excitation& excitation);
 
 /// An atom that scales one parameter of an element whose force is linear in it, the others being given.
-Atom additiveAtom(const std::string& type, const std::string& scaled, double typical, const ParameterValues& others = {});
+Atom additiveAtom(const std::string& type, const std::string& scaled, double typical,
+                  const ParameterValues& others = {});
 
 }  // namespace rubber_suspension

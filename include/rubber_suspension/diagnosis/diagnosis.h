@@ -15,7 +15,7 @@ namespace rubber_suspension {
 struct DiagnosisOptions {
   int threads = 2;
   ProgressCallback progress;
-  unsigned seed = 1;        ///< of the resampling for intervals
+  unsigned seed = 1;  ///< of the resampling for intervals
   int resamplings = 400;
 };
 
@@ -24,12 +24,12 @@ struct CandidateResult {
   std::string effect;
   std::string documentation;
   bool on_rig = false;
-  double probability = 0.0;      ///< that this is the (most important) effect
-  double gap = 0.0;              ///< held out, with this effect alone added
-  double closed = 0.0;           ///< fraction of the closable gap
+  double probability = 0.0;          ///< that this is the (most important) effect
+  double gap = 0.0;                  ///< held out, with this effect alone added
+  double closed = 0.0;               ///< fraction of the closable gap
   std::array<double, 2> interval{};  ///< 95 % interval of `closed`
-  bool testable = false;         ///< a typical size of it would be visible in these logs after re-estimation
-  double visible_share = 0.0;    ///< of a typical effect's force, the part that re-estimation does not hide [-]
+  bool testable = false;             ///< a typical size of it would be visible in these logs after re-estimation
+  double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
   std::vector<ElementDescription> add;
 };
@@ -43,21 +43,21 @@ struct Gap {
 
 /// Errors of the characteristics on held-out data, relative RMS over windows.
 struct CharacteristicErrors {
-  double stiffness = 0.0;      ///< [-]
-  double loss_angle = 0.0;     ///< [rad]
-  double energy = 0.0;         ///< of the loss per cycle [-]
+  double stiffness = 0.0;   ///< [-]
+  double loss_angle = 0.0;  ///< [rad]
+  double energy = 0.0;      ///< of the loss per cycle [-]
 };
 
 /// A log as it was admitted.
 struct Admission {
   std::string log;
   bool hold_out = false;
-  double duration = 0.0;             ///< [s]
-  double dt = 0.0;                   ///< [s]
-  double largest_displacement = 0.0; ///< [m]
-  double highest_frequency = 0.0;    ///< [Hz]
-  double noise = 0.0;                ///< floor in units of the force's deviation
-  double repeats = 0.0;              ///< share of the log that repeats an earlier motion
+  double duration = 0.0;              ///< [s]
+  double dt = 0.0;                    ///< [s]
+  double largest_displacement = 0.0;  ///< [m]
+  double highest_frequency = 0.0;     ///< [Hz]
+  double noise = 0.0;                 ///< floor in units of the force's deviation
+  double repeats = 0.0;               ///< share of the log that repeats an earlier motion
   std::vector<std::string> notes;
 };
 
@@ -93,9 +93,9 @@ struct Diagnosis {
   ComponentDescription augmented;
   Search search;  ///< everything that was tried
 
-  std::vector<Record> records;   ///< of the logs, then of the hold-outs
-  std::size_t training = 0;      ///< how many of them took part in the fit
-  std::vector<Eigen::VectorXd> force_configured;   ///< per record [N]
+  std::vector<Record> records;                    ///< of the logs, then of the hold-outs
+  std::size_t training = 0;                       ///< how many of them took part in the fit
+  std::vector<Eigen::VectorXd> force_configured;  ///< per record [N]
   std::vector<Eigen::VectorXd> force_re_estimated;
   std::vector<Eigen::VectorXd> force_augmented;
 };

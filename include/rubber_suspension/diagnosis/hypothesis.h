@@ -36,9 +36,9 @@ struct BlockGrams {
 /// The fitted hypothesis.
 struct Fit {
   Point point;
-  double gap = 0.0;                 ///< RMS residual over force deviation, in sample
-  double held_out = 0.0;            ///< the same on blocks that took no part in the fit, by cross validation
-  std::vector<double> block_errors; ///< mean square held-out residual of each block, in units of the force's variance
+  double gap = 0.0;                  ///< RMS residual over force deviation, in sample
+  double held_out = 0.0;             ///< the same on blocks that took no part in the fit, by cross validation
+  std::vector<double> block_errors;  ///< mean square held-out residual of each block, in units of the force's variance
   std::vector<double> block_weights;
   std::vector<Eigen::VectorXd> residual;  ///< measured less simulated, per log [N]
 };

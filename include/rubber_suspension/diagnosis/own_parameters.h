@@ -55,11 +55,11 @@ class OwnParameters {
   /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
   struct Relaxation {
     double static_stiffness = 0.0;
-    double relaxing_stiffness = 0.0;   // sum of the Maxwell stiffnesses
-    double alpha = 1.0;                // k_i/k_(i+1)
-    double break_frequency = 0.0;      // of the fastest element
-    double band_ratio = 1.0;           // q, of neighbouring break frequencies
-    double damping = 0.0;              // of the dashpot
+    double relaxing_stiffness = 0.0;  // sum of the Maxwell stiffnesses
+    double alpha = 1.0;               // k_i/k_(i+1)
+    double break_frequency = 0.0;     // of the fastest element
+    double band_ratio = 1.0;          // q, of neighbouring break frequencies
+    double damping = 0.0;             // of the dashpot
     std::size_t elements = 0;
   };
 

@@ -29,12 +29,12 @@ struct Record {
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
 
-/// One-sided power spectral density [unit^2/Hz], Welch's method with Hann windows of `segment` samples, half overlapped;
-/// entry i belongs to the frequency i/(segment dt).
+/// One-sided power spectral density [unit^2/Hz], Welch's method with Hann windows of `segment` samples, half
+/// overlapped; entry i belongs to the frequency i/(segment dt).
 Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment);
 
-/// Standard deviation of the white noise that fills the spectrum above a frequency, by the median of the spectrum there.
-/// Zero where fewer than 8 spectral lines lie above it.
+/// Standard deviation of the white noise that fills the spectrum above a frequency, by the median of the spectrum
+/// there. Zero where fewer than 8 spectral lines lie above it.
 double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequency);
 
 }  // namespace rubber_suspension

@@ -25,8 +25,8 @@ struct Search {
   std::vector<Trial> singles;   ///< one per candidate, in their order
   std::vector<Trial> pairs;     ///< the pairs that a screening of all found worth a full fit, best first
   std::vector<Trial> triples;
-  double noise = 0.0;                 ///< noise floor of all logs
-  std::vector<double> record_noise;   ///< of each log, in units of its force's deviation
+  double noise = 0.0;                ///< noise floor of all logs
+  std::vector<double> record_noise;  ///< of each log, in units of its force's deviation
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs

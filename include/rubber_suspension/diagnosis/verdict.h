@@ -14,11 +14,11 @@ std::string toString(VerdictKind kind);
 
 struct Verdict {
   VerdictKind kind = VerdictKind::none;
-  std::vector<int> effects;                   ///< candidates named, most important first
-  Trial model;                                ///< what `augmented` is made of
-  std::vector<double> probabilities;          ///< of each candidate to be the (most important) effect
+  std::vector<int> effects;           ///< candidates named, most important first
+  Trial model;                        ///< what `augmented` is made of
+  std::vector<double> probabilities;  ///< of each candidate to be the (most important) effect
   double probability_none_of_these = 0.0;
-  std::vector<std::vector<int>> confounded;   ///< for each effect named, the set that holds it at 90 %
+  std::vector<std::vector<int>> confounded;  ///< for each effect named, the set that holds it at 90 %
 };
 
 Verdict decide(const Search& search);

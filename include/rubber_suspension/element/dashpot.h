@@ -27,9 +27,9 @@ class Dashpot final : public ParallelElement {
   double damping_;
 };
 
-/// F = c dz/dt for a displacement that is smooth between samples: the rate at the sample, extrapolated linearly from the
-/// mean rates of the last two steps, has no lag (error of phase of order (w dt)^3). It doubles the noise of the rate.
-/// Memory: mean rate and length of the step before (0 after a rest).
+/// F = c dz/dt for a displacement that is smooth between samples: the rate at the sample, extrapolated linearly from
+/// the mean rates of the last two steps, has no lag (error of phase of order (w dt)^3). It doubles the noise of the
+/// rate. Memory: mean rate and length of the step before (0 after a rest).
 class SmoothDashpot final : public ParallelElement {
  public:
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}

@@ -7,20 +7,23 @@
 
 namespace rubber_suspension {
 
-/// The specimen sees z - clamp(z, -g, g): nothing within the gap, all that exceeds it beyond.
-/// Lowers the stiffness at small amplitude, opposite to friction: K(A) = K (1 - g/A).
+/// The specimen sees z - s clamp(z, -g, g): with the share s = 1 nothing within the gap and all that exceeds it beyond;
+/// with less, a seat that gives way within the gap. Entries one after the other make a gap with soft edges.
+/// Lowers the stiffness at small amplitude, opposite to friction: K(A) = K (1 - s g/A).
 /// Validity: loss of contact without impact, the gap centred at zero displacement.
 class FreePlay final : public DisplacementEffect {
  public:
-  explicit FreePlay(double gap /* g, to either side [m] */) : gap_(gap) {}
+  explicit FreePlay(double gap /* g, to either side [m] */, double share = 1.0 /* s [-] */)
+      : gap_(gap), share_(share) {}
 
-  double behind(double displacement) const { return displacement - std::clamp(displacement, -gap_, gap_); }
+  double behind(double displacement) const { return displacement - share_ * std::clamp(displacement, -gap_, gap_); }
 
   double rest(double displacement, double* /*memory*/) const override { return behind(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return behind(motion.displacement); }
 
  private:
   double gap_;
+  double share_;
 };
 
 ElementType freePlayType();

@@ -14,7 +14,8 @@ namespace rubber_suspension {
 /// Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1.
 class ProgressiveStiffness final : public ParallelElement {
  public:
-  ProgressiveStiffness(double quadratic /* k2 [N/m^2] */, double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */)
+  ProgressiveStiffness(double quadratic /* k2 [N/m^2] */, double cubic /* k3 [N/m^3] */,
+                       double quintic /* k5 [N/m^5] */)
       : quadratic_(quadratic), cubic_(cubic), quintic_(quintic) {}
 
   double force(double displacement) const {

@@ -5,7 +5,8 @@ namespace rubber_suspension {
 
 Candidate asymmetricStiffnessCandidate(const Excitation& excitation) {
   const double typical = 0.1 * excitation.stiffness;
-  Candidate candidate{"asymmetric_stiffness", "even stiffness: second harmonic, mean force grows with amplitude squared",
+  Candidate candidate{"asymmetric_stiffness",
+                      "even stiffness: second harmonic, mean force grows with amplitude squared",
                       false,
                       {additiveAtom("asymmetric_stiffness", "quadratic", typical / excitation.largest_displacement),
                        additiveAtom("asymmetric_stiffness", "tension_stiffness", typical)}};

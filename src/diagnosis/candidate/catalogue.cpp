@@ -41,13 +41,20 @@ Atom additiveAtom(const std::string& type, const std::string& scaled, double typ
 
 std::vector<Candidate> candidates(const Excitation& excitation) {
   return {
-      frictionCandidate(excitation),           relaxationCandidate(excitation),
-      creepCandidate(excitation),              viscousDampingCandidate(excitation),
-      progressiveStiffnessCandidate(excitation), asymmetricStiffnessCandidate(excitation),
-      bumpStopCandidate(excitation),           freePlayCandidate(excitation),
-      stressSofteningCandidate(excitation),    selfHeatingCandidate(excitation),
-      seriesComplianceCandidate(excitation),   inertiaCandidate(excitation),
-      timeDelayCandidate(excitation),          forceOffsetCandidate(excitation),
+      frictionCandidate(excitation),
+      relaxationCandidate(excitation),
+      creepCandidate(excitation),
+      viscousDampingCandidate(excitation),
+      progressiveStiffnessCandidate(excitation),
+      asymmetricStiffnessCandidate(excitation),
+      bumpStopCandidate(excitation),
+      freePlayCandidate(excitation),
+      stressSofteningCandidate(excitation),
+      selfHeatingCandidate(excitation),
+      seriesComplianceCandidate(excitation),
+      inertiaCandidate(excitation),
+      timeDelayCandidate(excitation),
+      forceOffsetCandidate(excitation),
       forceDriftCandidate(excitation),
   };
 }

@@ -3,11 +3,16 @@
 
 namespace rubber_suspension {
 
+// Dead zones one after the other, each taking a share of the motion within it: sharp or soft edges.
 Candidate freePlayCandidate(const Excitation& excitation) {
-  Atom atom = additiveAtom("free_play", "gap", 0.03 * excitation.largest_displacement);
-  atom.upper = 0.8 * excitation.largest_displacement;
-  atom.additive = false;
-  return {"free_play", "dead zone: stiffness falls at small amplitude", true, {atom}};
+  Candidate candidate{"free_play", "dead zone: stiffness falls at small amplitude", true, {}};
+  for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
+    Atom atom = additiveAtom("free_play", "share", 0.3, {{"gap", {size * excitation.largest_displacement}}});
+    atom.upper = 1.0;
+    atom.additive = false;
+    candidate.atoms.push_back(atom);
+  }
+  return candidate;
 }
 
 }  // namespace rubber_suspension

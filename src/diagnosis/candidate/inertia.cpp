@@ -5,7 +5,9 @@ namespace rubber_suspension {
 
 Candidate inertiaCandidate(const Excitation& excitation) {
   const double omega = 6.28 * excitation.highest_frequency;
-  return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true,
+  return {"inertia",
+          "moving fixture: error of stiffness grows with frequency squared, in phase",
+          true,
           {additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega))}};
 }
 

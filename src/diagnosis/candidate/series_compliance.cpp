@@ -11,7 +11,10 @@ Candidate seriesComplianceCandidate(const Excitation& excitation) {
   atom.typical = 0.05 / excitation.stiffness;
   atom.upper = 1.0 / excitation.stiffness;
   atom.additive = false;
-  return {"series_compliance", "rig or bracket that yields: error grows with stiffness whatever the frequency", true, {atom}};
+  return {"series_compliance",
+          "rig or bracket that yields: error grows with stiffness whatever the frequency",
+          true,
+          {atom}};
 }
 
 }  // namespace rubber_suspension

@@ -6,7 +6,8 @@ namespace rubber_suspension {
 // Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
 // displacement only; at once or over some cycles.
 Candidate stressSofteningCandidate(const Excitation& excitation) {
-  Candidate candidate{"stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
+  Candidate candidate{
+      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
   for (const double width : {0.15, 0.5, 1.5}) {
     for (const double path : {0.0, 4.0 * excitation.largest_displacement, 16.0 * excitation.largest_displacement}) {
       Atom atom = additiveAtom("stress_softening", "reduction", 0.1, {{"width", {width}}, {"path", {path}}});

@@ -1,7 +1,7 @@
 // Candidate effect: displacement or force that is recorded late.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
-
 #include <algorithm>
+
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
 namespace rubber_suspension {
 
