@@ -18,7 +18,7 @@ ElementType progressiveStiffnessType() {
               refuseValue(description.type, "cubic", cubic, "N/m^3",
                           "greater than 0, or else quadratic or quintic greater than 0");
             }
-            return std::make_shared<const ProgressiveStiffness>(quadratic, cubic, quintic);
+            return std::make_shared<const ProgressiveStiffness>(cubic, quintic, quadratic);
           }};
 }
 

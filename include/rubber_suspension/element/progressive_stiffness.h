@@ -14,9 +14,9 @@ namespace rubber_suspension {
 /// Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1.
 class ProgressiveStiffness final : public ParallelElement {
  public:
-  ProgressiveStiffness(double quadratic /* k2 [N/m^2] */, double cubic /* k3 [N/m^3] */,
-                       double quintic /* k5 [N/m^5] */)
-      : quadratic_(quadratic), cubic_(cubic), quintic_(quintic) {}
+  ProgressiveStiffness(double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */,
+                       double quadratic = 0.0 /* k2 [N/m^2] */)
+      : cubic_(cubic), quintic_(quintic), quadratic_(quadratic) {}
 
   double force(double displacement) const {
     const double square = displacement * displacement;
@@ -28,9 +28,9 @@ class ProgressiveStiffness final : public ParallelElement {
   Part part() const override { return Part::elastic; }
 
  private:
-  double quadratic_;
   double cubic_;
   double quintic_;
+  double quadratic_;
 };
 
 ElementType progressiveStiffnessType();
