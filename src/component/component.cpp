@@ -169,6 +169,7 @@ void Component::prepare(ComponentState& state, double dt) const {
   for (std::size_t i = 0; i < maxwells_.size(); ++i) {
     state.maxwell_steps_[i] = MaxwellStep(maxwells_[i].stiffness, maxwells_[i].relaxation_time, dt);
   }
+  state.dashpot_gain_ = dashpot_damping_ / dt;
   state.prepared_dt_ = dt;
 }
 
@@ -193,18 +194,20 @@ ComponentForce Component::specimenRest(double displacement, bool as_new, double*
 }
 
 ComponentForce Component::specimenStep(const ComponentState& state, const Motion& motion, double* memory) const {
-  ComponentForce force;
-  force.elastic = spring_stiffness_ * motion.displacement;
-  force.viscous = dashpot_damping_ * (motion.increment / motion.dt);
-  for (std::size_t i = 0; i < maxwells_.size(); ++i) {
-    const MaxwellStep& coefficients = state.maxwell_steps_[i];
-    memory[i] = coefficients.decay * memory[i] + coefficients.gain * motion.increment;
-    force.viscous += memory[i];
+  double viscous = state.dashpot_gain_ * motion.increment;
+  double* maxwell_force = memory;
+  for (const MaxwellStep& coefficients : state.maxwell_steps_) {
+    *maxwell_force = coefficients.decay * *maxwell_force + coefficients.gain * motion.increment;
+    viscous += *maxwell_force++;
   }
-  for (std::size_t i = 0; i < bergs_.size(); ++i) {
-    force.friction += bergs_[i].advance(motion.displacement, memory + bergs_offset_ + i * BergFriction::kMemorySize);
+  double friction = 0.0;
+  double* berg_memory = memory + bergs_offset_;
+  for (const BergFriction& berg : bergs_) {
+    friction += berg.advance(motion.displacement, berg_memory);
+    berg_memory += BergFriction::kMemorySize;
   }
-  force.total = force.elastic + force.viscous + force.friction;
+  const double elastic = spring_stiffness_ * motion.displacement;
+  ComponentForce force{elastic + viscous + friction, elastic, viscous, friction};
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }

@@ -3,20 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rubber_suspension {
-namespace {
-
-// Layout of the memory: reference point, running extremum since it, and the direction of the branch (+1, -1, 0 at
-// rest).
-enum Slot { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection };
-
-// Keeps 0/0 away at the reference point itself once friction is at its maximum.
-constexpr double kTiny = std::numeric_limits<double>::min();
-
-}  // namespace
-
 double BergFriction::rest(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
@@ -33,34 +21,20 @@ double BergFriction::startSettled(double amplitude, double centre, double* memor
   return memory[kReferenceForce];
 }
 
-double BergFriction::branch(double displacement, double reference_displacement, double reference_force) const {
-  const double way = displacement - reference_displacement;
-  const double mu = reference_force / maximum_force_;
-  if (way >= 0.0) {
-    return reference_force + way * (maximum_force_ - reference_force) / (displacement_ * (1.0 - mu) + way + kTiny);
-  }
-  return reference_force + way * (maximum_force_ + reference_force) / (displacement_ * (1.0 + mu) - way + kTiny);
-}
-
-double BergFriction::advance(double displacement, double* memory) const {
-  const double direction = memory[kDirection];
-  const double beyond = (displacement - memory[kExtremum]) * direction;
-  if (direction == 0.0) {
+void BergFriction::turn(double displacement, double way_back, double* memory) const {
+  if (memory[kDirection] == 0.0) {
     if (displacement != memory[kReferenceDisplacement]) {
       memory[kDirection] = displacement > memory[kReferenceDisplacement] ? 1.0 : -1.0;
       memory[kExtremum] = displacement;
     }
-  } else if (beyond >= 0.0) {
-    memory[kExtremum] = displacement;
-  } else if (-beyond > dead_band_) {
+  } else if (way_back > dead_band_) {
     const double turning_point = memory[kExtremum];
     const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
     memory[kReferenceDisplacement] = turning_point;
     memory[kExtremum] = displacement;
-    memory[kDirection] = -direction;
+    memory[kDirection] = -memory[kDirection];
   }
-  return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
 }
 
 double BergFriction::settledForce(double amplitude) const {

@@ -29,8 +29,9 @@ class ComponentState {
   double displacement_ = 0.0;
   std::vector<double> memory_;   // of all elements, one block after the other
   std::vector<double> scratch_;  // trial memory of the series solve; derived, not saved
-  // Coefficients of the Maxwell elements for the step length last used; derived, not saved.
+  // Coefficients of dashpot and Maxwell elements for the step length last used; derived, not saved.
   double prepared_dt_ = -1.0;
+  double dashpot_gain_ = 0.0;  // c/dt [N/m]
   std::vector<MaxwellStep> maxwell_steps_;
 };
 

@@ -1,6 +1,9 @@
 // Berg's friction element, with a dead band that keeps measurement noise from being taken for reversals.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension {
@@ -19,7 +22,10 @@ class BergFriction final : public ParallelElement {
  public:
   BergFriction(double maximum_force /* F_max [N] */, double displacement /* z2, half of F_max from rest [m] */,
                double dead_band /* [m] */)
-      : maximum_force_(maximum_force), displacement_(displacement), dead_band_(dead_band) {}
+      : maximum_force_(maximum_force),
+        displacement_(displacement),
+        dead_band_(dead_band),
+        compliance_(displacement / maximum_force) {}
 
   double maximumForce() const { return maximum_force_; }
   double displacement() const { return displacement_; }
@@ -35,7 +41,15 @@ class BergFriction final : public ParallelElement {
   double startSettled(double amplitude, double centre, double* memory) const;
 
   /// Advance to a displacement [m]; returns the force [N]. Rate does not matter.
-  double advance(double displacement, double* memory) const;
+  double advance(double displacement, double* memory) const {
+    const double beyond = (displacement - memory[kExtremum]) * memory[kDirection];
+    if (beyond > 0.0) {
+      memory[kExtremum] = displacement;
+    } else if (beyond < 0.0 || memory[kDirection] == 0.0) {
+      turn(displacement, -beyond, memory);
+    }
+    return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
+  }
 
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
   double settledForce(double amplitude) const;
@@ -44,11 +58,26 @@ class BergFriction final : public ParallelElement {
   double settledLoss(double amplitude) const;
 
  private:
-  double branch(double displacement, double reference_displacement, double reference_force) const;
+  // Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
+  enum Slot { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection };
+
+  /// Start from rest, or from a turning point once the motion has backed off far enough.
+  void turn(double displacement, double way_back, double* memory) const;
+
+  double branch(double displacement, double reference_displacement, double reference_force) const {
+    // Keeps 0/0 away at the reference point itself once friction is at its maximum.
+    constexpr double kTiny = std::numeric_limits<double>::min();
+    const double way = displacement - reference_displacement;
+    // Both branches in one, in the direction of the motion; z2 (1 -+ mu) is z2/F_max times the force that is left.
+    const double left = std::copysign(maximum_force_, way) - reference_force;
+    const double reach = compliance_ * std::abs(left);
+    return reference_force + std::abs(way) * left / (reach + std::abs(way) + kTiny);
+  }
 
   double maximum_force_;
   double displacement_;
   double dead_band_;
+  double compliance_;  // z2/F_max [m/N]
 };
 
 ElementType bergFrictionType();
