@@ -1,13 +1,24 @@
 // The rules for time of a stream of samples.
 #include "rubber_suspension/component/sample_stream.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubber_suspension {
+namespace {
+
+constexpr double kLongestGap = 9e9;  // [s], what fits into signed nanoseconds
+
+// later - earlier [ns]; both may lie anywhere, so the difference may be more than a signed number holds.
+std::uint64_t between(std::int64_t earlier, std::int64_t later) {
+  return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
+}
+
+}  // namespace
 
 SampleStream::SampleStream(const Component& component, double max_gap)
     : component_(component),
-      max_gap_(static_cast<std::int64_t>(std::llround(max_gap * kNanosecondsPerSecond))),
+      max_gap_(static_cast<std::uint64_t>(std::llround(std::clamp(max_gap, 0.0, kLongestGap) * kNanosecondsPerSecond))),
       state_(component.makeState()) {}
 
 Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
@@ -17,14 +28,13 @@ Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
   if (!started_) {
     return Verdict::accepted;
   }
-  const std::int64_t elapsed = stamp - last_stamp_;
-  if (elapsed == 0) {
+  if (stamp == last_stamp_) {
     return Verdict::repeated;
   }
-  if (elapsed < 0) {
-    return elapsed < -kRestartJump ? Verdict::restarted : Verdict::stepped_back;
+  if (stamp < last_stamp_) {
+    return between(stamp, last_stamp_) > kRestartJump ? Verdict::restarted : Verdict::stepped_back;
   }
-  return elapsed > max_gap_ ? Verdict::bridged : Verdict::accepted;
+  return between(last_stamp_, stamp) > max_gap_ ? Verdict::bridged : Verdict::accepted;
 }
 
 void SampleStream::count(Verdict verdict) {
@@ -46,7 +56,7 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
     result.force = component_.rest(state_, displacement);
     started_ = true;
   } else {
-    const double dt = static_cast<double>(stamp - last_stamp_) / static_cast<double>(kNanosecondsPerSecond);
+    const double dt = static_cast<double>(between(last_stamp_, stamp)) / static_cast<double>(kNanosecondsPerSecond);
     result.force = component_.step(state_, dt, displacement);
   }
   last_stamp_ = stamp;

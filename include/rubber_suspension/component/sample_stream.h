@@ -41,7 +41,7 @@ struct StreamForce {
 class SampleStream {
  public:
   static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
-  static constexpr std::int64_t kRestartJump = kNanosecondsPerSecond;
+  static constexpr std::uint64_t kRestartJump = kNanosecondsPerSecond;
 
   /// The component must outlive the stream. max_gap in [s].
   explicit SampleStream(const Component& component, double max_gap = 0.5);
@@ -66,7 +66,7 @@ class SampleStream {
   void count(Verdict verdict);
 
   const Component& component_;
-  std::int64_t max_gap_;
+  std::uint64_t max_gap_;  // [ns]
   ComponentState state_;
   StreamCounters counters_;
   std::int64_t last_stamp_ = 0;

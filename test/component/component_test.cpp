@@ -1,0 +1,428 @@
+// A component: sums, mount, delay and parts against closed forms; state, trial steps, tangent.
+#include "rubber_suspension/component/component.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+#include "element/typical_elements.h"
+#include "support/allocation_counter.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+const ElementDescription kSpring{"spring", {{"stiffness", {3e6}}}};
+const ElementDescription kDashpot{"dashpot", {{"damping", {1e4}}}};
+const ElementDescription kMaxwell{"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}};
+const ElementDescription kFastMaxwell{"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {15.0}}}};
+const ElementDescription kFriction{"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}};
+const ElementDescription kMount{"series_compliance", {{"stiffness", {3e7}}}};
+
+/// One of each kind, all slots of the memory in use.
+std::vector<ElementDescription> everything() {
+  std::vector<ElementDescription> all;
+  for (const ElementDescription& description : typicalElements()) {
+    all.push_back(description);
+  }
+  return all;
+}
+
+double sineAt(int i, int samples, double amplitude) {
+  return amplitude * std::sin(2.0 * M_PI * (i % samples) / samples);
+}
+
+/// First harmonic of the settled force over a sampled sine [N/m].
+std::complex<double> simulatedStiffness(const Component& component, double frequency, int samples, int cycles) {
+  constexpr double kAmplitude = 1e-3;
+  ComponentState state = component.makeState();
+  std::complex<double> sum = 0.0;
+  for (int i = 1; i <= cycles * samples; ++i) {
+    const double force = component.step(state, 1.0 / (frequency * samples), sineAt(i, samples, kAmplitude)).total;
+    if (i > (cycles - 1) * samples) {
+      sum += force * std::polar(1.0, -2.0 * M_PI * i / samples);
+    }
+  }
+  return sum * std::complex<double>(0.0, 2.0 / (kAmplitude * samples));
+}
+
+/// What exact steps give under a sampled sine, in closed form: for a Maxwell element the difference equation
+/// F+ = e F + g (z+ - z) has the response g (1 - q)/(1 - e q), q = exp(-i w dt).
+std::complex<double> sampledMaxwell(double stiffness, double break_frequency, double frequency, int samples) {
+  const std::complex<double> q = std::polar(1.0, -2.0 * M_PI / samples);
+  const double ratio = 2.0 * M_PI * break_frequency / (frequency * samples);
+  const double decay = std::exp(-ratio);
+  return stiffness * (1.0 - decay) / ratio * (1.0 - q) / (1.0 - decay * q);
+}
+
+std::vector<double> walk(const Component& component, ComponentState& state, unsigned seed, int steps) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<double> forces;
+  for (int i = 0; i < steps; ++i) {
+    const double dt = 1e-3 * std::exp(uniform(generator));
+    forces.push_back(component.step(state, dt, 2e-3 * uniform(generator)).total);
+  }
+  return forces;
+}
+
+TEST(Component, LinearElementsMeetTheirSampledStiffnessExactly) {
+  const Component component({kSpring, kMaxwell, kFastMaxwell});
+  for (const double frequency : {0.5, 4.0, 20.0}) {
+    const std::complex<double> expected =
+        3e6 + sampledMaxwell(1.3e6, 1.43, frequency, 40) + sampledMaxwell(6e5, 15.0, frequency, 40);
+    const int cycles = 3 + static_cast<int>(4.0 * frequency);  // 4 s are 36 relaxation times of the slower one
+    const std::complex<double> simulated = simulatedStiffness(component, frequency, 40, cycles);
+    EXPECT_LE(std::abs(simulated / expected - 1.0), 1e-10) << frequency;
+  }
+}
+
+TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
+  const Component component({kSpring, kDashpot, kMaxwell});
+  const double omega = 2.0 * M_PI * 4.0;
+  const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * 1.43));
+  const std::complex<double> expected = 3e6 + std::complex<double>(0.0, 1e4 * omega) + 1.3e6 * iwt / (1.0 + iwt);
+  EXPECT_TRUE(component.linear());
+  EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-15);
+}
+
+TEST(Component, MeetsThePapersExample) {
+  // M2 of Polach: K = 4.2 kN/mm and 5.76 degrees at 4 Hz.
+  const Component component({kSpring, {"maxwell", {{"stiffness", {1.3295e6}}, {"break_frequency", {1.43}}}}});
+  const std::complex<double> k = *component.complexStiffness(4.0);
+  EXPECT_NEAR(std::abs(k), 4.2e6, 1e3);
+  EXPECT_NEAR(std::arg(k) * 180.0 / M_PI, 5.76, 0.01);
+}
+
+TEST(Component, NonlinearElementsHaveNoComplexStiffness) {
+  EXPECT_FALSE(Component({kSpring, kFriction}).linear());
+  EXPECT_FALSE(Component({kSpring, {"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.0}}}}}).linear());
+  EXPECT_FALSE(Component({kSpring, {"free_play", {{"gap", {1e-4}}}}}).linear());
+  EXPECT_FALSE(Component({kSpring, {"stress_softening", {{"reduction", {0.1}}}}}).linear());
+  EXPECT_FALSE(Component({kSpring, kFriction}).complexStiffness(1.0).has_value());
+}
+
+TEST(Component, OrderOfElementsIsWithoutInfluenceButForRounding) {
+  const Component one({kSpring, kMaxwell, kFriction, kFastMaxwell, kDashpot});
+  const Component other({kDashpot, kFastMaxwell, kFriction, kMaxwell, kSpring});
+  ComponentState a = one.makeState();
+  ComponentState b = other.makeState();
+  const std::vector<double> forces = walk(one, a, 1, 100);
+  const std::vector<double> others = walk(other, b, 1, 100);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    EXPECT_NEAR(forces[i], others[i], 1e-12 * 1e5);
+  }
+}
+
+TEST(Component, PartsAddUpToTheTotal) {
+  const Component component(everything());
+  ComponentState state = component.makeState();
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> uniform(-2e-3, 2e-3);
+  for (int i = 0; i < 300; ++i) {
+    const ComponentForce force = component.step(state, 1e-3, uniform(generator));
+    const double largest = std::abs(force.elastic) + std::abs(force.viscous) + std::abs(force.friction);
+    ASSERT_NEAR(force.total, force.elastic + force.viscous + force.friction, 1e-14 * largest);
+  }
+}
+
+TEST(Component, PartsGoWhereTheyBelong) {
+  const Component component({kSpring, kMaxwell, kFriction});
+  ComponentState state = component.makeState();
+  const ComponentForce force = component.step(state, 1e-9, 1e-3);
+  EXPECT_DOUBLE_EQ(force.elastic, 3e3);
+  EXPECT_NEAR(force.viscous, 1.3e3, 1e-4);
+  EXPECT_DOUBLE_EQ(force.friction, 2.5e3);
+}
+
+TEST(Component, WithoutElementsIsWithoutForce) {
+  const Component component({});
+  ComponentState state = component.makeState();
+  EXPECT_EQ(component.step(state, 1e-3, 1.0).total, 0.0);
+  EXPECT_EQ(*component.complexStiffness(1.0), 0.0);
+}
+
+// Springs in series: 1/(1/K + 1/K_s), at once and to the solver's last digits.
+TEST(SeriesMount, TwoSpringsInSeries) {
+  const Component component({kSpring, kMount});
+  ComponentState state = component.makeState();
+  const double stiffness = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
+  for (const double z : {1e-3, -2e-3, 1e-9, 0.0, 0.5}) {
+    EXPECT_NEAR(component.step(state, 1e-3, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
+    EXPECT_NEAR(component.rest(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
+  }
+}
+
+// Spring and Maxwell element behind a mount are a spring and a Maxwell element of other values:
+// K = K_s (k0 + M)/(K_s + k0 + M); in the time domain the specimen's displacement is taken as linear in between.
+TEST(SeriesMount, TendsToTheClosedFormWithTheStep) {
+  const Component component({kSpring, kMaxwell, kMount});
+  const std::complex<double> specimen = *Component({kSpring, kMaxwell}).complexStiffness(4.0);
+  const std::complex<double> expected = specimen / (1.0 + specimen / 3e7);
+  EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-14);
+  const double coarse = std::abs(simulatedStiffness(component, 4.0, 50, 20) - expected);
+  const double fine = std::abs(simulatedStiffness(component, 4.0, 200, 20) - expected);
+  EXPECT_LE(fine, coarse / 12.0) << "second order: 1/16";
+  EXPECT_LE(fine, 1e-3 * std::abs(expected));
+}
+
+TEST(SeriesMount, ForceBalanceHoldsWithFriction) {
+  const Component mounted({kSpring, kMaxwell, kFriction, kMount});
+  const Component bare({kSpring, kMaxwell, kFriction});
+  ComponentState state = mounted.makeState();
+  ComponentState specimen = bare.makeState();
+  for (int i = 1; i <= 400; ++i) {
+    const double z = sineAt(i, 100, 2e-3);
+    const double force = mounted.step(state, 1e-3, z).total;
+    // The bare specimen moved by what the mount leaves must give the same force.
+    EXPECT_NEAR(bare.step(specimen, 1e-3, z - force / 3e7).total, force, 1e-8 * 1e4) << i;
+  }
+}
+
+TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
+  const Component component({kSpring, kMount, {"series_compliance", {{"stiffness", {6e6}}}}});
+  ComponentState state = component.makeState();
+  EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
+}
+
+TEST(SeriesMount, SolvesWhereTheSpecimenSoftens) {
+  // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the mount of 3e7 can hold.
+  const Component component({kSpring, kMount, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
+  ComponentState state = component.makeState();
+  for (int i = 1; i <= 100; ++i) {
+    const double z = -2e-3 * i / 100;
+    const double force = component.step(state, 1e-3, z).total;
+    const double specimen = z - force / 3e7;
+    EXPECT_NEAR(force, 3e6 * specimen + 1e9 * specimen * specimen, 1e-7) << i;
+  }
+}
+
+TEST(Delay, ShiftsTheForceOfASpring) {
+  constexpr double kDelay = 3.25e-3;
+  const Component component({kSpring, {"time_delay", {{"delay", {kDelay}}}}});
+  ComponentState state = component.makeState();
+  const auto motion = [](double t) { return t < 0.0 ? 0.0 : 0.2 * t; };
+  for (int i = 1; i <= 100; ++i) {
+    EXPECT_NEAR(component.step(state, 1e-3, motion(1e-3 * i)).total, 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
+  }
+  const std::complex<double> k = *component.complexStiffness(10.0);
+  EXPECT_NEAR(std::arg(k), -2.0 * M_PI * 10.0 * kDelay, 1e-12);
+  EXPECT_NEAR(std::abs(k), 3e6, 1e-6);
+}
+
+TEST(Delay, IsExactWhereItIsAWholeNumberOfSamples) {
+  const Component delayed({kSpring, kMaxwell, {"time_delay", {{"delay", {0.004}}}}});
+  const Component direct({kSpring, kMaxwell});
+  ComponentState a = delayed.makeState();
+  ComponentState b = direct.makeState();
+  std::vector<double> forces = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 1; i <= 200; ++i) {
+    forces.push_back(direct.step(b, 1.0 / 1024.0, sineAt(i, 77, 1e-3)).total);
+  }
+  const Component binary({kSpring, kMaxwell, {"time_delay", {{"delay", {4.0 / 1024.0}}}}});
+  a = binary.makeState();
+  for (int i = 1; i <= 200; ++i) {
+    EXPECT_NEAR(binary.step(a, 1.0 / 1024.0, sineAt(i, 77, 1e-3)).total, forces[static_cast<std::size_t>(i) - 1], 1e-9);
+  }
+}
+
+TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
+  const ElementDescription inertia{"inertia", {{"mass", {10.0}}}};
+  const ElementDescription offset{"force_offset", {{"offset", {100.0}}}};
+  const Component component({kSpring, kMount, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
+  const std::complex<double> specimen = 3e6 / (1.0 + 0.1);
+  const double omega = 2.0 * M_PI * 20.0;
+  const Component linear({kSpring, kMount, inertia, offset});
+  EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
+  ComponentState state = component.makeState();
+  EXPECT_EQ(component.rest(state, 0.0).total, 100.0) << "softening leaves the offset";
+}
+
+TEST(Recover, KeepsSofteningAndForgetsTheRest) {
+  const Component component({kSpring, kMaxwell, kMount, {"stress_softening", {{"reduction", {0.3}}}}});
+  ComponentState state = component.makeState();
+  const double first = component.step(state, 1.0, 1e-3).total;
+  component.step(state, 1.0, 3e-3);
+  EXPECT_EQ(component.recover(state, 0.0).total, 0.0);
+  const double second = component.step(state, 1.0, 1e-3).total;
+  EXPECT_LT(second, 0.8 * first);
+  const double held = component.recover(state, 1e-3).total;
+  EXPECT_LT(held, second) << "relaxed at once";
+  EXPECT_NEAR(component.step(state, 1e6, 1e-3).total, held, 1e-9 * held) << "and stays so";
+  component.rest(state, 0.0);
+  EXPECT_EQ(component.step(state, 1.0, 1e-3).total, first) << "a new specimen";
+}
+
+TEST(State, TrialStepLeavesTheStateAsItWas) {
+  const Component component(everything());
+  ComponentState state = component.makeState();
+  walk(component, state, 3, 50);
+  const std::vector<double> memory = state.memory();
+  ComponentState trial = state;
+  const double tried = component.step(trial, 1e-3, 1e-3).total;
+  EXPECT_EQ(state.memory(), memory);
+  EXPECT_EQ(component.step(state, 1e-3, 1e-3).total, tried);
+}
+
+TEST(State, SavedNumbersContinueBitByBit) {
+  const Component component(everything());
+  ComponentState state = component.makeState();
+  walk(component, state, 4, 77);
+  const double displacement = state.displacement();
+  const std::vector<double> memory = state.memory();
+  const std::vector<double> forces = walk(component, state, 5, 100);
+  ComponentState other = Component(component.elements()).makeState();
+  other.restore(displacement, memory);
+  EXPECT_EQ(walk(component, other, 5, 100), forces);
+}
+
+TEST(State, RefusesNumbersThatAreNotItsOwn) {
+  const Component component({kSpring, kMaxwell});
+  ComponentState state = component.makeState();
+  EXPECT_THROW(state.restore(0.0, {}), std::invalid_argument);
+  EXPECT_THROW(state.restore(0.0, {1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(state.restore(NAN, {1.0}), std::invalid_argument);
+  EXPECT_THROW(state.restore(0.0, {INFINITY}), std::invalid_argument);
+  EXPECT_NO_THROW(state.restore(0.0, {1.0}));
+}
+
+TEST(State, ServesOneComponentInSeveralThreads) {
+  const Component component(everything());
+  std::vector<std::vector<double>> forces(3);
+  std::vector<std::thread> threads;
+  threads.reserve(forces.size());
+  for (std::vector<double>& result : forces) {
+    threads.emplace_back([&component, &result] {
+      ComponentState state = component.makeState();
+      result = walk(component, state, 6, 2000);
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  EXPECT_EQ(forces[1], forces[0]);
+  EXPECT_EQ(forces[2], forces[0]);
+}
+
+TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
+  const Component component({kSpring, kDashpot, kMaxwell, kFastMaxwell});
+  ComponentState state = component.makeState();
+  walk(component, state, 7, 20);
+  ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
+  fresh.restore(state.displacement(), state.memory());
+  component.step(state, 0.5, 1e-3);
+  component.step(fresh, 0.5, 1e-3);
+  EXPECT_EQ(component.step(state, 1e-3, 2e-3).total, component.step(fresh, 1e-3, 2e-3).total);
+}
+
+TEST(Component, StepAllocatesNothing) {
+  const Component component(everything());
+  ComponentState state = component.makeState();
+  ComponentState trial = component.makeState();
+  const AllocationCounter counter;
+  for (int i = 0; i < 100; ++i) {
+    component.step(state, 1e-3 * (1 + i % 3), sineAt(i, 30, 2e-3));
+  }
+  component.tangent(state, 1e-3, 1e-3, trial);
+  component.rest(state, 0.0);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+TEST(Component, SaysWhichEntryIsWrong) {
+  try {
+    Component component({kSpring, {"maxwell", {{"stiffness", {1.0}}, {"break_frequency", {-2.0}}}}});
+    FAIL() << "was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("maxwell.break_frequency: -2"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Component, GivesItsEntriesWithDefaults) {
+  const Component component({kFriction});
+  EXPECT_EQ(component.elements().at(0).value("dead_band"), 0.0);
+}
+
+TEST(Tangent, OfLinearElementsInClosedForm) {
+  constexpr double kDt = 2e-3;
+  const Component component({kSpring, kDashpot, kMaxwell});
+  ComponentState state = component.makeState();
+  ComponentState trial = component.makeState();
+  walk(component, state, 8, 20);
+  const MaxwellStep step(1.3e6, 1.0 / (2.0 * M_PI * 1.43), kDt);
+  const Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
+  // 1e-16 of some kN over 2e-8 m.
+  EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);
+  EXPECT_NEAR(tangent.damping, 1e4 + kDt * step.gain, 1e-8 * 1e4);
+}
+
+TEST(Tangent, OfFrictionAndMountInClosedForm) {
+  const Component component({kSpring, kFriction, kMount});
+  const Component bare({kSpring, kFriction});
+  ComponentState state = component.makeState();
+  ComponentState trial = component.makeState();
+  const double force = component.step(state, 1e-3, 0.5e-3).total;
+  (void)force;
+  component.rest(state, 0.0);
+  const Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
+  ComponentState moved = state;
+  const double specimen = 0.5e-3 - component.step(moved, 1e-3, 0.5e-3).total / 3e7;
+  const double stiffness = 3e6 + 5e3 * 1e-3 / std::pow(1e-3 + specimen, 2);  // of k z + F_max z/(z2 + z)
+  EXPECT_NEAR(tangent.stiffness, stiffness / (1.0 + stiffness / 3e7), 1e-6 * stiffness);
+  EXPECT_EQ(tangent.damping, 0.0);
+}
+
+TEST(Tangent, LeavesTheStateAlone) {
+  const Component component(everything());
+  ComponentState state = component.makeState();
+  ComponentState trial = component.makeState();
+  walk(component, state, 9, 20);
+  const std::vector<double> memory = state.memory();
+  component.tangent(state, 1e-3, 1e-3, trial);
+  EXPECT_EQ(state.memory(), memory);
+}
+
+// An implicit integrator in use: a mass on the component, trapezoidal rule with Newton's method, against the same
+// motion with a step 16 times as fine.
+double displacementOfMass(const Component& component, double dt, double duration) {
+  constexpr double kMass = 5000.0;
+  constexpr double kLoad = 4000.0;
+  constexpr double kTolerance = 1e-5;  // [N]; rounding of 4 m z/dt^2 with the finest step is 1e-6
+  ComponentState state = component.makeState();
+  ComponentState trial = component.makeState();
+  double z = 0.0;
+  double velocity = 0.0;
+  double acceleration = kLoad / kMass;
+  for (int i = 0; i < std::lround(duration / dt); ++i) {
+    double next = z + dt * velocity;
+    double residual = 1.0;
+    for (int iteration = 0; iteration < 6 && std::abs(residual) > kTolerance; ++iteration) {
+      const double next_acceleration = 4.0 / (dt * dt) * (next - z - dt * velocity) - acceleration;
+      trial = state;
+      residual = kMass * next_acceleration + component.step(trial, dt, next).total - kLoad;
+      const Tangent tangent = component.tangent(state, dt, next, trial);
+      next -= residual / (4.0 * kMass / (dt * dt) + tangent.stiffness + tangent.damping / dt);
+    }
+    EXPECT_LE(std::abs(residual), kTolerance) << "Newton's method must converge quadratically";
+    const double next_acceleration = 4.0 / (dt * dt) * (next - z - dt * velocity) - acceleration;
+    velocity += 0.5 * dt * (acceleration + next_acceleration);
+    acceleration = next_acceleration;
+    z = next;
+    component.step(state, dt, z);
+  }
+  return z;
+}
+
+TEST(Tangent, LetsAnImplicitIntegratorConverge) {
+  const Component component({kSpring, kMaxwell, kFriction, kMount});
+  const double reference = displacementOfMass(component, 1e-3 / 16, 0.2);
+  const double coarse = std::abs(displacementOfMass(component, 4e-3, 0.2) - reference);
+  const double fine = std::abs(displacementOfMass(component, 1e-3, 0.2) - reference);
+  EXPECT_LE(fine, 1e-2 * std::abs(reference));
+  EXPECT_LE(fine, 0.4 * coarse);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

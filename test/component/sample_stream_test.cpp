@@ -1,0 +1,193 @@
+// The rules for time: which samples are accepted, and that nothing else touches the state.
+#include "rubber_suspension/component/sample_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/allocation_counter.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+constexpr std::int64_t kMs = 1000000;  // [ns]
+
+class Stream : public testing::Test {
+ protected:
+  Component component_{{{"spring", {{"stiffness", {3e6}}}},
+                        {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
+                        {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}}}};
+  SampleStream stream_{component_};
+
+  double force(std::int64_t stamp, double displacement) {
+    const StreamForce result = stream_.push(stamp, displacement);
+    EXPECT_TRUE(isAccepted(result.verdict));
+    return result.force.total;
+  }
+
+  void expectDropped(std::int64_t stamp, double displacement, Verdict verdict) {
+    const std::vector<double> memory = stream_.state().memory();
+    const std::int64_t last = stream_.lastStamp();
+    const StreamForce result = stream_.push(stamp, displacement);
+    EXPECT_EQ(result.verdict, verdict);
+    EXPECT_FALSE(isAccepted(result.verdict));
+    EXPECT_EQ(result.force.total, 0.0);
+    EXPECT_EQ(stream_.state().memory(), memory);
+    EXPECT_EQ(stream_.lastStamp(), last);
+  }
+};
+
+TEST_F(Stream, FirstSampleFindsTheComponentAtRest) {
+  EXPECT_FALSE(stream_.started());
+  EXPECT_DOUBLE_EQ(force(12345 * kMs, 2e-3), 6e3) << "the spring alone: all else has relaxed";
+  EXPECT_TRUE(stream_.started());
+  EXPECT_EQ(stream_.lastStamp(), 12345 * kMs);
+}
+
+TEST_F(Stream, StepsAsTheComponentDoes) {
+  ComponentState state = component_.makeState();
+  component_.rest(state, 1e-3);
+  stream_.push(0, 1e-3);
+  for (int i = 1; i < 50; ++i) {
+    const double z = 1e-3 * std::cos(0.3 * i);
+    EXPECT_EQ(force(i * 7 * kMs, z), component_.step(state, 0.007, z).total) << i;
+  }
+  EXPECT_EQ(stream_.counters().accepted, 50U);
+  EXPECT_EQ(stream_.counters().dropped(), 0U);
+}
+
+TEST_F(Stream, DropsWhatIsNotFinite) {
+  expectDropped(0, NAN, Verdict::not_finite);
+  EXPECT_FALSE(stream_.started()) << "not a start either";
+  stream_.push(0, 1e-3);
+  expectDropped(kMs, NAN, Verdict::not_finite);
+  expectDropped(kMs, INFINITY, Verdict::not_finite);
+  expectDropped(kMs, -INFINITY, Verdict::not_finite);
+  EXPECT_EQ(stream_.counters().not_finite, 4U);
+  EXPECT_EQ(stream_.counters().dropped(), 4U);
+  EXPECT_EQ(stream_.counters().accepted, 1U);
+}
+
+TEST_F(Stream, DropsRepeatedStamps) {
+  stream_.push(5 * kMs, 1e-3);
+  expectDropped(5 * kMs, 1e-3, Verdict::repeated);
+  expectDropped(5 * kMs, 2e-3, Verdict::repeated);
+  EXPECT_EQ(stream_.counters().repeated, 2U);
+}
+
+TEST_F(Stream, DropsStepsBackUpToASecond) {
+  const std::int64_t second = SampleStream::kNanosecondsPerSecond;
+  stream_.push(10 * second, 1e-3);
+  expectDropped(10 * second - 1, 1e-3, Verdict::stepped_back);
+  expectDropped(9 * second, 1e-3, Verdict::stepped_back);
+  EXPECT_EQ(stream_.counters().stepped_back, 2U);
+  EXPECT_EQ(stream_.counters().restarted, 0U);
+}
+
+TEST_F(Stream, RestartsAfterALongerJumpBack) {
+  const std::int64_t second = SampleStream::kNanosecondsPerSecond;
+  const double first = force(10 * second, 1e-3);
+  stream_.push(10 * second + kMs, 3e-3);
+  const StreamForce result = stream_.push(9 * second - 1, 1e-3);
+  EXPECT_EQ(result.verdict, Verdict::restarted);
+  EXPECT_EQ(result.force.total, first) << "as new";
+  EXPECT_EQ(stream_.counters().restarted, 1U);
+  EXPECT_EQ(stream_.counters().accepted, 3U);
+  EXPECT_EQ(stream_.counters().dropped(), 0U);
+}
+
+TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
+  SampleStream clean(component_);
+  for (int i = 0; i < 100; ++i) {
+    const double z = 1e-3 * std::sin(0.2 * i);
+    const StreamForce expected = clean.push(i * kMs, z);
+    EXPECT_EQ(force(i * kMs, z), expected.force.total);
+    stream_.push(i * kMs, 5e-3);
+    stream_.push((i - 3) * kMs, 5e-3);
+    stream_.push((i + 1) * kMs, NAN);
+  }
+  EXPECT_EQ(stream_.counters().dropped(), 300U);
+}
+
+// A gap is one long step with linear displacement in between: the same as if the missing samples had been there.
+TEST_F(Stream, BridgesAGapExactly) {
+  stream_.push(0, 0.0);
+  const StreamForce bridged = stream_.push(501 * kMs, 1e-3);
+  EXPECT_EQ(bridged.verdict, Verdict::bridged);
+  EXPECT_EQ(stream_.counters().bridged, 1U);
+  SampleStream complete(component_);
+  complete.push(0, 0.0);
+  double expected = 0.0;
+  for (int i = 1; i <= 501; ++i) {
+    expected = complete.push(i * kMs, 1e-3 * i / 501.0).force.total;
+  }
+  EXPECT_NEAR(bridged.force.total, expected, 1e-11 * expected);  // 501 times rounding
+  EXPECT_EQ(complete.counters().bridged, 0U);
+}
+
+TEST_F(Stream, GapLimitIsAsGiven) {
+  SampleStream strict(component_, 0.01);
+  strict.push(0, 0.0);
+  EXPECT_EQ(strict.push(10 * kMs, 0.0).verdict, Verdict::accepted);
+  EXPECT_EQ(strict.push(20 * kMs + 1, 0.0).verdict, Verdict::bridged);
+  stream_.push(0, 0.0);
+  EXPECT_EQ(stream_.push(500 * kMs, 0.0).verdict, Verdict::accepted) << "half a second by default";
+  SampleStream patient(component_, 1e300);
+  patient.push(0, 0.0);
+  EXPECT_EQ(patient.push(1000000000LL * 1000 * kMs, 0.0).verdict, Verdict::accepted);
+}
+
+TEST_F(Stream, TimeIsExactToTheNanosecondFarFromZero) {
+  const std::int64_t epoch = 1700000000 * SampleStream::kNanosecondsPerSecond;
+  SampleStream late(component_);
+  stream_.push(0, 0.0);
+  late.push(epoch, 0.0);
+  for (int i = 1; i < 20; ++i) {
+    EXPECT_EQ(late.push(epoch + i * 1234567, 1e-4 * i).force.total, force(i * 1234567, 1e-4 * i));
+  }
+}
+
+TEST_F(Stream, ExtremeStampsDoNotOverflow) {
+  const std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  const std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
+  stream_.push(least, 0.0);
+  EXPECT_TRUE(std::isfinite(stream_.push(greatest, 1e-3).force.total));
+  EXPECT_EQ(stream_.push(least, 0.0).verdict, Verdict::restarted);
+}
+
+TEST_F(Stream, ResetIsAsNewAndKeepsTheCounters) {
+  const double first = force(0, 1e-3);
+  stream_.push(kMs, 3e-3);
+  stream_.reset();
+  EXPECT_FALSE(stream_.started());
+  EXPECT_EQ(force(0, 1e-3), first) << "also with a stamp from before";
+  EXPECT_EQ(stream_.counters().accepted, 3U);
+  EXPECT_EQ(stream_.counters().restarted, 0U);
+}
+
+TEST_F(Stream, RestoredStreamContinuesBitByBit) {
+  for (int i = 0; i < 30; ++i) {
+    stream_.push(i * kMs, 1e-3 * std::sin(0.4 * i));
+  }
+  SampleStream other(component_);
+  other.restore(stream_.lastStamp(), stream_.state().displacement(), stream_.state().memory());
+  for (int i = 30; i < 60; ++i) {
+    EXPECT_EQ(other.push(i * kMs, 1e-3 * std::sin(0.4 * i)).force.total, force(i * kMs, 1e-3 * std::sin(0.4 * i)));
+  }
+  EXPECT_THROW(other.restore(0, 0.0, {}), std::invalid_argument);
+}
+
+TEST_F(Stream, PushAllocatesNothing) {
+  stream_.push(0, 0.0);
+  const AllocationCounter counter;
+  for (int i = 1; i < 100; ++i) {
+    stream_.push(i * kMs, 1e-3);
+    stream_.push(i * kMs, NAN);
+  }
+  stream_.push(-5000 * kMs, 0.0);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
