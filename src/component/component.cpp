@@ -145,6 +145,8 @@ void Component::reserveMemory() {
   placeAll(rig_);
   behind_effects_slot_ = reserve(displacement_effects_.empty() ? 0 : 1);
   behind_mount_slot_ = reserve(mount_compliance_ > 0.0 ? 1 : 0);
+  plain_ = specimen_.empty() && force_effects_.empty() && displacement_effects_.empty() && rig_.empty() &&
+           mount_compliance_ == 0.0;
 }
 
 std::size_t Component::reserve(std::size_t size) {
@@ -193,7 +195,7 @@ ComponentForce Component::specimenRest(double displacement, bool as_new, double*
   return force;
 }
 
-ComponentForce Component::specimenStep(const ComponentState& state, const Motion& motion, double* memory) const {
+inline ComponentForce Component::plainStep(const ComponentState& state, const Motion& motion, double* memory) const {
   double viscous = state.dashpot_gain_ * motion.increment;
   double* maxwell_force = memory;
   for (const MaxwellStep& coefficients : state.maxwell_steps_) {
@@ -207,7 +209,11 @@ ComponentForce Component::specimenStep(const ComponentState& state, const Motion
     berg_memory += BergFriction::kMemorySize;
   }
   const double elastic = spring_stiffness_ * motion.displacement;
-  ComponentForce force{elastic + viscous + friction, elastic, viscous, friction};
+  return {elastic + viscous + friction, elastic, viscous, friction};
+}
+
+ComponentForce Component::specimenStep(const ComponentState& state, const Motion& motion, double* memory) const {
+  ComponentForce force = plainStep(state, motion, memory);
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }
@@ -272,6 +278,10 @@ ComponentForce Component::step(ComponentState& state, double dt, double displace
   prepare(state, dt);
   double* memory = state.memory_.data();
   const Motion actuator{dt, displacement, displacement - state.displacement_};
+  if (plain_) {
+    state.displacement_ = displacement;
+    return plainStep(state, actuator, memory);
+  }
   Motion specimen = actuator;
   if (!displacement_effects_.empty()) {
     for (const auto& effect : displacement_effects_) {

@@ -1,4 +1,5 @@
 // Properties that hold on every path: RapidCheck draws the paths and shrinks those that fail. Needs RapidCheck.
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>

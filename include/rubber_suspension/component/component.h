@@ -93,6 +93,7 @@ class Component {
   void reserveMemory();
   void prepare(ComponentState& state, double dt) const;
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
+  ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
   ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;
   ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
@@ -120,6 +121,7 @@ class Component {
   std::vector<Placed<DisplacementEffect>> displacement_effects_;
   std::vector<Placed<ForceEffect>> force_effects_;
   double mount_compliance_ = 0.0;        // sum of 1/K_s of all series mounts [m/N]
+  bool plain_ = true;                    // nothing but springs, dashpots, Maxwell elements and Berg friction
   std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes
   std::size_t behind_effects_slot_ = 0;  // memory: displacement behind the displacement effects
   std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount
