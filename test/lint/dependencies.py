@@ -11,7 +11,6 @@ import xml.etree.ElementTree as ElementTree
 
 # rosdep key -> (how the sources name it: CMake package, header folder or Python module, its packages in Debian)
 KEYS = {
-    "benchmark": ({"benchmark"}, {"libbenchmark-dev"}),
     "boost": ({"Boost", "boost"}, {"libboost-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
     "cli11": ({"CLI11", "CLI"}, {"libcli11-dev"}),
@@ -26,7 +25,6 @@ KEYS = {
     "gtest": ({"GTest", "gtest"}, {"libgtest-dev"}),
     "libceres-dev": ({"Ceres", "ceres"}, {"libceres-dev"}),
     "matio": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
-    "librapidcheck-dev": ({"rapidcheck", "rapidcheck.h"}, {"librapidcheck-dev"}),
     "libudunits2-dev": ({"UDUNITS2_LIBRARY", "udunits2.h"}, {"libudunits2-dev"}),
     "message_generation": ({"message_generation"}, {"ros-message-generation"}),
     "message_runtime": ({"message_runtime"}, {"ros-message-runtime"}),
@@ -38,7 +36,7 @@ KEYS = {
     "python3-scipy": ({"scipy"}, {"python3-scipy"}),
     "python3-yaml": ({"yaml"}, {"python3-yaml"}),
     "rosbag": ({"py:rosbag", "pkg:rosbag"}, {"python3-rosbag"}),
-    "rosbag_storage": ({"rosbag_storage"}, {"librosbag-storage-dev"}),
+    "rosbag_storage": ({"rosbag_storage", "rosbag"}, {"librosbag-storage-dev"}),
     "roscpp": ({"roscpp", "ros", "roscpp_msgs"}, {"libroscpp-dev"}),
     "rosgraph": ({"py:rosgraph"}, {"python3-rosgraph"}),
     "rosgraph_msgs": ({"rosgraph_msgs"}, {"libros-rosgraph-msgs-dev"}),
@@ -56,11 +54,13 @@ KEYS = {
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
 }
 # Brought by a package that another key names, or by the language itself.
-IMPLIED = {"rosconsole", "rostime", "Threads", "CTest", "bits", "sys", "arpa", "netinet", "gnu", "linux"}
-# For tools that are no rosdep dependency: scripts/dependencies.txt alone names them.
-TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg"}
+IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "netinet", "gnu", "linux"}
+# Found where they are, done without where not: no rosdep key names them.
+OPTIONAL = {"rapidcheck", "rapidcheck.h", "benchmark"}
+# For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
+TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libbenchmark-dev"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
-INTROSPECTION = {"python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
+INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}
 
 FIND_PACKAGE = re.compile(r"^\s*find_package\((\w[\w+-]*)([^)]*)\)", re.MULTILINE | re.DOTALL)
@@ -134,7 +134,7 @@ def check(root):
             bare = name.split(":", 1)[-1]
             key = key_of.get(name) or key_of.get(bare) or (bare if name.startswith("pkg:") else None)
             if key is None:
-                if bare not in IMPLIED:
+                if bare not in IMPLIED | OPTIONAL:
                     problems.add(f"{path.relative_to(root)}: `{bare}` has no rosdep key in test/lint/dependencies.py")
             else:
                 used.add(key)
