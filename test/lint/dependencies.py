@@ -19,7 +19,7 @@ KEYS = {
         {"libdiagnostic-msgs-dev", "ros-diagnostic-msgs", "python3-diagnostic-msgs"},
     ),
     "diagnostic_updater": ({"diagnostic_updater"}, {"libdiagnostic-updater-dev"}),
-    "eigen": ({"Eigen3", "Eigen"}, {"libeigen3-dev"}),
+    "eigen": ({"Eigen3", "Eigen", "unsupported"}, {"libeigen3-dev"}),
     "fmt": ({"fmt"}, {"libfmt-dev"}),
     "google-mock": ({"gmock"}, {"libgmock-dev"}),
     "gtest": ({"GTest", "gtest"}, {"libgtest-dev"}),
