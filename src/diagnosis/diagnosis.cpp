@@ -2,6 +2,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "characteristics.h"
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "rubber_suspension/diagnosis/experiment.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
@@ -194,6 +196,29 @@ ComponentDescription augmentedDescription(const OwnParameters& own, const Trial&
   return result;
 }
 
+// Share of a log whose displacement repeats what it did one period before, the period being where the displacement
+// resembles itself best; repeats let noise be told from error without a model.
+double repeatsOf(const Record& record) {
+  constexpr double kSame = 0.05;  // difference over deviation that counts as a repeat
+  constexpr Eigen::Index kCoarse = 1024;
+  const Eigen::Index stride = std::max<Eigen::Index>(1, record.size() / kCoarse);
+  const Eigen::Index count = record.size() / stride;
+  Eigen::VectorXd z(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    z[i] = record.displacement[i * stride];
+  }
+  z.array() -= z.mean();
+  const double deviation = std::sqrt(z.squaredNorm() / static_cast<double>(count));
+  double best = 0.0;
+  for (Eigen::Index lag = 4; lag < count / 2; ++lag) {
+    const Eigen::Index rest = count - lag;
+    const Eigen::ArrayXd difference = (z.tail(rest) - z.head(rest)).array().abs();
+    const auto same = (difference < kSame * deviation).count();
+    best = std::max(best, static_cast<double>(same) / static_cast<double>(count));
+  }
+  return best;
+}
+
 Admission admit(const Record& record, bool hold_out, double noise) {
   Admission admission;
   admission.log = record.name;
@@ -203,6 +228,7 @@ Admission admit(const Record& record, bool hold_out, double noise) {
   admission.largest_displacement = record.displacement.cwiseAbs().maxCoeff();
   admission.highest_frequency = record.highest_frequency;
   admission.noise = noise;
+  admission.repeats = repeatsOf(record);
   admission.notes = record.notes;
   return admission;
 }
@@ -335,9 +361,6 @@ class Diagnoser {
   }
 
   void describeVerdict() {
-    const auto name = [&](int candidate) {
-      return result_.search.candidates[static_cast<std::size_t>(candidate)].effect;
-    };
     result_.verdict = toString(verdict_.kind);
     result_.probability_none = verdict_.probability_none_of_these;
     for (const int effect : verdict_.effects) {
@@ -348,6 +371,95 @@ class Diagnoser {
       for (const int effect : set) {
         result_.confounded.back().push_back(name(effect));
       }
+    }
+    result_.next_experiment = nextExperiment();
+    result_.sentence = sentence();
+  }
+
+  const std::string& name(int candidate) const {
+    return result_.search.candidates[static_cast<std::size_t>(candidate)].effect;
+  }
+
+  // The two explanations that the next experiment should tell apart: the one named and the best that is not in it.
+  std::string nextExperiment() const {
+    const Search& s = result_.search;
+    const Trial* rival = nullptr;
+    for (const auto* trials : {&s.singles, &s.pairs}) {
+      for (const Trial& trial : *trials) {
+        const bool other = !verdict_.model.members.empty() && trial.members.size() == verdict_.model.members.size() &&
+                           trial.members != verdict_.model.members;
+        const bool first = verdict_.model.members.empty() && trial.members.size() == 1;
+        if ((other || first) && (rival == nullptr || trial.fit.held_out < rival->fit.held_out)) {
+          rival = &trial;
+        }
+      }
+    }
+    if (rival == nullptr) {
+      return "None of the menu: no second explanation was fitted.";
+    }
+    const Excitation excitation = summarise(training_);
+    const auto menu = experimentMenu(excitation.largest_displacement, excitation.highest_frequency, excitation.dt);
+    const double noise = std::max(s.noise, 1e-4) * excitation.force;
+    const auto best =
+        mostTelling(menu, result_.augmented.allElements(), augmentedDescription(own_, *rival).allElements(), noise);
+    if (best.experiment == nullptr) {
+      return "None of the menu would tell the explanations apart.";
+    }
+    return fmt::format("{}: there {} and {} differ by {:.1f} times the noise floor.", best.experiment->description,
+                       membersText(verdict_.model), membersText(*rival), best.difference);
+  }
+
+  std::string membersText(const Trial& trial) const {
+    std::string text;
+    for (const int member : trial.members) {
+      text += (text.empty() ? "" : " + ") + name(member);
+    }
+    return text.empty() ? "the model as it is" : text;
+  }
+
+  std::string namesText() const {
+    std::string text;
+    for (const std::string& effect : result_.effects) {
+      text += (text.empty() ? "" : " and ") + effect;
+    }
+    return text;
+  }
+
+  std::string setsText() const {
+    std::string text;
+    for (const auto& set : result_.confounded) {
+      if (set.size() > 1) {
+        text += (text.empty() ? "" : "; ") + fmt::format("{}", fmt::join(set, ", "));
+      }
+    }
+    return text;
+  }
+
+  std::string sentence() const {
+    const Gap& gap = result_.gap;
+    const std::string closes = fmt::format(
+        "adding {} closes {:.0f} % of what own parameters leave (gap {:.1f} % to {:.1f} %, noise floor {:.1f} %)",
+        namesText(), 100.0 * result_.closed, 100.0 * gap.re_estimated, 100.0 * gap.augmented, 100.0 * gap.noise_floor);
+    switch (verdict_.kind) {
+      case VerdictKind::none:
+        return fmt::format("The model meets the measurement: the gap of {:.1f} % is at the noise floor of {:.1f} %.",
+                           100.0 * gap.as_configured, 100.0 * gap.noise_floor);
+      case VerdictKind::parameter_error:
+        return fmt::format(
+            "The model's own values are off: re-estimating them takes the gap from {:.1f} % to {:.1f} %.",
+            100.0 * gap.as_configured, 100.0 * gap.re_estimated);
+      case VerdictKind::named:
+        return fmt::format("The model lacks {}: {}.", namesText(), closes);
+      case VerdictKind::confounded:
+        return fmt::format("The model most probably lacks {}: {}. These logs cannot tell apart: {}.", namesText(),
+                           closes, setsText());
+      case VerdictKind::partly:
+        return fmt::format("The model lacks {}, and something else: {}; a significant rest is not explained.",
+                           namesText(), closes);
+      default:
+        return fmt::format(
+            "The gap of {:.1f} % is real (noise floor {:.1f} %) and no effect of the list explains it: {}",
+            100.0 * gap.re_estimated, 100.0 * gap.noise_floor, "see where it lies before trusting the model there.");
     }
   }
 

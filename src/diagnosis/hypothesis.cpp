@@ -149,7 +149,8 @@ double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms, bool trends) const {
+BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms, bool trends,
+                             const std::vector<bool>& active) const {
   const auto base = forces(point, atoms);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the point of linearisation");
@@ -160,10 +161,18 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
   for (Eigen::Index j = 0; j < own_.size(); ++j) {
     columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(ownColumn(point, atoms, j, *base)));
   }
+  auto zeros = std::make_shared<std::vector<Eigen::VectorXd>>();
+  for (const Record& record : records_) {
+    zeros->push_back(Eigen::VectorXd::Zero(record.size()));
+  }
   for (std::size_t a = 0; a < atoms.size(); ++a) {
-    columns.push_back(plain && atoms[a].unit_force
-                          ? atoms[a].unit_force
-                          : std::make_shared<std::vector<Eigen::VectorXd>>(atomColumn(point, atoms, a, *base)));
+    if (!active.empty() && !active[a]) {
+      columns.push_back(zeros);
+    } else if (plain && atoms[a].unit_force) {
+      columns.push_back(atoms[a].unit_force);
+    } else {
+      columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(atomColumn(point, atoms, a, *base)));
+    }
   }
   return normalEquations(*base, columns, trends);
 }
@@ -308,7 +317,12 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
     if (!improved) {
       break;
     }
-    blocks = linearise(result.point, atoms, trends);
+    // What the first step leaves at nothing takes no further part: its force would have to be simulated each time.
+    std::vector<bool> active(atoms.size());
+    for (std::size_t a = 0; a < atoms.size(); ++a) {
+      active[a] = atoms[a].additive || result.point.scales[static_cast<Eigen::Index>(a)] != 0.0;
+    }
+    blocks = linearise(result.point, atoms, trends, active);
   }
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   for (Eigen::Index j = 0; j < unknowns; ++j) {

@@ -18,8 +18,6 @@ constexpr std::size_t kPairsFitted = 8;
 constexpr std::size_t kAdditionsFitted = 3;
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 
-bool wantsTrends(const Candidate& candidate) { return candidate.effect == "force_drift"; }
-
 Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
   Trial trial;
   trial.members = members;
@@ -30,16 +28,13 @@ Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>
   return trial;
 }
 
-bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
-  return std::any_of(members.begin(), members.end(),
-                     [&](int member) { return wantsTrends(candidates[static_cast<std::size_t>(member)]); });
-}
-
 // Fit from several starts of the own parameters, nothing added; the best counts.
 void fitTrial(const Fitter& fitter, const std::vector<Candidate>& candidates,
               const std::vector<Eigen::VectorXd>& starts, int iterations, Trial& trial) {
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trial.atoms.size()));
-  for (std::size_t i = 0; i < starts.size(); ++i) {
+  const bool additive =
+      std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return atom.additive; });
+  for (std::size_t i = 0; i < (additive ? 1 : starts.size()); ++i) {  // additive effects have one optimum only
     Fit fit = fitter.fit(trial.atoms, {starts[i], nothing}, iterations, hasTrends(candidates, trial.members));
     if (i == 0 || fit.held_out < trial.fit.held_out) {
       trial.fit = std::move(fit);
@@ -209,6 +204,11 @@ void sortByError(std::vector<Trial>& trials) {
 }
 
 }  // namespace
+
+bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+  return std::any_of(members.begin(), members.end(),
+                     [&](int member) { return candidates[static_cast<std::size_t>(member)].free_trend; });
+}
 
 Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress) {
   const auto say = [&](const std::string& stage, double fraction) {

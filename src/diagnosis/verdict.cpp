@@ -14,11 +14,19 @@ namespace {
 constexpr double kFloorMargin = 1.03;        // the floor is known to some percent only
 constexpr double kInsignificantGap = 0.006;  // of the force: smaller gaps are within the accuracy of discretisation
 constexpr double kWithinNoise = 0.5;         // an excess below this part of the floor is noise
-constexpr double kRestOfGap = 0.12;          // what may remain of a gap that counts as closed
-constexpr double kNeedsAnother = 0.6;        // one more effect has to reduce the excess below this part
-constexpr double kUnknown = 0.4;             // a gap closed by less than this is not explained
+constexpr double kRestOfGap = 0.12;          // what may remain of a gap that counts as closed by own parameters
+constexpr double kAboveNoise = 2.5;          // times the floor: an excess that own parameters must not leave
+constexpr double kRestOfEffects = 0.16;      // what may remain of a gap without a search for one more effect
+constexpr double kNeedsAnother = 0.55;       // one more effect has to reduce the excess below this part
+constexpr double kUnknown = 0.33;            // a gap closed by less than this is not explained
 constexpr double kPartly = 0.7;              // closed by less than this: explained in part
-constexpr double kSharpness = 2.0;           // of the probabilities over the logarithm of the excess
+constexpr double kWorthNaming = 0.15;        // or else by this part of the gap
+constexpr double kTrendHandicap = 1.25;      // on a free trend per log, which follows whatever is slow
+// Probabilities over the excess: sharpness, and the blur within which nothing can be told apart, as parts of the noise
+// floor and of the gap. Fitted by maximum likelihood to cases of virtual rigs that take part in no trial.
+constexpr double kSharpness = 3.0;
+constexpr double kNoiseBlur = 0.2;
+constexpr double kGapBlur = 0.015;
 constexpr double kSetProbability = 0.9;
 
 class Decision {
@@ -48,7 +56,9 @@ class Decision {
     return std::sqrt(std::max(0.0, error * error - std::pow(kFloorMargin * search_.noise, 2)));
   }
 
-  double excess(const Trial& trial) const { return excess(trial.fit.held_out); }
+  double excess(const Trial& trial) const {
+    return excess(trial.fit.held_out * (hasTrends(search_.candidates, trial.members) ? kTrendHandicap : 1.0));
+  }
 
   Trial configuredTrial() const {
     Trial trial = search_.re_estimated;
@@ -57,8 +67,8 @@ class Decision {
   }
 
   bool closedByOwnParameters(double configured) const {
-    const double small = std::max({kWithinNoise * search_.noise, kInsignificantGap, kRestOfGap * configured});
-    if (base_ < small) {
+    if (base_ < std::max(kWithinNoise * search_.noise, kInsignificantGap) ||
+        base_ < std::min(kAboveNoise * search_.noise, kRestOfGap * configured)) {
       return true;
     }
     // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
@@ -71,7 +81,7 @@ class Decision {
   // noise, within which nothing can be told apart.
   std::vector<double> softmax(const std::vector<double>& excesses) const {
     std::vector<double> weights;
-    const double blur = 0.3 * search_.noise + 0.02 * base_;
+    const double blur = kNoiseBlur * search_.noise + kGapBlur * base_;
     for (const double x : excesses) {
       weights.push_back(std::isfinite(x) ? std::pow(x * x + blur * blur, -kSharpness) : 0.0);
     }
@@ -103,8 +113,12 @@ class Decision {
     const Trial* chosen = best(search_.singles);
     for (const auto* more : {&search_.pairs, &search_.triples}) {
       const Trial* trial = best(*more);
-      const double enough = std::max(kWithinNoise * search_.noise, 0.5 * kRestOfGap * base_);
-      if (trial != nullptr && excess(*chosen) > enough && excess(*trial) < kNeedsAnother * excess(*chosen)) {
+      const double enough = std::max(kWithinNoise * search_.noise, kRestOfEffects * base_);
+      if (trial == nullptr || excess(*chosen) < enough) {
+        continue;
+      }
+      const double ratio = excess(*trial) / excess(*chosen);
+      if (ratio < kNeedsAnother || excess(*chosen) - excess(*trial) > kWorthNaming * base_) {
         chosen = trial;
       }
     }

@@ -44,6 +44,7 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<Atom> atoms;
+  bool free_trend = false;  ///< a slow trend of each log belongs to it, which no model run reproduces
 };
 
 /// All candidates for these logs, in the order of the reference page. To add one: a file in candidate/ and its line

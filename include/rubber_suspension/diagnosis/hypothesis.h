@@ -55,7 +55,9 @@ class Fitter {
   std::optional<std::vector<ElementDescription>> elements(const Point& point, const std::vector<Atom>& atoms) const;
 
   /// Residuals at a point and normal equations about it. Throws std::invalid_argument where the point has no model.
-  BlockGrams linearise(const Point& point, const std::vector<Atom>& atoms, bool trends) const;
+  /// Atoms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
+  BlockGrams linearise(const Point& point, const std::vector<Atom>& atoms, bool trends,
+                       const std::vector<bool>& active = {}) const;
 
   /// Fit by Gauss-Newton steps within the bounds, from a start. `trends`: a slow trend per log, which no model run
   /// reproduces, is free too (drift of the load cell that is not a ramp).

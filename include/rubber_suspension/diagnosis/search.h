@@ -32,6 +32,9 @@ struct Search {
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 };
 
+/// True if one of these candidates frees a slow trend per log.
+bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 

@@ -4,7 +4,8 @@
 namespace rubber_suspension {
 
 Candidate bumpStopCandidate(const Excitation& excitation) {
-  Candidate candidate{"bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
+  Candidate candidate{
+      "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}, false};
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
       candidate.atoms.push_back(additiveAtom("bump_stop", "stiffness", excitation.stiffness,

@@ -5,7 +5,8 @@ namespace rubber_suspension {
 
 Candidate creepCandidate(const Excitation& excitation) {
   constexpr double kPi = 3.14159265358979;
-  Candidate candidate{"creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}};
+  Candidate candidate{
+      "creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}, false};
   for (double time = 6.0; time < 3.0 * excitation.longest_duration || candidate.atoms.empty(); time *= 2.5) {
     candidate.atoms.push_back(additiveAtom("maxwell", "stiffness", 0.05 * excitation.stiffness,
                                            {{"break_frequency", {1.0 / (2.0 * kPi * time)}}}));

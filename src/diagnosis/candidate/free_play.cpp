@@ -5,7 +5,7 @@ namespace rubber_suspension {
 
 // Dead zones one after the other, each taking a share of the motion within it: sharp or soft edges.
 Candidate freePlayCandidate(const Excitation& excitation) {
-  Candidate candidate{"free_play", "dead zone: stiffness falls at small amplitude", true, {}};
+  Candidate candidate{"free_play", "dead zone: stiffness falls at small amplitude", true, {}, false};
   for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
     Atom atom = additiveAtom("free_play", "share", 0.3, {{"gap", {size * excitation.largest_displacement}}});
     atom.upper = 1.0;

@@ -5,7 +5,7 @@ namespace rubber_suspension {
 
 Candidate frictionCandidate(const Excitation& excitation) {
   Candidate candidate{
-      "friction", "rate-independent friction: stiffness falls with amplitude at any frequency", false, {}};
+      "friction", "rate-independent friction: stiffness falls with amplitude at any frequency", false, {}, false};
   // Stop operators over the range of amplitudes: with stiffnesses of 0 or more they compose any friction that obeys
   // Masing's rule (Coulomb, Dahl, Iwan) and come close to those that nearly do (Berg, Bouc-Wen).
   for (const double share : {0.006, 0.015, 0.035, 0.075, 0.15, 0.27, 0.45, 0.7}) {

@@ -8,7 +8,7 @@ Candidate relaxationCandidate(const Excitation& excitation) {
   constexpr double kSlowest = 1.0 / (2.0 * 3.14159265358979 * 5.0);
   constexpr double kRatio = 2.2;
   Candidate candidate{
-      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}};
+      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};
   for (double frequency = kSlowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
     candidate.atoms.push_back(
         additiveAtom("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));

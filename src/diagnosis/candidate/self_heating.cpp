@@ -5,7 +5,7 @@ namespace rubber_suspension {
 
 Candidate selfHeatingCandidate(const Excitation& excitation) {
   Candidate candidate{
-      "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest", false, {}};
+      "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest", false, {}, false};
   for (const double time : {10.0, 40.0, 160.0, 640.0}) {
     const double typical = 0.5 / (excitation.power * time);
     Atom atom = additiveAtom("self_heating", "energy_sensitivity", typical, {{"time_constant", {time}}});

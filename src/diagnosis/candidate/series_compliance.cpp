@@ -14,7 +14,8 @@ Candidate seriesComplianceCandidate(const Excitation& excitation) {
   return {"series_compliance",
           "rig or bracket that yields: error grows with stiffness whatever the frequency",
           true,
-          {atom}};
+          {atom},
+          false};
 }
 
 }  // namespace rubber_suspension

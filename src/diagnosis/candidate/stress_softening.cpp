@@ -7,10 +7,11 @@ namespace rubber_suspension {
 // displacement only; at once or over some cycles.
 Candidate stressSofteningCandidate(const Excitation& excitation) {
   Candidate candidate{
-      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
-  for (const double width : {0.15, 0.5, 1.5}) {
-    for (const double path : {0.0, 4.0 * excitation.largest_displacement, 16.0 * excitation.largest_displacement}) {
-      Atom atom = additiveAtom("stress_softening", "reduction", 0.1, {{"width", {width}}, {"path", {path}}});
+      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}, false};
+  for (const double width : {0.05, 0.15, 0.5, 1.5}) {
+    for (const double path : {0.0, 2.0, 8.0, 32.0}) {
+      Atom atom = additiveAtom("stress_softening", "reduction", 0.1,
+                               {{"width", {width}}, {"path", {path * excitation.largest_displacement}}});
       atom.upper = 0.8;
       atom.additive = false;
       candidate.atoms.push_back(atom);

@@ -10,7 +10,8 @@ Candidate timeDelayCandidate(const Excitation& excitation) {
   atom.lower = -std::min(4.0 * excitation.dt, 0.02);
   atom.upper = 0.03;
   atom.additive = false;
-  return {"time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {atom}};
+  return {
+      "time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {atom}, false};
 }
 
 }  // namespace rubber_suspension
