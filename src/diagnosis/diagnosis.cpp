@@ -398,7 +398,7 @@ class Diagnoser {
       return "None of the menu: no second explanation was fitted.";
     }
     const Excitation excitation = summarise(training_);
-    const auto menu = experimentMenu(excitation.largest_displacement, excitation.highest_frequency, excitation.dt);
+    const auto menu = experimentMenu(excitation);
     const double noise = std::max(s.noise, 1e-4) * excitation.force;
     const auto best =
         mostTelling(menu, result_.augmented.allElements(), augmentedDescription(own_, *rival).allElements(), noise);

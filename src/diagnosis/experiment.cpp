@@ -11,7 +11,6 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kLength = 10.0;  // [s] of an experiment
 constexpr double kPi = 3.14159265358979323846;
 
 template <class Law>
@@ -23,41 +22,56 @@ Experiment make(const std::string& description, double length, double dt, Law di
   return experiment;
 }
 
-void addSines(double z, double highest, double dt, std::vector<Experiment>& menu) {
-  for (const double frequency : {0.1, 0.5, 2.0, 0.5 * highest, highest}) {
+// Steps that resolve the motion; no finer than the logs.
+double stepFor(const Excitation& excitation, double frequency) {
+  return std::max(excitation.dt, 1.0 / (200.0 * frequency));
+}
+
+void addSines(const Excitation& excitation, std::vector<Experiment>& menu) {
+  for (const double part : {0.02, 0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
-      if (frequency > highest) {
-        continue;
-      }
-      // Fast motion with the full stroke is beyond most test benches: the rate of a 2 Hz sine with full stroke is
-      // allowed.
-      const double amplitude = share * z * std::min(1.0, 2.0 / frequency);
+      const double frequency = part * excitation.highest_frequency;
+      const double amplitude =
+          std::min(share * excitation.largest_displacement, excitation.highest_rate / (2.0 * kPi * frequency));
       menu.push_back(make(fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, 1e3 * amplitude),
-                          std::max(kLength, 3.0 / frequency), dt,
+                          8.0 / frequency, stepFor(excitation, frequency),
                           [=](double t) { return amplitude * std::sin(2.0 * kPi * frequency * t); }));
     }
   }
 }
 
+// The fastest sine of full stroke that the rig has shown to be able to run.
+double fullStrokeFrequency(const Excitation& excitation) {
+  return std::min(excitation.highest_frequency,
+                  excitation.highest_rate / (2.0 * kPi * excitation.largest_displacement));
+}
+
 }  // namespace
 
-std::vector<Experiment> experimentMenu(double largest_displacement, double highest_frequency, double dt) {
-  const double z = largest_displacement;
+std::vector<Experiment> experimentMenu(const Excitation& excitation) {
+  const double z = excitation.largest_displacement;
+  const double frequency = fullStrokeFrequency(excitation);
+  const double dt = stepFor(excitation, frequency);
+  const double omega = 2.0 * kPi * frequency;
   std::vector<Experiment> menu;
-  addSines(z, highest_frequency, dt, menu);
-  menu.push_back(make(fmt::format("ramp of 0.2 s to {:.3g} mm and hold for 60 s", 500.0 * z), 60.0, dt,
-                      [=](double t) { return 0.5 * z * std::min(1.0, t / 0.2); }));
+  addSines(excitation, menu);
+  const double rise = 1.0 / frequency;
+  menu.push_back(make(fmt::format("ramp of {:.3g} s to {:.3g} mm and hold for 60 s", rise, 500.0 * z), 60.0 + rise, dt,
+                      [=](double t) { return 0.5 * z * std::min(1.0, t / rise); }));
   for (const double side : {1.0, -1.0}) {
-    menu.push_back(make(
-        fmt::format("preload of {:.3g} mm, then a sine at 1 Hz with {:.3g} mm about it", side * 500.0 * z, 300.0 * z),
-        kLength, dt, [=](double t) { return side * 0.5 * z * std::min(1.0, t) + 0.3 * z * std::sin(2.0 * kPi * t); }));
+    menu.push_back(make(fmt::format("preload of {:.3g} mm, then a sine at {:.3g} Hz with {:.3g} mm about it",
+                                    side * 500.0 * z, frequency, 300.0 * z),
+                        8.0 / frequency, dt, [=](double t) {
+                          return side * 0.5 * z * std::min(1.0, t * frequency) + 0.3 * z * std::sin(omega * t);
+                        }));
   }
-  menu.push_back(make(fmt::format("sine at 1 Hz: 5 s with {:.3g} mm, 5 s with {:.3g} mm, and 5 s with {:.3g} mm again",
-                                  200.0 * z, 1000.0 * z, 200.0 * z),
-                      15.0, dt,
-                      [=](double t) { return (t >= 5.0 && t < 10.0 ? z : 0.2 * z) * std::sin(2.0 * kPi * t); }));
-  menu.push_back(make(fmt::format("sine at 2 Hz with {:.3g} mm for 5 minutes", 700.0 * z), 300.0, 2.0 * dt,
-                      [=](double t) { return 0.7 * z * std::sin(4.0 * kPi * t); }));
+  const double phase = 5.0 / frequency;
+  menu.push_back(make(
+      fmt::format("sine at {:.3g} Hz: 5 cycles with {:.3g} mm, 5 with {:.3g} mm, and 5 with {:.3g} mm again", frequency,
+                  200.0 * z, 1000.0 * z, 200.0 * z),
+      3.0 * phase, dt, [=](double t) { return (t >= phase && t < 2.0 * phase ? z : 0.2 * z) * std::sin(omega * t); }));
+  menu.push_back(make(fmt::format("sine at {:.3g} Hz with {:.3g} mm for 5 minutes", frequency, 1000.0 * z), 300.0, dt,
+                      [=](double t) { return z * std::sin(omega * t); }));
   return menu;
 }
 

@@ -129,7 +129,7 @@ void smoothDisplacement(Record& record) {
   const double nyquist = 0.5 / record.dt;
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
   record.highest_frequency = excitedUpTo(record.raw_displacement, record.dt, record.displacement_noise);
-  const double pass = 2.0 * record.highest_frequency;
+  const double pass = 3.0 * record.highest_frequency;
   if (record.displacement_noise > 1e-6 * deviation(record.raw_displacement) && pass < 0.5 * nyquist) {
     record.displacement = smooth(record.raw_displacement, record.dt, pass);
     record.notes.push_back(fmt::format("displacement noise {:.2g} m: smoothed above {:.3g} Hz for the fits",

@@ -77,17 +77,20 @@ class Decision {
            base_ < 0.4 * configured;
   }
 
-  // Probability of each candidate from what it leaves: proportional to a power of the closed part, softened by the
-  // noise, within which nothing can be told apart.
-  std::vector<double> softmax(const std::vector<double>& excesses) const {
+  // Probability of each candidate from what it leaves against what its absence leaves: a power of the ratio, softened
+  // by the noise, within which nothing can be told apart, less that of a candidate that changes nothing. The last entry
+  // is that of none of them, of weight `none`.
+  std::vector<double> probabilities(const std::vector<double>& excesses, double absent, double none) const {
+    const double blur = std::pow(kNoiseBlur * search_.noise + kGapBlur * base_, 2);
     std::vector<double> weights;
-    const double blur = kNoiseBlur * search_.noise + kGapBlur * base_;
     for (const double x : excesses) {
-      weights.push_back(std::isfinite(x) ? std::pow(x * x + blur * blur, -kSharpness) : 0.0);
+      const double ratio = (absent * absent + blur) / (x * x + blur);
+      weights.push_back(std::isfinite(x) ? std::max(0.0, std::pow(ratio, kSharpness) - 1.0) : 0.0);
     }
+    weights.push_back(none);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (double& weight : weights) {
-      weight /= sum;
+      weight = sum > 0.0 ? weight / sum : 0.0;
     }
     return weights;
   }
@@ -97,15 +100,14 @@ class Decision {
     for (const Trial& trial : search_.singles) {
       excesses.push_back(excess(trial));
     }
-    excesses.push_back(base_);  // none of them
-    const std::vector<double> weights = softmax(excesses);
+    const std::vector<double> weights = probabilities(excesses, base_, 1.0);
     std::copy(weights.begin(), weights.end() - 1, verdict_.probabilities.begin());
     verdict_.probability_none_of_these = weights.back();
   }
 
-  static const Trial* best(const std::vector<Trial>& trials) {
+  const Trial* best(const std::vector<Trial>& trials) const {
     const auto found = std::min_element(trials.begin(), trials.end(),
-                                        [](const Trial& a, const Trial& b) { return a.fit.held_out < b.fit.held_out; });
+                                        [&](const Trial& a, const Trial& b) { return excess(a) < excess(b); });
     return found == trials.end() ? nullptr : &*found;
   }
 
@@ -176,7 +178,9 @@ class Decision {
         const Trial* other = twice ? nullptr : find(members);
         excesses.push_back(other != nullptr ? excess(*other) : std::numeric_limits<double>::infinity());
       }
-      const std::vector<double> weights = softmax(excesses);
+      const double absent = std::min(without(trial, effect), base_);
+      std::vector<double> weights = probabilities(excesses, absent, 0.0);
+      weights.pop_back();
       if (trial.members.size() > 1) {  // in company, an effect is as sure as its place is
         verdict_.probabilities[static_cast<std::size_t>(effect)] = weights[static_cast<std::size_t>(effect)];
       }

@@ -19,6 +19,7 @@ struct Excitation {
   double force = 0.0;                 ///< standard deviation of the force [N]
   double power = 0.0;                 ///< mean of |force x rate| [W]
   double highest_frequency = 0.0;     ///< [Hz]
+  double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
   double longest_duration = 0.0;      ///< [s]
   double dt = 0.0;                    ///< [s]
 };

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/diagnosis/record.h"
-#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/diagnosis/candidate.h"
 
 namespace rubber_suspension {
 
@@ -17,8 +16,8 @@ struct Experiment {
 };
 
 /// Sines over frequency and amplitude, a hold, a preload, and small amplitude before and after a large one, within the
-/// displacements and frequencies that the logs show to be possible.
-std::vector<Experiment> experimentMenu(double largest_displacement, double highest_frequency, double dt);
+/// displacements, frequencies and rates that the logs show to be possible.
+std::vector<Experiment> experimentMenu(const Excitation& excitation);
 
 /// The experiment in which two models differ most.
 struct Discrimination {
