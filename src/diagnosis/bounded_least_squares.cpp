@@ -105,7 +105,11 @@ Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::Ve
     }
     free.push_back(entering);
   }
-  return scale.cwiseProduct(x);
+  Eigen::VectorXd result = scale.cwiseProduct(x);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {  // on a bound means on it to the last bit
+    result[i] = x[i] == problem.lower[i] ? lower[i] : x[i] == problem.upper[i] ? upper[i] : result[i];
+  }
+  return result;
 }
 
 }  // namespace rubber_suspension

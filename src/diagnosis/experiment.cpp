@@ -28,7 +28,7 @@ double stepFor(const Excitation& excitation, double frequency) {
 }
 
 void addSines(const Excitation& excitation, std::vector<Experiment>& menu) {
-  for (const double part : {0.02, 0.1, 0.3, 1.0}) {
+  for (const double part : {0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * excitation.highest_frequency;
       const double amplitude =

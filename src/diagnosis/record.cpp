@@ -130,7 +130,7 @@ void smoothDisplacement(Record& record) {
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
   record.highest_frequency = excitedUpTo(record.raw_displacement, record.dt, record.displacement_noise);
   const double pass = 3.0 * record.highest_frequency;
-  if (record.displacement_noise > 1e-6 * deviation(record.raw_displacement) && pass < 0.5 * nyquist) {
+  if (record.displacement_noise > 1e-5 * deviation(record.raw_displacement) && pass < 0.5 * nyquist) {
     record.displacement = smooth(record.raw_displacement, record.dt, pass);
     record.notes.push_back(fmt::format("displacement noise {:.2g} m: smoothed above {:.3g} Hz for the fits",
                                        record.displacement_noise, pass));
@@ -202,7 +202,10 @@ Record makeRecord(const Log& log) {
   record.notes = log.notes;
   setTimeBase(log, record);
   record.force_deviation = deviation(record.force);
-  if (!(record.force_deviation > 0.0) || !(deviation(record.raw_displacement) > 0.0)) {
+  const auto changes = [](const Eigen::VectorXd& values) {
+    return deviation(values) > 1e-12 * values.cwiseAbs().maxCoeff();
+  };
+  if (!changes(record.force) || !changes(record.raw_displacement)) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
   smoothDisplacement(record);

@@ -1,0 +1,135 @@
+// The diagnosis from logs to a verdict, on rigs that share no code with the candidates.
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "rig.h"
+#include "rubber_suspension/io/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+Diagnosis diagnoseRig(const RigEffect& effect, const ComponentDescription& component = rigComponent()) {
+  return diagnose(component, {runRig("one", 1, effect), runRig("two", 2, effect)}, {runRig("unseen", 3, effect)});
+}
+
+double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
+
+double stop(double /*time*/, double z, double /*rate*/) {
+  const double depth = std::max(0.0, std::abs(z) - 0.0012);
+  return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidates' stops
+}
+
+TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
+  const Diagnosis result = diagnoseRig(nothing);
+  EXPECT_EQ(result.verdict, "none");
+  EXPECT_TRUE(result.effects.empty());
+  // 20 N of white noise over the deviation of the force; the floor is the median of some hundred spectral lines.
+  double deviation = 0.0;
+  for (const Record& record : result.records) {
+    deviation = std::max(deviation, record.force_deviation);
+  }
+  EXPECT_NEAR(result.gap.noise_floor, 20.0 / deviation, 0.15 * 20.0 / deviation);
+}
+
+TEST(Diagnosis, CallsWrongValuesAParameterError) {
+  ComponentDescription wrong = rigComponent();
+  wrong.specification.set("static_stiffness", 0.85e6);
+  wrong.specification.set("break_frequency", 4.0);
+  const Diagnosis result = diagnoseRig(nothing, wrong);
+  EXPECT_EQ(result.verdict, "parameter_error");
+  EXPECT_TRUE(result.effects.empty());
+  EXPECT_GT(result.gap.as_configured, 5.0 * result.gap.noise_floor);
+  EXPECT_LT(result.gap.re_estimated, 1.1 * result.gap.noise_floor);  // the floor itself is an estimate
+}
+
+TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
+  const Diagnosis result = diagnoseRig(stop);
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "bump_stop");
+  EXPECT_GT(result.closed, 0.8);
+  EXPECT_LE(result.closed_interval[0], result.closed);
+  EXPECT_GE(result.closed_interval[1], result.closed);
+}
+
+TEST(Diagnosis, NamesDryFriction) {
+  double force = 0.0;
+  double last = 0.0;
+  const auto friction = [&](double time, double z, double) {
+    if (time == 0.0) {
+      force = 0.0;
+      last = z;
+    }
+    force = std::clamp(force + 2e6 * (z - last), -150.0, 150.0);
+    last = z;
+    return force;
+  };
+  const Diagnosis result = diagnoseRig(friction);
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "friction");
+}
+
+TEST(Diagnosis, RefusesMainsHum) {
+  const Diagnosis result = diagnoseRig([](double time, double, double) { return 120.0 * std::sin(314.159 * time); });
+  EXPECT_EQ(result.verdict, "unknown");
+  EXPECT_TRUE(result.effects.empty());
+}
+
+TEST(Diagnosis, SharesOfTheMapAddUpToOne) {
+  const Diagnosis result = diagnoseRig(stop);
+  const double sum = std::accumulate(result.where.begin(), result.where.end(), 0.0,
+                                     [](double total, const GapCell& cell) { return total + cell.share; });
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+}
+
+TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
+  const Log unseen = runRig("unseen", 3, stop);
+  const Diagnosis result = diagnoseRig(stop);
+  const auto components = parseComponentFile(toYaml({result.augmented}), "augmented.yaml");
+  const Replay replayed = replay(components.front().makeComponent(), unseen);
+  const Eigen::Map<const Eigen::VectorXd> measured(unseen.force.data(), static_cast<Eigen::Index>(unseen.size()));
+  const Eigen::Map<const Eigen::VectorXd> simulated(replayed.force.data(), measured.size());
+  const double deviation = std::sqrt((measured.array() - measured.mean()).square().mean());
+  const double gap = std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / deviation;
+  EXPECT_NEAR(gap, result.gap.augmented, 1e-9);
+}
+
+TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
+  const auto folder = std::filesystem::temp_directory_path() / "rubber_suspension_report_test";
+  writeReport(diagnoseRig(stop), folder.string());
+  std::ifstream stream(folder / "report.json");
+  const auto report = nlohmann::json::parse(stream);
+  EXPECT_EQ(report.at("schema"), "rubber_suspension/gap_report/1");
+  for (const char* key :
+       {"component", "verdict", "effects", "gap", "closed", "confounded", "candidates", "where", "next_experiment"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  for (const char* key : {"as_configured", "re_estimated", "augmented", "noise_floor"}) {
+    EXPECT_TRUE(report.at("gap").at(key).is_number()) << key;
+  }
+  double sum = report.at("probability_none_of_these");
+  for (const auto& candidate : report.at("candidates")) {
+    sum += candidate.at("probability").get<double>();
+    EXPECT_EQ(candidate.at("interval_95").size(), 2u);
+    EXPECT_TRUE(candidate.at("testable").is_boolean());
+  }
+  EXPECT_GT(sum, 0.99);
+  EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
+  EXPECT_NO_THROW(loadComponentFile((folder / "augmented.yaml").string()));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Diagnosis, RefusesALogWithoutForce) {
+  Log log = runRig("one", 1, nothing);
+  log.force.clear();
+  EXPECT_THROW(diagnose(rigComponent(), {log}, {}), LogError);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
