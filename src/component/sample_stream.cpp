@@ -19,7 +19,8 @@ std::uint64_t between(std::int64_t earlier, std::int64_t later) {
 SampleStream::SampleStream(const Component& component, double max_gap)
     : component_(component),
       max_gap_(static_cast<std::uint64_t>(std::llround(std::clamp(max_gap, 0.0, kLongestGap) * kNanosecondsPerSecond))),
-      state_(component.makeState()) {}
+      state_(component.makeState()),
+      before_(state_) {}
 
 Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
   if (!std::isfinite(displacement)) {
@@ -46,20 +47,30 @@ void SampleStream::count(Verdict verdict) {
   counters_.stepped_back += verdict == Verdict::stepped_back ? 1 : 0;
 }
 
+ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
+  if (!started_ || verdict == Verdict::restarted) {
+    return component_.rest(state_, displacement);
+  }
+  const double dt = static_cast<double>(between(last_stamp_, stamp)) / static_cast<double>(kNanosecondsPerSecond);
+  return component_.step(state_, dt, displacement);
+}
+
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, displacement), {}};
+  if (isAccepted(result.verdict)) {
+    before_ = state_;  // of the same size: copies numbers, allocates nothing
+    const ComponentForce force = advance(result.verdict, stamp, displacement);
+    if (std::isfinite(force.total)) {
+      result.force = force;
+      last_stamp_ = stamp;
+      started_ = true;
+    } else {
+      // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
+      state_ = before_;
+      result.verdict = Verdict::not_finite;
+    }
+  }
   count(result.verdict);
-  if (!isAccepted(result.verdict)) {
-    return result;
-  }
-  if (!started_ || result.verdict == Verdict::restarted) {
-    result.force = component_.rest(state_, displacement);
-    started_ = true;
-  } else {
-    const double dt = static_cast<double>(between(last_stamp_, stamp)) / static_cast<double>(kNanosecondsPerSecond);
-    result.force = component_.step(state_, dt, displacement);
-  }
-  last_stamp_ = stamp;
   return result;
 }
 

@@ -66,8 +66,8 @@ std::vector<double> simulateLog(const Component& component, const Log& log, Stre
   force.reserve(log.size());
   for (std::size_t i = 0; i < log.size(); ++i) {
     const StreamForce result = stream.push(log.stamp[i], log.displacement[i]);
-    // The log is checked, so every sample is accepted; a force may still be too large for a double.
-    if (!std::isfinite(result.force.total)) {
+    // The log is checked, so every sample is accepted but one whose force is too large for a double.
+    if (!isAccepted(result.verdict)) {
       throw LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name, i + 1,
                                  log.displacement[i]));
     }

@@ -50,14 +50,20 @@ ComponentChannel::ComponentChannel(const ComponentDescription& description, doub
     : name_(description.name), model_(makeModel(description, max_gap)) {}
 
 bool ComponentChannel::push(std::int64_t stamp, double displacement, ComponentForce& force) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!enabled_) {
-    ++disabled_;
-    return false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!enabled_) {
+      ++disabled_;
+      return false;
+    }
+    const StreamForce answer = model_->stream.push(stamp, displacement);
+    if (!isAccepted(answer.verdict)) {
+      return false;
+    }
+    force = answer.force;
   }
-  const StreamForce answer = model_->stream.push(stamp, displacement);
-  force = answer.force;
-  return isAccepted(answer.verdict);
+  gap_.addSimulated(stamp, displacement, force.total);
+  return true;
 }
 
 void ComponentChannel::countLatency(std::int64_t nanoseconds) {
@@ -71,8 +77,11 @@ void ComponentChannel::countLost(std::uint64_t samples) {
 }
 
 void ComponentChannel::reset() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  model_->stream.reset();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    model_->stream.reset();
+  }
+  gap_.clear();
 }
 
 void ComponentChannel::setEnabled(bool enabled) {
@@ -112,6 +121,7 @@ void ComponentChannel::checkState(const SavedState& state) const {
 
 void ComponentChannel::load(const SavedState& state) {
   checkState(state);
+  gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state.started) {
     model_->stream.restore(state.stamp, state.displacement, state.memory);
@@ -122,6 +132,7 @@ void ComponentChannel::load(const SavedState& state) {
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   std::shared_ptr<Model> old = model;  // freed after the lock
+  gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
   const SampleStream& stream = model_->stream;
   if (stream.started() && sameElements(model_->component.elements(), model->component.elements())) {

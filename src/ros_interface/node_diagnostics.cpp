@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <ros/console.h>
 
+#include <algorithm>
+
 namespace rubber_suspension {
 namespace {
 
 constexpr std::size_t kLongestLine = 2000;
+constexpr std::size_t kMostCells = 20;
 
 void append(std::string& text, std::uint64_t before, std::uint64_t now, const char* what) {
   if (now > before) {
@@ -63,19 +66,118 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
   status.add("last displacement [m]", now.displacement);
 }
 
+void addGap(const LiveGap& gap, const MatchCounters& counters, const GapSettings& settings,
+            diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (counters.matched + counters.unmatched + counters.not_finite == 0) {
+    return;  // nobody measures
+  }
+  status.add("measured forces, matched", counters.matched);
+  status.add("measured forces, without sample", counters.unmatched);
+  status.add("measured forces, not finite", counters.not_finite);
+  if (!gap.known) {
+    status.add("gap", "unknown: " + gap.reason);
+    return;
+  }
+  status.add("gap", gap.gap);
+  status.add("gap, noise floor", gap.noise_floor);
+  status.add("gap, beyond noise", gap.beyond_noise);
+  status.add("gap, trend [1/s]", gap.trend);
+  for (std::size_t i = 0; i < gap.share.size(); ++i) {
+    status.add("gap, share of " + toString(static_cast<Quantity>(i)), gap.share[i]);
+  }
+  const GapLevel level = gap.level(settings);
+  if (level == GapLevel::warn || level == GapLevel::error) {
+    status.mergeSummaryf(level == GapLevel::warn ? DiagnosticStatus::WARN : DiagnosticStatus::ERROR,
+                         "gap of %.3g beyond noise", gap.beyond_noise);
+  }
+}
+
+Gap gapMessage(const LiveGap& gap, const GapSettings& settings) {
+  Gap message;
+  message.header.stamp.fromNSec(static_cast<std::uint64_t>(gap.stamp));
+  message.level = static_cast<std::uint8_t>(gap.level(settings));
+  message.window = gap.window;
+  message.samples = static_cast<std::uint32_t>(gap.samples);
+  message.gap = gap.gap;
+  message.noise_floor = gap.noise_floor;
+  message.beyond_noise = gap.beyond_noise;
+  message.trend = gap.trend;
+  const auto share = [&](Quantity quantity) { return gap.share[static_cast<std::size_t>(quantity)]; };
+  message.share_stiffness = share(Quantity::stiffness);
+  message.share_loss = share(Quantity::loss);
+  message.share_harmonics = share(Quantity::harmonics);
+  message.share_mean = share(Quantity::mean);
+  message.share_drift = share(Quantity::drift);
+  for (std::size_t i = 0; i < std::min(gap.cells.size(), kMostCells); ++i) {
+    const auto& cell = gap.cells[i];
+    message.cells.emplace_back();
+    message.cells.back().quantity = toString(cell.quantity);
+    message.cells.back().frequency_low = cell.frequency[0];
+    message.cells.back().frequency_high = cell.frequency[1];
+    message.cells.back().amplitude_low = cell.amplitude[0];
+    message.cells.back().amplitude_high = cell.amplitude[1];
+    message.cells.back().share = cell.share;
+    message.cells.back().noise_ratio = cell.noise_ratio;
+  }
+  return message;
+}
+
 NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle,
-                                 const std::vector<ComponentChannel*>& channels)
-    : updater_(handle, private_handle, private_handle.getNamespace()), last_update_(std::chrono::steady_clock::now()) {
+                                 const std::vector<ComponentChannel*>& channels, const GapSettings& gap_settings)
+    : gap_settings_(gap_settings),
+      updater_(handle, private_handle, private_handle.getNamespace()),
+      last_update_(std::chrono::steady_clock::now()) {
   updater_.setHardwareID("none");
   watched_.reserve(channels.size());  // the tasks refer to the entries
   for (ComponentChannel* channel : channels) {
-    watched_.push_back({channel, channel->report(), {}});
+    watched_.push_back({channel,
+                        channel->report(),
+                        {},
+                        GapTracker(gap_settings),
+                        {},
+                        {},
+                        handle.advertise<Gap>(channel->name() + "/gap", 10)});
     const Watched& watched = watched_.back();
     updater_.add(channel->name(), [this, &watched](diagnostic_updater::DiagnosticStatusWrapper& status) {
       fillStatus(watched.before, watched.now, elapsed_, status);
+      addGap(watched.gap, watched.matches, gap_settings_, status);
     });
   }
   timer_ = handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { update(); });
+}
+
+void NodeDiagnostics::watch(const BundleServer& bundle) {
+  updater_.add("bundled topics", [&bundle, before = std::uint64_t{0}](
+                                     diagnostic_updater::DiagnosticStatusWrapper& status) mutable {
+    using diagnostic_msgs::DiagnosticStatus;
+    const std::uint64_t malformed = bundle.malformed();
+    if (malformed > before) {
+      status.summaryf(DiagnosticStatus::WARN, "%lu messages with unknown names or lists of unequal length (dropped)",
+                      static_cast<unsigned long>(malformed - before));
+    } else {
+      status.summary(DiagnosticStatus::OK, "serving");
+    }
+    before = malformed;
+    status.add("answered", bundle.answered());
+    status.add("dropped, malformed", malformed);
+  });
+}
+
+// In turn, as many as a fraction of the period allows: with many components each gap is measured less often.
+void NodeDiagnostics::updateGaps() {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+  for (std::size_t i = 0; i < watched_.size() && std::chrono::steady_clock::now() < end; ++i) {
+    Watched& watched = watched_[next_gap_];
+    next_gap_ = (next_gap_ + 1) % watched_.size();
+    const MatchCounters matches = watched.channel->gap().counters();
+    const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
+    watched.matches = matches;
+    if (news) {
+      watched.gap = watched.tracker.update(watched.channel->gap());
+      watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+    }
+  }
 }
 
 void NodeDiagnostics::update() {
@@ -90,6 +192,7 @@ void NodeDiagnostics::update() {
       line += fmt::format("{}{}: {}", line.empty() ? "" : "; ", watched.channel->name(), faults);
     }
   }
+  updateGaps();
   updater_.force_update();
   for (Watched& watched : watched_) {
     watched.before = watched.now;

@@ -55,8 +55,12 @@ std::function<bool(const XmlRpcValue&, NodeSettings&)> flag(bool NodeSettings::*
   };
 }
 
-bool readMaxGap(const XmlRpcValue& value, NodeSettings& settings) {
-  return readNumber(value, settings.max_gap) && settings.max_gap > 0.0 && settings.max_gap <= 1e6;
+std::function<bool(const XmlRpcValue&, NodeSettings&)> positive(std::function<double&(NodeSettings&)> member,
+                                                                double upper) {
+  return [=](const XmlRpcValue& value, NodeSettings& settings) {
+    double& number = member(settings);
+    return readNumber(value, number) && number > 0.0 && number <= upper;
+  };
 }
 
 bool readStateFile(const XmlRpcValue& value, NodeSettings& settings) {
@@ -70,7 +74,8 @@ bool readStateFile(const XmlRpcValue& value, NodeSettings& settings) {
 const std::vector<SettingInfo>& settingsTable() {
   static const std::vector<SettingInfo> table = {
       {"max_gap", "a number of seconds greater than 0, at most 1e6",
-       "time between two samples beyond which a gap is reported (default 0.5); it is bridged exactly", readMaxGap},
+       "time between two samples beyond which a gap is reported (default 0.5); it is bridged exactly",
+       positive([](NodeSettings& settings) -> double& { return settings.max_gap; }, 1e6)},
       {"queue_size", "a whole number from 1 to 1000000",
        "samples that may wait per topic, in and out, before the oldest is lost (default 10000)",
        integerIn(&NodeSettings::queue_size, 1, 1000000)},
@@ -85,6 +90,15 @@ const std::vector<SettingInfo>& settingsTable() {
        readStateFile},
       {"load_state", "true or false", "go on from state_file at the start, if it is there (default false)",
        flag(&NodeSettings::load_state)},
+      {"gap_window", "a number of seconds greater than 0, at most 1e5",
+       "length of the sliding window of the live gap (default 10)",
+       positive([](NodeSettings& settings) -> double& { return settings.gap.window; }, 1e5)},
+      {"gap_warn", "a number greater than 0, at most 1e6",
+       "live gap beyond noise, over the measured force's deviation, from which on to warn (default 0.1)",
+       positive([](NodeSettings& settings) -> double& { return settings.gap.warn; }, 1e6)},
+      {"gap_error", "a number greater than 0, at most 1e6",
+       "live gap beyond noise from which on to report an error (default 0.3)",
+       positive([](NodeSettings& settings) -> double& { return settings.gap.error; }, 1e6)},
   };
   return table;
 }

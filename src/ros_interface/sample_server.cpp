@@ -1,25 +1,11 @@
 // The topics of one component.
 #include "rubber_suspension/ros_interface/sample_server.h"
 
-#include <algorithm>
 #include <chrono>
 
+#include "rubber_suspension/ros_interface/arrival.h"
+
 namespace rubber_suspension {
-namespace {
-
-using Steady = std::chrono::steady_clock;
-
-// From arrival to now [ns]. ROS stamps arrivals with ros::Time, which stands for real time only if no simulated time is
-// in use; then what is known is the time since the callback began.
-std::int64_t timeSinceArrival(const ros::Time& receipt, Steady::time_point callback) {
-  if (ros::Time::isSystemTime()) {
-    return std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec());
-  }
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(Steady::now() - callback).count();
-}
-
-}  // namespace
-
 void fillForce(const Displacement& displacement, const ComponentForce& force, Force& message) {
   message.header = displacement.header;
   message.displacement = displacement.displacement;
@@ -34,15 +20,22 @@ SampleServer::SampleServer(ros::NodeHandle& handle, ComponentChannel& channel, i
   publisher_ = handle.advertise<Force>(channel.name() + "/force", size);
   subscriber_ = handle.subscribe(channel.name() + "/displacement", size, &SampleServer::serve, this,
                                  ros::TransportHints().tcpNoDelay());
+  measured_subscriber_ = handle.subscribe(channel.name() + "/measured_force", size, &SampleServer::compare, this,
+                                          ros::TransportHints().tcpNoDelay());
 }
 
 void SampleServer::shutdown() {
   subscriber_.shutdown();
+  measured_subscriber_.shutdown();
   publisher_.shutdown();
 }
 
+void SampleServer::compare(const MeasuredForce::ConstPtr& measured) {
+  channel_.gap().addMeasured(static_cast<std::int64_t>(measured->header.stamp.toNSec()), measured->force);
+}
+
 void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
-  const auto callback = Steady::now();
+  const auto callback = std::chrono::steady_clock::now();
   const Displacement& sample = *event.getConstMessage();
   if (const std::uint32_t lost = watch_.take(event.getConnectionHeaderPtr().get(), sample.header.seq)) {
     channel_.countLost(lost);

@@ -1,8 +1,10 @@
 // The node, put together.
 #include "rubber_suspension/ros_interface/simulate_node.h"
 
-#include <fmt/format.h>
 #include <ros/console.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 namespace rubber_suspension {
 
@@ -18,6 +20,7 @@ SimulateNode::~SimulateNode() {
   for (auto& server : servers_) {
     server->shutdown();
   }
+  bundle_->shutdown();
   for (auto& thread : threads_) {
     thread->stop();
   }
@@ -26,6 +29,10 @@ SimulateNode::~SimulateNode() {
 void SimulateNode::makeChannels() {
   for (const ComponentDescription& description : readComponents(private_handle_)) {
     channels_.push_back(std::make_unique<ComponentChannel>(description, settings_.max_gap));
+  }
+  if (settings_.load_state && access(settings_.state_file.c_str(), F_OK) == 0) {
+    loadStates(settings_.state_file, channels());
+    ROS_INFO("going on from %s", settings_.state_file.c_str());
   }
 }
 
@@ -46,6 +53,9 @@ void SimulateNode::startServing() {
     group.setCallbackQueue(&threads_[i % count]->queue());
     servers_.push_back(std::make_unique<SampleServer>(group, *channels_[i], settings_.queue_size));
   }
+  ros::NodeHandle first_group(handle_);
+  first_group.setCallbackQueue(&threads_.front()->queue());
+  bundle_ = std::make_unique<BundleServer>(first_group, channels(), settings_.queue_size);
   for (auto& thread : threads_) {
     const std::string refusal = thread->start(settings_.realtime_priority);
     if (!refusal.empty()) {
@@ -55,21 +65,17 @@ void SimulateNode::startServing() {
 }
 
 void SimulateNode::advertiseServices() {
-  std::vector<ComponentChannel*> channels;
-  for (auto& channel : channels_) {
-    channels.push_back(channel.get());
-  }
-  diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, channels);
-  services_.push_back(private_handle_.advertiseService("reset", &SimulateNode::reset, this));
+  diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, channels(), settings_.gap);
+  diagnostics_->watch(*bundle_);
+  services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, channels());
 }
 
-bool SimulateNode::reset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-  for (auto& channel : channels_) {
-    channel->reset();
+std::vector<ComponentChannel*> SimulateNode::channels() const {
+  std::vector<ComponentChannel*> pointers;
+  for (const auto& channel : channels_) {
+    pointers.push_back(channel.get());
   }
-  response.success = true;
-  response.message = fmt::format("{} components are new specimens at rest", channels_.size());
-  return true;
+  return pointers;
 }
 
 }  // namespace rubber_suspension

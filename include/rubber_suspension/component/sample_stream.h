@@ -12,7 +12,7 @@ enum class Verdict {
   accepted,
   restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
   bridged,       ///< accepted after a gap longer than max_gap, bridged exactly with displacement linear in between
-  not_finite,    ///< dropped
+  not_finite,    ///< dropped: the displacement is not finite, or the force that it would give is not
   repeated,      ///< dropped: same stamp as the sample before
   stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
 };
@@ -63,11 +63,13 @@ class SampleStream {
 
  private:
   Verdict judge(std::int64_t stamp, double displacement) const;
+  ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
   void count(Verdict verdict);
 
   const Component& component_;
   std::uint64_t max_gap_;  // [ns]
   ComponentState state_;
+  ComponentState before_;  // the state to go back to
   StreamCounters counters_;
   std::int64_t last_stamp_ = 0;
   bool started_ = false;

@@ -9,6 +9,7 @@
 
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/gap_monitor.h"
 #include "rubber_suspension/ros_interface/latency_histogram.h"
 
 namespace rubber_suspension {
@@ -72,6 +73,9 @@ class ComponentChannel {
   /// Go on with another model. One of the same elements takes the state over; any other starts as a new specimen.
   void exchange(const std::shared_ptr<Model>& model);
 
+  /// Measured forces go here; what is accepted and answered is already there.
+  GapMonitor& gap() { return gap_; }
+
   /// What happened so far; starts a new interval of the latency.
   ChannelReport report();
 
@@ -84,6 +88,7 @@ class ComponentChannel {
   std::uint64_t lost_ = 0;
   bool enabled_ = true;
   LatencyHistogram latency_;
+  GapMonitor gap_;  // has a lock of its own
 };
 
 }  // namespace rubber_suspension

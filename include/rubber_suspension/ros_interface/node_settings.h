@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/live_gap.h"
 
 namespace rubber_suspension {
 
@@ -19,6 +20,7 @@ struct NodeSettings {
   bool lock_memory = false;   ///< keep all memory of the process resident (mlockall)
   std::string state_file;     ///< where ~save_state and ~load_state keep the state; empty: services refuse
   bool load_state = false;    ///< go on from state_file at the start, if the file is there
+  GapSettings gap;            ///< window and thresholds of the live gap
 };
 
 /// Read and check all private parameters but those of the components. Throws std::invalid_argument: parameter, value

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
+#include <rubber_suspension/MeasuredForce.h>
 
 #include "rubber_suspension/ros_interface/component_channel.h"
 #include "rubber_suspension/ros_interface/message_pool.h"
@@ -26,12 +27,14 @@ class SampleServer {
 
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
+  void compare(const MeasuredForce::ConstPtr& measured);
 
   ComponentChannel& channel_;
   MessagePool<Force> pool_;
   SequenceWatch watch_;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
+  ros::Subscriber measured_subscriber_;
 };
 
 }  // namespace rubber_suspension

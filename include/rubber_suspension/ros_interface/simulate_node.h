@@ -2,13 +2,14 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <std_srvs/Trigger.h>
 
 #include <memory>
 #include <vector>
 
+#include "rubber_suspension/ros_interface/bundle_server.h"
 #include "rubber_suspension/ros_interface/component_channel.h"
 #include "rubber_suspension/ros_interface/node_diagnostics.h"
+#include "rubber_suspension/ros_interface/node_services.h"
 #include "rubber_suspension/ros_interface/node_settings.h"
 #include "rubber_suspension/ros_interface/sample_server.h"
 #include "rubber_suspension/ros_interface/serving_thread.h"
@@ -30,7 +31,7 @@ class SimulateNode {
   void startServing();
   void advertiseServices();
 
-  bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  std::vector<ComponentChannel*> channels() const;
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
@@ -38,8 +39,9 @@ class SimulateNode {
   std::vector<std::unique_ptr<ComponentChannel>> channels_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
+  std::unique_ptr<BundleServer> bundle_;
   std::unique_ptr<NodeDiagnostics> diagnostics_;
-  std::vector<ros::ServiceServer> services_;
+  std::unique_ptr<NodeServices> services_;
 };
 
 }  // namespace rubber_suspension

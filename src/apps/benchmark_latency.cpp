@@ -1,0 +1,100 @@
+// The command `benchmark_latency`: what the node adds to the latency of an empty echo node.
+#include <fmt/format.h>
+#include <ros/init.h>
+#include <ros/master.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include "command.h"
+#include "rubber_suspension/ros_interface/child_process.h"
+#include "rubber_suspension/ros_interface/command_line.h"
+#include "rubber_suspension/ros_interface/echo_node.h"
+#include "rubber_suspension/ros_interface/latency_benchmark.h"
+
+using namespace rubber_suspension;
+
+namespace {
+
+struct Options {
+  BenchmarkOptions benchmark;
+  int echo = 0;
+};
+
+int serveEcho(RosCommandLine& line, int components) {
+  constexpr int kQueueSize = 10000;  // that of the node
+  line.initialise("echo");
+  ros::NodeHandle handle;
+  const EchoNode node(handle, benchmarkNames(components), kQueueSize);
+  ros::spin();
+  return kSuccess;
+}
+
+// A master of its own on the loopback interface, so that nothing else on this machine takes part.
+std::unique_ptr<ChildProcess> startMaster() {
+  const int port = freePort();
+  setenv("ROS_HOSTNAME", "127.0.0.1", 1);
+  unsetenv("ROS_IP");
+  setenv("ROS_MASTER_URI", fmt::format("http://127.0.0.1:{}", port).c_str(), 1);
+  return std::make_unique<ChildProcess>(std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
+}
+
+void waitForMaster() {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!ros::master::check()) {
+    if (std::chrono::steady_clock::now() > end) {
+      throw std::runtime_error("the master does not answer");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+int measure(RosCommandLine& line, const BenchmarkOptions& options) {
+  const auto master = startMaster();
+  line.initialise("benchmark_latency");
+  waitForMaster();
+  const ros::NodeHandle keeps_ros_running;
+  const auto rows =
+      benchmarkLatency(options, [](const std::string& what) { std::cerr << "measuring " << what << '\n'; });
+  printMarkdown(rows, std::cout);
+  return kSuccess;
+}
+
+void addOptions(CLI::App& app, Options& options) {
+  BenchmarkOptions& benchmark = options.benchmark;
+  app.add_option("--components", benchmark.components, "numbers of components, one row each")
+      ->check(CLI::Range(1, 500))
+      ->capture_default_str();
+  app.add_option("--rate", benchmark.rate, "samples per second of each component [Hz]")
+      ->check(CLI::Range(1.0, 1e5))
+      ->capture_default_str();
+  app.add_option("--total-rate", benchmark.total_rate, "samples per second of all components, at most [Hz]")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--duration", benchmark.duration, "of each run [s]")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  app.add_option("--pairs", benchmark.pairs, "runs of echo node and node in turn, per row")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--echo", options.echo, "be the echo node of so many components")->check(CLI::Range(1, 500));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  RosCommandLine line(argc, argv);
+  return runCommand(line.argc(), line.argv(), "benchmark_latency",
+                    "Round trips through the node `simulate` against those through an empty echo node, in alternating "
+                    "runs with a master of their own; prints a Markdown table. Ratios are medians over the pairs of "
+                    "runs, with lowest and highest in brackets.",
+                    [&](CLI::App& app) {
+                      const auto options = std::make_shared<Options>();
+                      addOptions(app, *options);
+                      return [&line, options] {
+                        return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, options->benchmark);
+                      };
+                    });
+}

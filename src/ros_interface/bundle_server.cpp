@@ -1,0 +1,106 @@
+// All components in one message.
+#include "rubber_suspension/ros_interface/bundle_server.h"
+
+#include <chrono>
+
+#include "rubber_suspension/ros_interface/arrival.h"
+
+namespace rubber_suspension {
+namespace {
+
+// The channel of entry i. Senders name the components in the order of the file, mostly: look there first.
+ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
+                            const std::vector<ComponentChannel*>& channels) {
+  if (bundle.components.empty()) {
+    return channels[i];
+  }
+  const std::string& name = bundle.components[i];
+  if (i < channels.size() && channels[i]->name() == name) {
+    return channels[i];
+  }
+  for (ComponentChannel* channel : channels) {
+    if (channel->name() == name) {
+      return channel;
+    }
+  }
+  return nullptr;
+}
+
+bool isWellFormed(const DisplacementArray& bundle, const std::vector<ComponentChannel*>& channels) {
+  const std::size_t count = bundle.components.empty() ? channels.size() : bundle.components.size();
+  if (bundle.displacement.size() != count || count > channels.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (channelOf(bundle, i, channels) == nullptr) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void resize(ForceArray& answer, std::size_t size) {
+  answer.components.resize(size);
+  for (auto* list : {&answer.displacement, &answer.force, &answer.elastic, &answer.viscous, &answer.friction}) {
+    list->resize(size);
+  }
+}
+
+}  // namespace
+
+bool answerBundle(const DisplacementArray& bundle, const std::vector<ComponentChannel*>& channels, ForceArray& answer) {
+  if (!isWellFormed(bundle, channels)) {
+    return false;
+  }
+  const auto stamp = static_cast<std::int64_t>(bundle.header.stamp.toNSec());
+  answer.header = bundle.header;
+  resize(answer, bundle.displacement.size());
+  std::size_t accepted = 0;
+  for (std::size_t i = 0; i < bundle.displacement.size(); ++i) {
+    ComponentChannel* channel = channelOf(bundle, i, channels);
+    ComponentForce force;
+    if (channel->push(stamp, bundle.displacement[i], force)) {
+      answer.components[accepted] = channel->name();
+      answer.displacement[accepted] = bundle.displacement[i];
+      answer.force[accepted] = force.total;
+      answer.elastic[accepted] = force.elastic;
+      answer.viscous[accepted] = force.viscous;
+      answer.friction[accepted] = force.friction;
+      ++accepted;
+    }
+  }
+  resize(answer, accepted);
+  return true;
+}
+
+BundleServer::BundleServer(ros::NodeHandle& handle, const std::vector<ComponentChannel*>& channels, int queue_size)
+    : channels_(channels) {
+  const auto size = static_cast<std::uint32_t>(queue_size);
+  publisher_ = handle.advertise<ForceArray>("forces", size);
+  subscriber_ = handle.subscribe("displacements", size, &BundleServer::serve, this, ros::TransportHints().tcpNoDelay());
+}
+
+void BundleServer::shutdown() {
+  subscriber_.shutdown();
+  publisher_.shutdown();
+}
+
+void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event) {
+  const auto callback = std::chrono::steady_clock::now();
+  const auto message = pool_.take();
+  if (!answerBundle(*event.getConstMessage(), channels_, *message)) {
+    ++malformed_;
+    return;
+  }
+  if (message->components.empty()) {
+    return;  // every sample was dropped and counted by its component
+  }
+  publisher_.publish(message);
+  ++answered_;
+  const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    channels_[i]->countLatency(latency);
+  }
+}
+
+}  // namespace rubber_suspension
