@@ -126,6 +126,14 @@ void NodeServices::advertiseSwitch(ros::NodeHandle& handle, const std::string& n
   servers_.push_back(handle.advertiseService<SetBool::Request, SetBool::Response>(name, answer));
 }
 
+std::vector<std::string> NodeServices::names() const {
+  std::vector<std::string> result;
+  for (const ros::ServiceServer& server : servers_) {
+    result.push_back(server.getService());
+  }
+  return result;
+}
+
 std::string NodeServices::save() const {
   requireStateFile(settings_);
   std::vector<SavedState> states;

@@ -68,6 +68,7 @@ void SimulateNode::advertiseServices() {
   diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, channels(), settings_.gap);
   diagnostics_->watch(*bundle_);
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, channels());
+  registration_ = std::make_unique<RegistrationKeeper>(private_handle_, services_->names());
 }
 
 std::vector<ComponentChannel*> SimulateNode::channels() const {

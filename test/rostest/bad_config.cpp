@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench.h"
+#include "rubber_suspension/ros_interface/child_process.h"
 
 namespace rubber_suspension {
 namespace {

@@ -7,10 +7,7 @@
 #include <ros/ros.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <map>
@@ -145,14 +142,6 @@ class DiagnosticsWatch {
 /// Stamps of the tests start here, as far from 0 as those of a clock are.
 constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
 constexpr std::int64_t kMillisecond = 1000000LL;
-
-/// The path of another program of the package, which lies beside this one.
-inline std::string siblingProgram(const std::string& name) {
-  std::array<char, 4096> path{};
-  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
-  const std::string self(path.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
-  return self.substr(0, self.find_last_of('/') + 1) + name;
-}
 
 /// Run all tests of a rostest program as a ROS node.
 inline int runAsNode(int argc, char** argv, const std::string& name) {

@@ -33,6 +33,9 @@ class NodeServices {
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                const std::vector<ComponentChannel*>& channels);
 
+  /// Resolved names of all services.
+  std::vector<std::string> names() const;
+
  private:
   using Trigger = std_srvs::Trigger;
   using SetBool = std_srvs::SetBool;

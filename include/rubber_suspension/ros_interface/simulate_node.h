@@ -11,6 +11,7 @@
 #include "rubber_suspension/ros_interface/node_diagnostics.h"
 #include "rubber_suspension/ros_interface/node_services.h"
 #include "rubber_suspension/ros_interface/node_settings.h"
+#include "rubber_suspension/ros_interface/registration_keeper.h"
 #include "rubber_suspension/ros_interface/sample_server.h"
 #include "rubber_suspension/ros_interface/serving_thread.h"
 
@@ -42,6 +43,7 @@ class SimulateNode {
   std::unique_ptr<BundleServer> bundle_;
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
+  std::unique_ptr<RegistrationKeeper> registration_;
 };
 
 }  // namespace rubber_suspension
