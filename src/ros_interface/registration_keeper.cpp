@@ -7,7 +7,6 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
-#include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
@@ -32,19 +31,25 @@ bool call(const std::string& method, const std::vector<std::string>& arguments, 
   return ros::master::execute(method, request(arguments), response, payload, false);
 }
 
-// Tell our own subscriptions who publishes, as the master does when a publisher registers after us.
-void announcePublishers(const std::string& topic, const XmlRpcValue& publishers) {
+// Ask or tell this process itself, as the master and other nodes do (slave API). Nothing where that fails.
+XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments) {
+  XmlRpcValue answer;
   std::string host;
   std::uint32_t port = 0;
   if (!ros::network::splitURI(ownUri(), host, port)) {
-    return;
+    return {};
   }
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  const bool answered = client.execute(method.c_str(), arguments, answer);
+  client.close();
+  return answered && answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 ? answer[2] : XmlRpcValue();
+}
+
+// Tell our own subscriptions who publishes, as the master does when a publisher registers after us.
+void announcePublishers(const std::string& topic, const XmlRpcValue& publishers) {
   XmlRpcValue arguments = request({topic});
   arguments[2] = publishers;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpcValue ignored;
-  client.execute("publisherUpdate", arguments, ignored);
-  client.close();
+  askSelf("publisherUpdate", arguments);
 }
 
 // Rows of [topic, type].
@@ -71,14 +76,10 @@ Registration askMaster() {
 
 void registerAnew(const std::vector<std::string>& services) {
   XmlRpcValue payload;
-  XmlRpcValue topics;
-  ros::TopicManager::instance()->getPublications(topics);
-  forEachTopic(topics, [&](const std::string& topic, const std::string& type) {
+  forEachTopic(askSelf("getPublications", request({})), [&](const std::string& topic, const std::string& type) {
     call("registerPublisher", {topic, type, ownUri()}, payload);
   });
-  topics.clear();
-  ros::TopicManager::instance()->getSubscriptions(topics);
-  forEachTopic(topics, [&](const std::string& topic, const std::string& type) {
+  forEachTopic(askSelf("getSubscriptions", request({})), [&](const std::string& topic, const std::string& type) {
     XmlRpcValue publishers;
     if (call("registerSubscriber", {topic, type, ownUri()}, publishers) && publishers.size() > 0) {
       announcePublishers(topic, publishers);
