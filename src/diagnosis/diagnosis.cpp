@@ -73,10 +73,14 @@ double closedFraction(double re_estimated, double augmented, double floor) {
   return closable > 1e-12 ? std::clamp((re_estimated - augmented) / closable, -1.0, 1.0) : 0.0;
 }
 
+// Relative standard error of the noise floor, from the scatter of the floors of virtual rigs about their true ones.
+constexpr double kFloorDoubt = 0.05;
+
 std::array<double, 2> closedInterval(const std::vector<BlockError>& before, const std::vector<BlockError>& after,
                                      double floor, const DiagnosisOptions& options) {
   std::mt19937 generator(options.seed);
   std::uniform_int_distribution<std::size_t> pick(0, before.size() - 1);
+  std::normal_distribution<double> doubt(1.0, kFloorDoubt);
   std::vector<double> fractions;
   for (int i = 0; i < options.resamplings; ++i) {
     std::vector<BlockError> a;
@@ -86,7 +90,7 @@ std::array<double, 2> closedInterval(const std::vector<BlockError>& before, cons
       a.push_back(before[chosen]);
       b.push_back(after[chosen]);
     }
-    fractions.push_back(closedFraction(rootMeanSquare(a), rootMeanSquare(b), floor));
+    fractions.push_back(closedFraction(rootMeanSquare(a), rootMeanSquare(b), floor * doubt(generator)));
   }
   std::sort(fractions.begin(), fractions.end());
   const auto at = [&](double share) {
@@ -255,11 +259,17 @@ class Diagnoser {
   Diagnosis run() {
     result_.component = component_.name;
     result_.search = search(fitter_, element_fitter_, options_.threads, options_.progress);
-    verdict_ = decide(result_.search);
     result_.re_estimated = own_.apply(result_.search.re_estimated.fit.point.own);
-    result_.augmented = augmentedDescription(own_, verdict_.model);
-    simulateAll();
-    measureGap();
+    for (std::size_t most = 3;; --most) {
+      verdict_ = decide(result_.search, most);
+      result_.augmented = augmentedDescription(own_, verdict_.model);
+      simulateAll();
+      measureGap();
+      if (most == 0 || holdsOnUnseenLogs()) {
+        break;
+      }
+      most = std::min(most, verdict_.effects.size());  // fewer effects than were named in vain
+    }
     describeCandidates();
     describeOwnParameters();
     describeVerdict();
@@ -283,12 +293,21 @@ class Diagnoser {
     result_.force_augmented = all(result_.augmented);
   }
 
+  // Effects are named only if they gain at least 5 % on logs that took no part in the fit. A drift cannot be foreseen.
+  bool holdsOnUnseenLogs() const {
+    constexpr double kLeastGain = 0.05;
+    const bool drift_alone = verdict_.effects.size() == 1 &&
+                             result_.search.candidates[static_cast<std::size_t>(verdict_.effects.front())].free_trend;
+    return held_out_.empty() || verdict_.effects.empty() || drift_alone || result_.closed >= kLeastGain;
+  }
+
   Forces unseen(const Forces& forces) const {
     return Forces(forces.begin() + static_cast<std::ptrdiff_t>(training_.size()), forces.end());
   }
 
   void measureGap() {
     const Search& s = result_.search;
+    result_.admission.clear();
     result_.noise_source = s.noise_source;
     for (std::size_t r = 0; r < training_.size(); ++r) {
       result_.admission.push_back(admit(training_[r], false, s.record_noise[r]));

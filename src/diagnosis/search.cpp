@@ -52,6 +52,31 @@ std::vector<Eigen::VectorXd> startsOf(const Search& result, const std::vector<in
   return {best->fit.point.own};
 }
 
+// A dashpot takes the displacement as linear between samples: its force lags by half a step, which looks like a delay.
+// RMS of what the lag makes of the model's force, weighted as a gap is.
+double discretisationError(const Fitter& fitter, const Point& point) {
+  std::vector<ElementDescription> elements = *fitter.elements(point, {});
+  bool any = false;
+  for (ElementDescription& element : elements) {
+    if (element.type == "dashpot") {
+      element.values["order"] = {2.0};
+      any = true;
+    }
+  }
+  if (!any) {
+    return 0.0;
+  }
+  const auto smooth = simulate(elements, fitter.records());
+  const auto lagging = *fitter.forces(point, {});
+  double sum = 0.0;
+  for (std::size_t r = 0; r < smooth.size(); ++r) {
+    const Record& record = fitter.records()[r];
+    sum += (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
+           std::pow(record.force_deviation, 2);
+  }
+  return std::sqrt(sum / static_cast<double>(smooth.size()));
+}
+
 // White noise of what the best model leaves, above the band of the excitation, for each log.
 void estimateNoise(const Fitter& fitter, const Fit& best, const std::vector<Atom>& atoms, Search& result) {
   const auto forces = simulate(*fitter.elements(best.point, atoms), fitter.records());
@@ -223,6 +248,7 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
   say("re-estimating the model's own parameters", 0.0);
   result.configured_gap = fitter.gapAt(fitter.configured(0), {});
   result.re_estimated.fit = fitter.fit({}, fitter.configured(0), kBaseIterations);
+  result.discretisation = discretisationError(fitter, result.re_estimated.fit.point);
   const std::vector<Eigen::VectorXd> starts = {result.re_estimated.fit.point.own, fitter.configured(0).own};
 
   say("fitting single effects", 0.1);

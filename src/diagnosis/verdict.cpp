@@ -13,6 +13,7 @@ namespace {
 // All errors are RMS in units of the force's deviation. What counts is the excess over the noise floor.
 constexpr double kFloorMargin = 1.03;        // the floor is known to some percent only
 constexpr double kInsignificantGap = 0.006;  // of the force: smaller gaps are within the accuracy of discretisation
+constexpr double kDiscretisation = 1.2;      // times what dashpots of the model err by at these time steps
 constexpr double kWithinNoise = 0.5;         // an excess below this part of the floor is noise
 constexpr double kRestOfGap = 0.12;          // what may remain of a gap that counts as closed by own parameters
 constexpr double kAboveNoise = 2.5;          // times the floor: an excess that own parameters must not leave
@@ -31,7 +32,7 @@ constexpr double kSetProbability = 0.9;
 
 class Decision {
  public:
-  explicit Decision(const Search& search) : search_(search) {
+  Decision(const Search& search, std::size_t most_effects) : search_(search), most_effects_(most_effects) {
     verdict_.model = search.re_estimated;
     verdict_.probabilities.assign(search.candidates.size(), 0.0);
     base_ = excess(search.re_estimated.fit.held_out);
@@ -40,7 +41,7 @@ class Decision {
   Verdict decide() {
     const double configured = excess(search_.configured_gap);
     rank();
-    if (configured < std::max(kWithinNoise * search_.noise, kInsignificantGap)) {
+    if (configured < insignificant()) {
       verdict_.kind = VerdictKind::none;
       verdict_.model = configuredTrial();
     } else if (closedByOwnParameters(configured)) {
@@ -60,6 +61,16 @@ class Decision {
     return excess(trial.fit.held_out * (hasTrends(search_.candidates, trial.members) ? kTrendHandicap : 1.0));
   }
 
+  double insignificant() const {
+    return std::max({kWithinNoise * search_.noise, kInsignificantGap, kDiscretisation * search_.discretisation});
+  }
+
+  // Effects that these logs would hardly show are not to be named, however well they fit.
+  bool testable(const Trial& trial) const {
+    return std::all_of(trial.members.begin(), trial.members.end(),
+                       [&](int member) { return search_.testable[static_cast<std::size_t>(member)]; });
+  }
+
   Trial configuredTrial() const {
     Trial trial = search_.re_estimated;
     trial.fit.point.own.setZero();
@@ -67,8 +78,7 @@ class Decision {
   }
 
   bool closedByOwnParameters(double configured) const {
-    if (base_ < std::max(kWithinNoise * search_.noise, kInsignificantGap) ||
-        base_ < std::min(kAboveNoise * search_.noise, kRestOfGap * configured)) {
+    if (base_ < insignificant() || base_ < std::min(kAboveNoise * search_.noise, kRestOfGap * configured)) {
       return true;
     }
     // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
@@ -106,15 +116,27 @@ class Decision {
   }
 
   const Trial* best(const std::vector<Trial>& trials) const {
-    const auto found = std::min_element(trials.begin(), trials.end(),
-                                        [&](const Trial& a, const Trial& b) { return excess(a) < excess(b); });
-    return found == trials.end() ? nullptr : &*found;
+    const Trial* found = nullptr;
+    for (const Trial& trial : trials) {
+      if (testable(trial) && (found == nullptr || excess(trial) < excess(*found))) {
+        found = &trial;
+      }
+    }
+    return found;
   }
 
   void name() {
+    if (most_effects_ == 0) {
+      verdict_.kind = VerdictKind::unknown;
+      return;
+    }
     const Trial* chosen = best(search_.singles);
+    if (chosen == nullptr) {
+      verdict_.kind = VerdictKind::unknown;
+      return;
+    }
     for (const auto* more : {&search_.pairs, &search_.triples}) {
-      const Trial* trial = best(*more);
+      const Trial* trial = chosen->members.size() < most_effects_ ? best(*more) : nullptr;
       const double enough = std::max(kWithinNoise * search_.noise, kRestOfEffects * base_);
       if (trial == nullptr || excess(*chosen) < enough) {
         continue;
@@ -207,6 +229,7 @@ class Decision {
   }
 
   const Search& search_;
+  std::size_t most_effects_;
   Verdict verdict_;
   double base_ = 0.0;
 };
@@ -218,6 +241,6 @@ std::string toString(VerdictKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-Verdict decide(const Search& search) { return Decision(search).decide(); }
+Verdict decide(const Search& search, std::size_t most_effects) { return Decision(search, most_effects).decide(); }
 
 }  // namespace rubber_suspension

@@ -21,6 +21,7 @@ struct Verdict {
   std::vector<std::vector<int>> confounded;  ///< for each effect named, the set that holds it at 90 %
 };
 
-Verdict decide(const Search& search);
+/// `most_effects`: how many effects may be named at once; with 0 a gap is parameter_error or unknown.
+Verdict decide(const Search& search, std::size_t most_effects = 3);
 
 }  // namespace rubber_suspension
