@@ -20,6 +20,10 @@ struct Options {
   std::string amplitude;
   std::string product;
   int points = SweepOptions().points;
+  std::vector<std::string> logs;
+  LogOptions log_options;
+  IdentificationOptions identification;
+  std::string output;
 };
 
 double quantity(const std::string& option, const std::string& text, const std::string& unit) {
@@ -63,6 +67,32 @@ SweepOptions sweepOptions(const Options& options) {
   return sweeps;
 }
 
+void writeComponent(const ComponentDescription& component, const std::string& path) {
+  std::ofstream file(path);
+  file << toYaml({component});
+  if (!file.flush()) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
+}
+
+int identifyComponent(const Options& options) {
+  const auto components = loadComponentFile(options.config);
+  const ComponentDescription& description = selectComponent(components, options.component);
+  std::vector<Log> logs;
+  for (const std::string& path : options.logs) {
+    logs.push_back(readAnyLog(path, description.name, options.log_options.format()));
+  }
+  const Identification result = identifyFromLogs(description, logs, options.identification);
+  if (!options.plot.empty()) {
+    drawFigure(identificationFigure(description, result, logs), options.plot);
+  }
+  if (!options.output.empty()) {
+    writeComponent(identifiedComponent(description, result), options.output);
+  }
+  std::cout << (options.json ? toJson(description.name, result) : toText(description.name, result));
+  return kSuccess;
+}
+
 int estimateComponents(const Options& options) {
   const SweepOptions sweeps = sweepOptions(options);
   std::vector<ComponentDescription> components = loadComponentFile(options.config);
@@ -100,7 +130,24 @@ CommandBody define(CLI::App& app) {
   app.add_option("--amplitude", options->amplitude, "amplitude at which the frequency varies [m], or '2 mm'");
   app.add_option("--product", options->product, "constant product of amplitude and frequency [m Hz], or '8 mm Hz'");
   app.add_option("--points", options->points, "points of each range")->check(CLI::Range(2, 10000));
-  return [options] { return estimateComponents(*options); };
+  app.add_option(
+         "--from-log", options->logs,
+         "measured log with force (.csv, .mat or .bag): find the parameters from it; may be given several times")
+      ->type_name("LOG");
+  app.add_option("--hold", options->identification.held,
+                 "parameter to keep with --from-log, such as friction.displacement")
+      ->type_name("ELEMENT.PARAMETER");
+  app.add_option("--starts", options->identification.starts, "starts of the search with --from-log")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--output", options->output, "component file to write with the parameters found by --from-log")
+      ->type_name("FILE");
+  options->log_options.addTo(app);
+  return [options] {
+    if (options->logs.empty() && !(options->output.empty() && options->identification.held.empty())) {
+      throw UsageError("--output and --hold go with --from-log");
+    }
+    return options->logs.empty() ? estimateComponents(*options) : identifyComponent(*options);
+  };
 }
 
 }  // namespace

@@ -1,0 +1,163 @@
+// The report of `estimate --from-log`.
+#include "rubber_suspension/command/identify.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rubber_suspension/io/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+std::string intervalText(const IdentifiedParameter& parameter) {
+  return std::isfinite(parameter.upper) ? fmt::format("{:.6g} to {:.6g}", parameter.lower, parameter.upper)
+                                        : fmt::format("from {:.6g}, without upper limit", parameter.lower);
+}
+
+std::string directionText(const UndeterminedDirection& direction) {
+  std::string text;
+  for (const auto& [name, weight] : direction.weights) {
+    text += fmt::format("{}{:+.2g} {}", text.empty() ? "" : ", ", weight, name);
+  }
+  return text;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
+  Axes axes;
+  axes.title = title;
+  axes.x_label = x_label;
+  axes.y_label = y_label;
+  return axes;
+}
+
+Curve curveOf(const std::string& label, const std::string& style) {
+  Curve curve;
+  curve.label = label;
+  curve.style = style;
+  return curve;
+}
+
+// Every n-th sample, so that a figure stays small.
+std::size_t stride(std::size_t samples) { return 1 + samples / 20000; }
+
+}  // namespace
+
+Identification identifyFromLogs(const ComponentDescription& description, const std::vector<Log>& logs,
+                                IdentificationOptions options) {
+  std::vector<Measurement> measurements;
+  for (const Log& log : logs) {
+    if (log.force.size() != log.size()) {
+      throw LogError(log.name + ": has no measured force, which is needed to find parameters");
+    }
+    measurements.push_back({log.stamp, log.displacement, log.force});
+  }
+  const bool spread = description.model == Model::multi_maxwell;
+  if (spread) {
+    options.held.emplace_back("maxwell.break_frequency");
+  }
+  Identification result = identify(description.allElements(), measurements, options);
+  if (spread) {
+    result.notes.emplace_back("break frequencies of multi_maxwell are kept as estimated");
+  }
+  return result;
+}
+
+ComponentDescription identifiedComponent(const ComponentDescription& description, const Identification& result) {
+  ComponentDescription component;
+  component.name = description.name;
+  component.model = Model::elements;
+  component.elements = result.elements;
+  return component;
+}
+
+std::string toText(const std::string& component, const Identification& result) {
+  std::string text =
+      fmt::format("component {}, parameters from measured logs\n  {:<24} {:<22} {:>14} {}  95 % interval\n", component,
+                  "element", "parameter", "value", "unit ");
+  for (const IdentifiedParameter& parameter : result.parameters) {
+    text += fmt::format("  {:<24} {:<22} {:>14.6g} {:<6} {}{}\n", parameter.element, parameter.name, parameter.value,
+                        parameter.unit, intervalText(parameter), parameter.determined ? "" : "  not determined");
+  }
+  text += fmt::format("  force offset {:.6g} N\n", result.force_offset);
+  text +=
+      fmt::format("  residual {:.6g} N, {:.3g} % of the force's standard deviation; worth {:.0f} independent samples\n",
+                  result.residual, 100.0 * result.relative_residual, result.independent_samples);
+  text += fmt::format("  {} of {} starts ended at this optimum\n", result.starts_at_best, result.starts);
+  for (const UndeterminedDirection& direction : result.undetermined) {
+    text += fmt::format("  not determined: {} (relative changes that leave the force the same{})\n",
+                        directionText(direction),
+                        std::isfinite(direction.deviation)
+                            ? fmt::format(" within the noise; standard deviation {:.2g}", direction.deviation)
+                            : "");
+  }
+  for (const std::string& note : result.notes) {
+    text += "  note: " + note + "\n";
+  }
+  return text;
+}
+
+std::string toJson(const std::string& component, const Identification& result) {
+  nlohmann::ordered_json json = {{"schema", "rubber_suspension/identification/1"}, {"component", component}};
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const IdentifiedParameter& parameter : result.parameters) {
+    json["parameters"].push_back({{"element", parameter.element},
+                                  {"index", parameter.index},
+                                  {"name", parameter.name},
+                                  {"unit", parameter.unit},
+                                  {"value", parameter.value},
+                                  {"interval_95", {number(parameter.lower), number(parameter.upper)}},
+                                  {"given", parameter.given},
+                                  {"determined", parameter.determined}});
+  }
+  json["force_offset_n"] = result.force_offset;
+  json["residual_n"] = result.residual;
+  json["relative_residual"] = result.relative_residual;
+  json["independent_samples"] = result.independent_samples;
+  json["starts"] = result.starts;
+  json["starts_at_best"] = result.starts_at_best;
+  json["undetermined"] = nlohmann::ordered_json::array();
+  for (const UndeterminedDirection& direction : result.undetermined) {
+    auto weights = nlohmann::ordered_json::object();
+    for (const auto& [name, weight] : direction.weights) {
+      weights[name] = weight;
+    }
+    json["undetermined"].push_back({{"deviation", number(direction.deviation)}, {"weights", weights}});
+  }
+  json["notes"] = result.notes;
+  return json.dump(2) + "\n";
+}
+
+Figure identificationFigure(const ComponentDescription& description, const Identification& result,
+                            const std::vector<Log>& logs) {
+  Figure figure;
+  figure.title = description.name + ": measured and fitted";
+  const Component component(result.elements);
+  for (const Log& log : logs) {
+    const std::vector<double> force = replay(component, log).force;
+    Axes loop = emptyAxes(log.name, "displacement [mm]", "force [kN]");
+    Axes rest = emptyAxes(log.name, "time [s]", "measured less fitted [kN]");
+    loop.curves = {curveOf("measured", "-"), curveOf("fitted", "-")};
+    rest.curves = {curveOf("", "-")};
+    for (std::size_t i = 0; i < log.size(); i += stride(log.size())) {
+      const double fitted = (force[i] + result.force_offset) * 1e-3;
+      for (Curve& curve : loop.curves) {
+        curve.x.push_back(log.displacement[i] * 1e3);
+      }
+      loop.curves[0].y.push_back(log.force[i] * 1e-3);
+      loop.curves[1].y.push_back(fitted);
+      rest.curves[0].x.push_back(log.time(i));
+      rest.curves[0].y.push_back(log.force[i] * 1e-3 - fitted);
+    }
+    figure.axes.push_back(loop);
+    figure.axes.push_back(rest);
+  }
+  return figure;
+}
+
+}  // namespace rubber_suspension
