@@ -1,16 +1,23 @@
-// Prints the estimated parameters of components, and their stiffness and loss angle over frequency and amplitude.
+// Prints the parameters of components, estimated from a specification or found from measured logs, and their stiffness
+// and loss angle over frequency and amplitude; turns data sheets into component files.
 #include "rubber_suspension/command/estimate.h"
 
+#include <fstream>
 #include <memory>
 
 #include "command.h"
+#include "log_options.h"
+#include "rubber_suspension/command/data_sheet.h"
+#include "rubber_suspension/command/identify.h"
 #include "rubber_suspension/io/units.h"
+#include "rubber_suspension/ros_interface/bag_log.h"
 
 namespace rubber_suspension {
 namespace {
 
 struct Options {
   std::string config;
+  std::string data_sheet;
   std::string component;
   bool json = false;
   std::string plot;
@@ -118,7 +125,12 @@ int estimateComponents(const Options& options) {
 
 CommandBody define(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("--config", options->config, "component file (YAML)")->required();
+  app.add_option("--config", options->config, "component file (YAML)");
+  app.add_option(
+         "--data-sheet", options->data_sheet,
+         "data sheet (YAML) in place of --config: prints the component file that follows from it, from hardness "
+         "and shape, a dynamic-to-static ratio, or loss angles at two frequencies")
+      ->type_name("FILE");
   app.add_option("--component", options->component, "name of one component; all if absent");
   app.add_flag("--json", options->json, "print JSON, in SI units");
   app.add_option("--plot", options->plot, "draw stiffness and loss angle to FILE.svg or FILE.png");
@@ -143,6 +155,13 @@ CommandBody define(CLI::App& app) {
       ->type_name("FILE");
   options->log_options.addTo(app);
   return [options] {
+    if (options->config.empty() == options->data_sheet.empty()) {
+      throw UsageError("accepted: one of --config and --data-sheet (see --help)");
+    }
+    if (!options->data_sheet.empty()) {
+      std::cout << componentFileFromDataSheet(options->data_sheet);
+      return static_cast<int>(kSuccess);
+    }
     if (options->logs.empty() && !(options->output.empty() && options->identification.held.empty())) {
       throw UsageError("--output and --hold go with --from-log");
     }

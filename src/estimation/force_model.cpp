@@ -37,6 +37,7 @@ bool isLinear(const std::string& type, const std::string& name) {
                                                                         {"inertia", "mass"},
                                                                         {"force_offset", "offset"},
                                                                         {"force_drift", "rate"},
+                                                                        {"progressive_stiffness", "quadratic"},
                                                                         {"progressive_stiffness", "cubic"},
                                                                         {"progressive_stiffness", "quintic"},
                                                                         {"asymmetric_stiffness", "quadratic"},

@@ -1,0 +1,156 @@
+// Data sheets in YAML.
+#include "rubber_suspension/command/data_sheet.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "rubber_suspension/io/units.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
+
+const ParameterInfo* findParameter(const std::string& name) {
+  for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
+    for (const ParameterInfo& row : *table) {
+      if (row.name == name) {
+        return &row;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string acceptedKeys() {
+  std::string names = "component, model, load";
+  for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
+    for (const ParameterInfo& row : *table) {
+      names += ", " + row.name;
+    }
+  }
+  return names;
+}
+
+struct Sheet {
+  std::string component;
+  std::optional<Model> model;
+  std::optional<LoadDirection> load;
+  std::map<std::string, double> values;
+};
+
+Model modelOf(const std::string& name) {
+  const auto model = modelFromString(name);
+  if (!model || *model == Model::elements) {
+    throw std::invalid_argument(
+        fmt::format("model: '{}' is not a model; accepted: kelvin_voigt, maxwell, "
+                    "maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
+                    name));
+  }
+  return *model;
+}
+
+LoadDirection loadOf(const std::string& name) {
+  if (name != "compression" && name != "shear") {
+    throw std::invalid_argument(fmt::format("load: '{}'; accepted: compression, shear", name));
+  }
+  return name == "shear" ? LoadDirection::shear : LoadDirection::compression;
+}
+
+double quantityOf(const std::string& key, const std::string& text) {
+  const ParameterInfo* parameter = findParameter(key);
+  if (parameter == nullptr) {
+    throw std::invalid_argument(fmt::format("{}: unknown key; accepted: {}", key, acceptedKeys()));
+  }
+  try {
+    return parseQuantity(text, parameter->unit);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(key + ": " + error.what());
+  }
+}
+
+Sheet readSheet(const YAML::Node& root) {
+  if (!root.IsMap() || root.size() != 1 || !root["data_sheet"] || !root["data_sheet"].IsMap()) {
+    throw std::invalid_argument("accepted: a map with the one key data_sheet, which is a map");
+  }
+  Sheet sheet;
+  std::map<std::string, int> seen;
+  for (const auto& entry : root["data_sheet"]) {
+    if (!entry.first.IsScalar() || !entry.second.IsScalar()) {
+      throw std::invalid_argument("data_sheet: every key takes one number or text");
+    }
+    const auto key = entry.first.as<std::string>();
+    const auto text = entry.second.as<std::string>();
+    if (++seen[key] > 1) {
+      throw std::invalid_argument(key + ": stands twice; accepted: once");
+    }
+    if (key == "component") {
+      sheet.component = text;
+    } else if (key == "model") {
+      sheet.model = modelOf(text);
+    } else if (key == "load") {
+      sheet.load = loadOf(text);
+    } else {
+      sheet.values[key] = quantityOf(key, text);
+    }
+  }
+  return sheet;
+}
+
+std::string convert(const std::string& text) {
+  const Sheet sheet = readSheet(YAML::Load(text));
+  if (sheet.component.empty()) {
+    throw std::invalid_argument("component: missing; needed is the name of the component");
+  }
+  if (sheet.load.has_value() != (sheet.values.count("shore_a") != 0)) {
+    throw std::invalid_argument("load: goes with shore_a; accepted: both (load: compression or shear) or none");
+  }
+  const DataSheetResult result =
+      specificationFromDataSheet(sheet.model, sheet.load.value_or(LoadDirection::compression), sheet.values);
+  ComponentDescription description;
+  description.name = sheet.component;
+  description.model = result.model;
+  description.specification = result.specification;
+  std::string file = "# Component file from a data sheet.\n";
+  for (const std::string& note : result.notes) {
+    file += "# " + note + "\n";
+  }
+  file += toYaml({description});
+  parseComponentFile(file, "component file");  // the name, too, has to be one that the node takes
+  return file;
+}
+
+}  // namespace
+
+std::string componentFileFromDataSheetText(const std::string& text, const std::string& source) {
+  try {
+    return convert(text);
+  } catch (const YAML::Exception& error) {
+    throw std::invalid_argument(
+        fmt::format("{}:{}: not YAML: {}; accepted: a data sheet", source, error.mark.line + 1, error.msg));
+  } catch (const ComponentFileError& error) {
+    throw std::invalid_argument(source + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(source + ": " + error.what());
+  }
+}
+
+std::string componentFileFromDataSheet(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be read");
+  }
+  std::string text(kMaximumSize + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad() || text.size() > kMaximumSize) {
+    throw std::runtime_error(fmt::format("{}: accepted: a file of at most {} bytes", path, kMaximumSize));
+  }
+  return componentFileFromDataSheetText(text, path);
+}
+
+}  // namespace rubber_suspension

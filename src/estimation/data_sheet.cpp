@@ -1,0 +1,257 @@
+// Data sheets: hardness and shape, stiffness ratio, second loss angle.
+#include "rubber_suspension/estimation/data_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "models.h"
+
+namespace rubber_suspension {
+namespace {
+
+using Values = std::map<std::string, double>;
+
+constexpr double kLowestHardness = 20.0;
+constexpr double kHighestHardness = 80.0;
+constexpr double kHardnessTolerance = 5.0;
+constexpr double kLowestShapeFactor = 0.2;
+constexpr double kHighestShapeFactor = 3.0;
+constexpr double kLowestShearShapeFactor = 1.0;  // bending adds (t/a)^2/3 to the shear of a square block, 2 % there
+
+bool isDataSheetKey(const std::string& key) {
+  const auto& table = dataSheetParameters();
+  return std::any_of(table.begin(), table.end(), [&](const ParameterInfo& row) { return row.name == key; });
+}
+
+void checkRanges(const Values& values) {
+  for (const auto& [key, value] : values) {
+    for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
+      for (const ParameterInfo& row : *table) {
+        if (row.name == key && !row.range.contains(value)) {
+          throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
+                                                  row.unit == "1" ? "" : " " + row.unit, describe(row.range),
+                                                  row.documentation));
+        }
+      }
+    }
+  }
+}
+
+void requireAll(const Values& values, const std::vector<std::string>& keys, const std::string& purpose) {
+  for (const std::string& key : keys) {
+    if (values.count(key) == 0) {
+      throw std::invalid_argument(fmt::format("{}: missing; needed for {}", key, purpose));
+    }
+  }
+}
+
+void refuseBoth(const Values& values, const std::string& derived, const std::string& direct) {
+  if (values.count(derived) != 0 && values.count(direct) != 0) {
+    throw std::invalid_argument(fmt::format("{}: given beside {}; accepted: one of the two", derived, direct));
+  }
+}
+
+double blockStiffness(const Values& values, double hardness, LoadDirection direction) {
+  const double layers = values.count("layers") != 0 ? values.at("layers") : 1.0;
+  const double area_over_height = values.at("loaded_area") / (layers * values.at("layer_thickness"));
+  const double modulus = modulusFromShoreA(hardness);
+  return direction == LoadDirection::shear ? modulus / 3.0 * area_over_height
+                                           : modulus * compressionFactor(values.at("shape_factor")) * area_over_height;
+}
+
+// Static stiffness from hardness and shape.
+void addStaticStiffness(const Values& values, LoadDirection direction, DataSheetResult& result) {
+  static const std::vector<std::string> keys = {"shore_a", "loaded_area", "layer_thickness", "shape_factor"};
+  if (values.count("shore_a") == 0) {
+    for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
+      if (values.count(key) != 0) {
+        throw std::invalid_argument(std::string(key) +
+                                    ": given without shore_a; a shape says nothing about the rubber's modulus");
+      }
+    }
+    return;
+  }
+  refuseBoth(values, "shore_a", "static_stiffness");
+  requireAll(values, keys, "a static stiffness from hardness");
+  const double shape_factor = values.at("shape_factor");
+  if (direction == LoadDirection::shear && shape_factor < kLowestShearShapeFactor) {
+    throw std::invalid_argument(
+        fmt::format("shape_factor: {:g} is out of range in shear, where a slender block bends; "
+                    "accepted: at least {:g}",
+                    shape_factor, kLowestShearShapeFactor));
+  }
+  const double hardness = values.at("shore_a");
+  const double stiffness = blockStiffness(values, hardness, direction);
+  const double softest = blockStiffness(values, std::max(kLowestHardness, hardness - kHardnessTolerance), direction);
+  const double hardest = blockStiffness(values, std::min(kHighestHardness, hardness + kHardnessTolerance), direction);
+  result.specification.set("static_stiffness", stiffness);
+  result.notes.push_back(fmt::format(
+      "static_stiffness {:.6g} N/m from Shore A {:g}: Young's modulus {:.4g} MPa (Gent 1958){}; a hardness within {:g} "
+      "degrees means {:.4g} to {:.4g} N/m",
+      stiffness, hardness, modulusFromShoreA(hardness) * 1e-6,
+      direction == LoadDirection::shear
+          ? ", shear modulus a third of it"
+          : fmt::format(", times 1 + 2 S^2 = {:.4g} (Gent and Lindley 1959)", compressionFactor(shape_factor)),
+      kHardnessTolerance, softest, hardest));
+}
+
+void addDynamicStiffness(const Values& values, DataSheetResult& result) {
+  if (values.count("dynamic_to_static_ratio") != 0) {
+    refuseBoth(values, "dynamic_to_static_ratio", "dynamic_stiffness");
+    if (!result.specification.has("static_stiffness")) {
+      throw std::invalid_argument("static_stiffness: missing; needed for dynamic_to_static_ratio");
+    }
+    const double stiffness = values.at("dynamic_to_static_ratio") * result.specification.at("static_stiffness");
+    result.specification.set("dynamic_stiffness", stiffness);
+    result.notes.push_back(fmt::format("dynamic_stiffness {:.6g} N/m from dynamic_to_static_ratio", stiffness));
+  } else if (values.count("dynamic_stiffness") == 0) {
+    throw std::invalid_argument(
+        "dynamic_stiffness: missing, and does not follow from hardness or static stiffness, as it depends on the "
+        "filler; "
+        "accepted: dynamic_stiffness or dynamic_to_static_ratio from the data sheet or a test");
+  }
+}
+
+double angleAt(const Specification& specification, double frequency) {
+  std::complex<double> sum = 0.0;
+  for (const ElementDescription& element : estimateMaxwellDashpot(specification)) {
+    if (element.type == "spring") {
+      sum += element.value("stiffness");
+    } else if (element.type == "dashpot") {
+      sum += std::complex<double>(0.0, 2.0 * M_PI * frequency * element.value("damping"));
+    } else {
+      const std::complex<double> ratio(0.0, frequency / element.value("break_frequency"));
+      sum += element.value("stiffness") * ratio / (1.0 + ratio);
+    }
+  }
+  return std::arg(sum);
+}
+
+// The break frequency at which M3 has the second loss angle. Between the limits of a dashpot alone (f_b -> 0) and of a
+// Maxwell element alone the angle at another frequency moves one way.
+double breakFrequencyForSecondAngle(const Specification& specification, double frequency, double angle) {
+  Specification trial = specification;
+  const double highest = std::log(breakFrequencyForLossAngle(specification));
+  const auto mismatch = [&](double log_frequency) {
+    trial.set("break_frequency", std::exp(log_frequency));
+    return angleAt(trial, frequency) - angle;
+  };
+  const double lowest = highest - std::log(1e6);
+  const double top = highest - 1e-9;
+  const double at_lowest = mismatch(lowest);
+  const double at_top = mismatch(top);
+  if (at_lowest * at_top > 0.0) {
+    const double a = at_lowest + angle;
+    const double b = at_top + angle;
+    throw std::invalid_argument(fmt::format(
+        "second_loss_angle: {:g} rad at {:g} Hz is not reached by one Maxwell element and a dashpot with the "
+        "other inputs; accepted: in ({:.6g}, {:.6g}) rad",
+        angle, frequency, std::min(a, b), std::max(a, b)));
+  }
+  boost::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(mismatch, lowest, top, at_lowest, at_top,
+                                                         boost::math::tools::eps_tolerance<double>(48), iterations);
+  return std::exp(0.5 * (bracket.first + bracket.second));
+}
+
+void addSecondAngle(const Values& values, DataSheetResult& result) {
+  requireAll(values, {"second_frequency", "second_loss_angle"}, "a second loss angle");
+  if (result.model != Model::maxwell_dashpot) {
+    throw std::invalid_argument("second_loss_angle: model " + toString(result.model) +
+                                " has no number left to meet it; accepted: model maxwell_dashpot");
+  }
+  refuseBoth(values, "second_loss_angle", "break_frequency");
+  Specification& specification = result.specification;
+  if (values.at("second_frequency") == specification.at("nominal_frequency")) {
+    throw std::invalid_argument("second_frequency: is the nominal frequency; accepted: another one");
+  }
+  specification.set("break_frequency", 1.0);  // for the checks; found below
+  checkSpecification(Model::maxwell_dashpot, specification);
+  for (const auto& obstacle : {stiffnessObstacle(specification), storageObstacle(specification)}) {
+    if (obstacle) {
+      throw std::invalid_argument(inputText(specification, obstacle->key) + " " + obstacle->reason);
+    }
+  }
+  const double frequency =
+      breakFrequencyForSecondAngle(specification, values.at("second_frequency"), values.at("second_loss_angle"));
+  specification.set("break_frequency", frequency);
+  result.notes.push_back(fmt::format("break_frequency {:.6g} Hz from the loss angle at {:g} Hz", frequency,
+                                     values.at("second_frequency")));
+}
+
+Model simplestModel(const Values& values) {
+  const auto has = [&](const char* key) { return values.count(key) != 0; };
+  if (has("second_loss_angle")) {
+    return Model::maxwell_dashpot;
+  }
+  if (has("high_frequency") || has("low_frequency") || has("maxwell_elements")) {
+    return Model::multi_maxwell;
+  }
+  if (has("nominal_amplitude")) {
+    return has("break_frequency") ? Model::berg : has("viscous_share") ? Model::friction_dashpot : Model::friction;
+  }
+  const bool damping = has("loss_angle") || has("relative_damping");
+  return damping && has("break_frequency") ? Model::maxwell_dashpot : Model::maxwell;
+}
+
+}  // namespace
+
+double modulusFromShoreA(double hardness) {
+  if (!(hardness >= kLowestHardness && hardness <= kHighestHardness)) {
+    throw std::invalid_argument(
+        fmt::format("shore_a: {:g} is outside the range of Gent's relation; accepted: in [{:g}, "
+                    "{:g}]",
+                    hardness, kLowestHardness, kHighestHardness));
+  }
+  return 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness));
+}
+
+double compressionFactor(double shape_factor) {
+  if (!(shape_factor >= kLowestShapeFactor && shape_factor <= kHighestShapeFactor)) {
+    throw std::invalid_argument(fmt::format(
+        "shape_factor: {:g} is outside the range of 1 + 2 S^2 (below, a block bends; above, the rubber's own "
+        "compressibility counts); accepted: in [{:g}, {:g}]",
+        shape_factor, kLowestShapeFactor, kHighestShapeFactor));
+  }
+  return 1.0 + 2.0 * shape_factor * shape_factor;
+}
+
+const std::vector<ParameterInfo>& dataSheetParameters() {
+  static const std::vector<ParameterInfo> table = {
+      {"shore_a", "1", Range::closed(kLowestHardness, kHighestHardness), std::nullopt, "Shore A hardness"},
+      {"loaded_area", "m^2", Range::positive(), std::nullopt, "loaded area of one layer"},
+      {"layer_thickness", "m", Range::positive(), std::nullopt, "thickness of one layer of rubber"},
+      {"shape_factor", "1", Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
+       "loaded area over force-free area of one layer"},
+      {"layers", "1", Range::closed(1.0, 100.0), 1.0, "layers in series"},
+      {"dynamic_to_static_ratio", "1", {1.0, 10.0, true, false}, std::nullopt, "K_n/K_st at the nominal frequency"},
+      {"second_frequency", "Hz", Range::positive(), std::nullopt, "frequency of the second loss angle"},
+      {"second_loss_angle", "rad", Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle there"},
+  };
+  return table;
+}
+
+DataSheetResult specificationFromDataSheet(std::optional<Model> model, LoadDirection direction, const Values& values) {
+  DataSheetResult result{model.value_or(simplestModel(values)), {}, {}};
+  checkRanges(values);
+  for (const auto& [key, value] : values) {
+    if (!isDataSheetKey(key)) {
+      result.specification.set(key, value);
+    }
+  }
+  addStaticStiffness(values, direction, result);
+  addDynamicStiffness(values, result);
+  if (values.count("second_loss_angle") != 0 || values.count("second_frequency") != 0) {
+    addSecondAngle(values, result);
+  }
+  estimate(result.model, result.specification);  // refuses what has no solution
+  return result;
+}
+
+}  // namespace rubber_suspension
