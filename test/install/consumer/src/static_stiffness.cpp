@@ -1,0 +1,36 @@
+// Loads a component file and prints the static stiffness of each component: the force of a hold after an hour.
+// Usage: static_stiffness COMPONENTS.yaml
+#include <cstdio>
+#include <exception>
+
+#include "rubber_suspension/io/component_file.h"
+
+namespace {
+
+/// Force over displacement [N/m] after a slow move to 1 mm and an hour there.
+double staticStiffness(const rubber_suspension::Component& component) {
+  constexpr double kDisplacement = 1e-3;  // [m]
+  constexpr double kHour = 3600.0;        // [s]
+  rubber_suspension::ComponentState state = component.makeState();
+  const double before = component.rest(state, 0.0).total;
+  component.step(state, kHour, kDisplacement);
+  return (component.step(state, kHour, kDisplacement).total - before) / kDisplacement;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: static_stiffness COMPONENTS.yaml\n");
+    return 2;
+  }
+  try {
+    for (const auto& description : rubber_suspension::loadComponentFile(argv[1])) {
+      std::printf("%s %.6g N/m\n", description.name.c_str(), staticStiffness(description.makeComponent()));
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "static_stiffness: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
