@@ -1,0 +1,70 @@
+// Proof in the running system: the node with the augmented file of a diagnosis shows the claimed gap on a log that took
+// no part in the fit.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "../diagnosis/rig.h"
+#include "bench.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/ros_interface/child_process.h"
+#include "rubber_suspension/ros_interface/log_player.h"
+
+namespace rubber_suspension {
+namespace {
+
+// Smooth dry friction after Dahl, beside the rig's own force: none of the candidates' laws.
+RigEffect dahlFriction() {
+  auto force = std::make_shared<double>(0.0);
+  auto last = std::make_shared<double>(0.0);
+  return [=](double time, double z, double /*rate*/) {
+    if (time == 0.0) {
+      *force = 0.0;
+      *last = z;
+    }
+    const double way = z - *last;
+    *force += 1.5e6 * way * (1.0 - *force / 200.0 * (way > 0.0 ? 1.0 : -1.0));
+    *last = z;
+    return *force;
+  };
+}
+
+double gapOf(const Log& log, const std::vector<ComponentForce>& simulated) {
+  double mean = 0.0;
+  for (const double force : log.force) {
+    mean += force / static_cast<double>(log.size());
+  }
+  double squared = 0.0;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    squared += std::pow(log.force[i] - simulated[i].total, 2);
+    variance += std::pow(log.force[i] - mean, 2);
+  }
+  return std::sqrt(squared / variance);
+}
+
+TEST(AugmentedGap, IsWhatTheReportClaims) {
+  const Log unseen = runRig("unseen", 3, dahlFriction());
+  const Diagnosis result =
+      diagnose(rigComponent(), {runRig("one", 1, dahlFriction()), runRig("two", 2, dahlFriction())}, {unseen});
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "friction");
+  EXPECT_LT(result.gap.augmented, 0.5 * result.gap.re_estimated);
+
+  const std::string folder = testing::TempDir() + "augmented_gap";
+  writeReport(result, folder);
+  const ChildProcess node({siblingProgram("simulate"), "_config_file:=" + folder + "/augmented.yaml"});
+  PlayOptions options;
+  options.component = result.component;
+  LogPlayer player(ros::NodeHandle(), options);
+  const PlayResult played = player.play(unseen);
+  ASSERT_TRUE(played.exactlyOneEach());
+  // The same numbers through the same code: what differs is the order of summation of the mean and the squares.
+  EXPECT_NEAR(gapOf(unseen, played.force), result.gap.augmented, 1e-9);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "augmented_gap"); }
