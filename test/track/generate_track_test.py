@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Holds scripts/generate_track to its spectrum and to its vehicle, each computed in another way than there."""
+
+import importlib.machinery
+import importlib.util
+import math
+import pathlib
+import unittest
+
+import numpy
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "generate_track"
+LOADER = importlib.machinery.SourceFileLoader("generate_track", str(SCRIPT))
+SPEC = importlib.util.spec_from_loader("generate_track", LOADER)
+generate_track = importlib.util.module_from_spec(SPEC)
+LOADER.exec_module(generate_track)
+
+
+def options(*arguments):
+    return generate_track.parse(["--output", "unused", *arguments])
+
+
+class Track(unittest.TestCase):
+    def test_spectrum_has_its_published_form(self):
+        # Far below both corners S = A / Wr^2, far above A Wc^2 / W^4; to the order of the ratios squared.
+        low = 4.032e-7
+        self.assertAlmostEqual(generate_track.spectrum(1e-6, "low") / (low / 0.0206**2), 1, delta=1e-6)
+        self.assertAlmostEqual(generate_track.spectrum(1e3, "low") / (low * 0.8246**2 / 1e12), 1, delta=1e-5)
+        self.assertAlmostEqual(
+            generate_track.spectrum(0.3, "high") / generate_track.spectrum(0.3, "low"), 1.080 / 0.4032, delta=1e-12
+        )
+
+    def test_variance_is_the_integral_of_the_spectrum(self):
+        given = options("--track", "--duration", "600", "--rate", "200")
+        wavenumber = numpy.linspace(2 * math.pi / given.longest, 2 * math.pi / given.shortest, 200001)
+        expected = numpy.trapz(generate_track.spectrum(wavenumber, "low"), wavenumber)
+        variances = []
+        for seed in range(20):
+            given.seed = seed
+            variances.append(numpy.mean(generate_track.generate(given) ** 2))
+        # The spread of one draw gives that of the mean of twenty; five of its standard errors, and the fade-in of
+        # one second in 600, which takes away at most 0.2 %.
+        tolerance = 5 * numpy.std(variances, ddof=1) / math.sqrt(20) + 0.002 * expected
+        self.assertLess(abs(numpy.mean(variances) - expected), tolerance)
+        self.assertLess(tolerance, 0.3 * expected)  # else the test would hold nothing
+
+    def test_vehicle_answers_as_its_equations_of_motion_say(self):
+        # One sine of the track, integrated in time until transients are gone, against the transfer function.
+        box = generate_track.AxleBox()
+        for frequency in (1.0, 2.5, 8.0):
+            amplitude = self.integrated_amplitude(box, frequency)
+            expected = abs(box.compression(numpy.array([frequency]))[0])
+            self.assertAlmostEqual(amplitude / expected, 1, delta=2e-3, msg="%g Hz" % frequency)
+
+    @staticmethod
+    def integrated_amplitude(box, frequency):
+        omega = 2 * math.pi * frequency
+
+        def rate(time, state):
+            bogie, bogie_rate, body, body_rate = state
+            track, track_rate = math.sin(omega * time), omega * math.cos(omega * time)
+            primary = box.primary_stiffness * (track - bogie) + box.primary_damping * (track_rate - bogie_rate)
+            secondary = box.secondary_stiffness * (bogie - body) + box.secondary_damping * (bogie_rate - body_rate)
+            return numpy.array(
+                [bogie_rate, (primary - secondary) / box.bogie_mass, body_rate, secondary / box.body_mass]
+            )
+
+        # The slowest transient (body on secondary) falls by exp(-1/s) or faster: 15 s leave less than 1e-5.
+        step, state, peak = 1.0 / frequency / 400, numpy.zeros(4), 0.0
+        for i in range(int(15 / step)):
+            time = i * step
+            k1 = rate(time, state)
+            k2 = rate(time + step / 2, state + step / 2 * k1)
+            k3 = rate(time + step / 2, state + step / 2 * k2)
+            k4 = rate(time + step, state + step * k3)
+            state = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+            if time > 15 - 2 / frequency:
+                peak = max(peak, abs(math.sin(omega * (time + step)) - state[0]))
+        return peak
+
+    def test_same_seed_gives_the_same_log(self):
+        given = options("--duration", "5")
+        self.assertTrue(numpy.array_equal(generate_track.generate(given), generate_track.generate(given)))
+
+    def test_band_without_a_line_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "band"):
+            generate_track.generate(options("--shortest", "3", "--longest", "2"))
+
+
+if __name__ == "__main__":
+    unittest.main()
