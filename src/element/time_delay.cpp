@@ -1,6 +1,8 @@
 // Time delay between the measured displacement and force.
 #include "rubber_suspension/element/time_delay.h"
 
+#include <algorithm>
+
 namespace rubber_suspension {
 namespace {
 

@@ -40,6 +40,12 @@ TEST(ProgressiveStiffness, IsOdd) {
   EXPECT_EQ(law.force(-kA), -law.force(kA));
 }
 
+TEST(ProgressiveStiffness, QuadraticTermIsOddToo) {
+  const ProgressiveStiffness law(0.0, 0.0, 2e8);
+  EXPECT_DOUBLE_EQ(law.force(kA), 2e8 * kA * kA);
+  EXPECT_DOUBLE_EQ(law.force(-kA), -2e8 * kA * kA);
+}
+
 TEST(ProgressiveStiffness, RefusesToBeNothing) {
   EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {0.0}}}}), std::invalid_argument);
   EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {-1.0}}}}), std::invalid_argument);

@@ -73,6 +73,12 @@ TEST(FreePlay, LeavesOutTheGap) {
   EXPECT_DOUBLE_EQ(law.behind(-1e-3), -8e-4);
 }
 
+TEST(FreePlay, LosesAShareOfTheMotionWithinTheGap) {
+  const FreePlay law(2e-4, 0.25);
+  EXPECT_DOUBLE_EQ(law.behind(1e-4), 0.75e-4);
+  EXPECT_DOUBLE_EQ(law.behind(-1e-3), -0.95e-3);
+}
+
 TEST(TimeDelay, LineIsExactAtUnequalSteps) {
   const TimeDelay law(7e-3);
   Driver<TimeDelay> driver(law);

@@ -16,11 +16,13 @@ inline std::vector<ElementDescription> typicalElements() {
       {"spring", {{"stiffness", {3e6}}}},
       {"progressive_stiffness", {{"cubic", {1e11}}, {"quintic", {1e15}}}},
       {"progressive_stiffness", {{"quintic", {2e16}}}},
+      {"progressive_stiffness", {{"quadratic", {2e8}}}},
       {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
       {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
       {"dashpot", {{"damping", {2e4}}}},
+      {"dashpot", {{"damping", {2e4}}, {"order", {2.0}}}},
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2000.0}}}},
       {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}},
@@ -35,6 +37,7 @@ inline std::vector<ElementDescription> typicalElements() {
       {"stress_softening", {{"reduction", {0.3}}, {"width", {0.2}}, {"path", {0.01}}}},
       {"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {20.0}}}},
       {"free_play", {{"gap", {2e-4}}}},
+      {"free_play", {{"gap", {4e-4}}, {"share", {0.6}}}},
       {"series_compliance", {{"stiffness", {3e7}}}},
       {"time_delay", {{"delay", {3.3e-3}}}},
       {"time_delay", {{"delay", {-2.5e-4}}}},
@@ -87,7 +90,8 @@ inline bool isExact(const ElementDescription& description) {
   const bool approximate =
       isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay"});
   const bool softens_slowly = description.type == "stress_softening" && description.values.count("path") != 0;
-  return !approximate && !softens_slowly;
+  const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;
+  return !approximate && !softens_slowly && !smooth;
 }
 
 }  // namespace rubber_suspension::test

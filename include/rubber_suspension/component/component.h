@@ -62,6 +62,8 @@ class Component {
   ComponentForce recover(ComponentState& state, double displacement) const;
 
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
+  /// The force is not a number, from there on, where the specimen has given way behind a series mount: where its
+  /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the mount can hold.
   ComponentForce step(ComponentState& state, double dt, double displacement) const;
 
   /// Linearise the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two trial
