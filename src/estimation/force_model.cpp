@@ -16,7 +16,10 @@ constexpr double kSearchReach = 1e3;  // factor to either side of the given valu
 constexpr double kStartReach = 10.0;
 
 // Parameters that say what an element is, not how large: kept as given.
-bool isChoice(const std::string& name) {
+bool isChoice(const std::string& type, const std::string& name) {
+  if (type == "dashpot" && name == "order") {  // of its difference; that of a springpot is a parameter
+    return true;
+  }
   static const std::vector<std::string> names = {
       "dead_band",       "sliders",       "side",         "exponent",
       "reference_depth", "shortest_time", "longest_time", "reference_frequency",
@@ -133,7 +136,7 @@ ForceModel::ForceModel(std::vector<ElementDescription> elements, const std::vect
 }
 
 bool ForceModel::isHeld(const ElementDescription& element, const ParameterInfo& parameter) const {
-  return parameter.is_list || isChoice(parameter.name) || element.value(parameter.name) == 0.0 ||
+  return parameter.is_list || isChoice(element.type, parameter.name) || element.value(parameter.name) == 0.0 ||
          std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -19,8 +20,8 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kQuantile = 1.959963984540054;          // of the normal distribution, for 95 % between both sides
-const double kUndetermined = std::log(2.0) / kQuantile;  // deviation of ln(value) whose interval is a factor of 2
+constexpr double kTail = 0.025;                     // on either side of a 95 % interval
+const double kUndetermined = std::log(2.0) / 1.96;  // deviation of ln(value) whose interval is a factor of 2
 constexpr double kDeadBandInDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
@@ -225,6 +226,7 @@ Eigen::MatrixXd jacobianAt(ForceModel& model, const Fit& fit) {
 struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<Eigen::VectorXd> unseen;
+  double quantile = 1.96;  // of the parameters' deviations, for 95 %
 };
 
 Covariance covarianceOf(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
@@ -261,8 +263,9 @@ std::string nameOf(const std::vector<ElementDescription>& elements, const Unknow
   return (same > 1 ? fmt::format("{} {}", type, number) : type) + "." + unknown.name;
 }
 
-void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double coefficient_sign, double deviation) {
-  const double reach = kQuantile * deviation;
+void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double coefficient_sign, double deviation,
+                 double quantile) {
+  const double reach = quantile * deviation;
   if (unknown.logarithmic && parameter.value > 0.0) {
     parameter.lower = parameter.value * std::exp(-reach);
     parameter.upper = parameter.value * std::exp(reach);
@@ -320,7 +323,7 @@ class Summary {
     const bool unseen = std::any_of(covariance_.unseen.begin(), covariance_.unseen.end(),
                                     [&](const Eigen::VectorXd& v) { return std::abs(v[column]) > 1e-3; });
     const double deviation = unseen ? HUGE_VAL : std::sqrt(std::max(0.0, covariance_.matrix(column, column)));
-    setInterval(parameter, unknown, coefficient, deviation);
+    setInterval(parameter, unknown, coefficient, deviation, covariance_.quantile);
     result.parameters.push_back(parameter);
   }
 
@@ -366,6 +369,20 @@ class Summary {
   const Fit& fit_;
   const Covariance& covariance_;
 };
+
+double independentSamples(const Eigen::VectorXd& residual, const Autoregression& noise) {
+  const auto count = static_cast<double>(residual.size());
+  return count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
+}
+
+// The fit takes as many independent samples out of the residuals as it has unknowns, and their variance is an estimate
+// itself: Student's distribution with the samples that are left.
+void allowForFewSamples(Covariance& covariance, double independent_samples) {
+  const auto unknowns = static_cast<double>(covariance.matrix.rows());
+  const double left = std::max(1.0, independent_samples - unknowns);
+  covariance.matrix *= independent_samples / left;
+  covariance.quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
+}
 
 double standardDeviation(const Eigen::VectorXd& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
@@ -419,7 +436,7 @@ void describeResiduals(Identification& result, const Fit& fit, const Eigen::Vect
   const double variance = fit.residual.squaredNorm() / count;
   result.residual = std::sqrt(variance);
   result.relative_residual = result.residual / standardDeviation(force);
-  result.independent_samples = count / std::max(1.0, correlationFactor(noise, variance));
+  result.independent_samples = independentSamples(fit.residual, noise);
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(
         "the residuals are strongly correlated in time: the model leaves something out that is not part of the "
@@ -456,7 +473,8 @@ Identification identify(const std::vector<ElementDescription>& elements, const s
   result.starts_at_best = searches.at_best;
   result.force_offset = searches.best.coefficients[searches.best.coefficients.size() - 1];
   const Autoregression noise = fitAutoregression(searches.best.residual, runs);
-  const Covariance covariance = covarianceOf(jacobianAt(model, searches.best), runs, noise);
+  Covariance covariance = covarianceOf(jacobianAt(model, searches.best), runs, noise);
+  allowForFewSamples(covariance, independentSamples(searches.best.residual, noise));
   Summary(model, searches.best, covariance).describe(result);
   describeResiduals(result, searches.best, force, noise);
   dropElementsWithoutForce(result);

@@ -64,8 +64,8 @@ struct Identification {
 ///
 /// Intervals allow for autocorrelated residuals: an autoregressive model of the residuals, of the order that the
 /// Bayesian information criterion chooses, gives their covariance O, and that of the parameters is
-/// (J'J)^-1 J'OJ (J'J)^-1. They hold if the model is right and the displacement exact; what the model cannot follow
-/// is not part of them.
+/// (J'J)^-1 J'OJ (J'J)^-1, with Student's distribution for the number of independent samples that the log is worth.
+/// They hold if the model is right and the displacement exact; what the model cannot follow is not part of them.
 ///
 /// Friction without dead band gets one of six standard deviations of the displacement's noise, said in the notes.
 /// Throws std::invalid_argument for logs that are empty, too short, not finite, or do not move, and for names to hold
