@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command.h"
+#include "log_options.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace {
@@ -19,12 +20,14 @@ struct Options {
   std::vector<std::string> hold_out;
   std::string output;
   int threads = 2;
+  LogOptions log_options;
 };
 
-std::vector<Log> readLogs(const std::vector<std::string>& paths) {
+std::vector<Log> readLogs(const std::vector<std::string>& paths, const std::string& component,
+                          const LogOptions& log_options) {
   std::vector<Log> logs;
   for (const std::string& path : paths) {
-    logs.push_back(readCsvLog(path));
+    logs.push_back(log_options.read("diagnose", path, component));
   }
   return logs;
 }
@@ -41,7 +44,9 @@ int run(const Options& options) {
   DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
-  const Diagnosis diagnosis = diagnose(component, readLogs(options.logs), readLogs(options.hold_out), settings);
+  const std::vector<Log> logs = readLogs(options.logs, component.name, options.log_options);
+  const std::vector<Log> hold_out = readLogs(options.hold_out, component.name, options.log_options);
+  const Diagnosis diagnosis = diagnose(component, logs, hold_out, settings);
   showStage("writing the report", 0.95);
   writeReport(diagnosis, options.output);
   if (isatty(STDERR_FILENO) != 0) {
@@ -67,6 +72,7 @@ int main(int argc, char** argv) {
         app.add_option("--threads", options->threads, "number of threads")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
+        options->log_options.addTo(app);
         return [options] { return run(*options); };
       });
 }

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "command.h"
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/ros_interface/bag_log.h"
 
 namespace rubber_suspension {
 
@@ -22,7 +23,16 @@ class LogOptions {
     app.add_option("--rate", rate_, "sampling rate of a log without column of time")->type_name("HZ");
   }
 
-  /// Throws UsageError.
+  /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
+  Log read(const std::string& command, const std::string& path, const std::string& component) const {
+    Log log = readAnyLog(path, component, format());
+    for (const std::string& note : log.notes) {
+      std::cerr << command << ": note: " << path << ": " << note << '\n';
+    }
+    return log;
+  }
+
+ private:
   LogFormat format() const {
     try {
       return makeLogFormat(columns_, unit_, rate_);
@@ -31,7 +41,6 @@ class LogOptions {
     }
   }
 
- private:
   std::vector<std::string> columns_;
   std::string unit_;
   double rate_ = 0.0;

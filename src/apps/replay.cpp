@@ -23,10 +23,9 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const LogFormat format = options.log_options.format();
   const auto components = loadComponentFile(options.config);
   const ComponentDescription& description = selectComponent(components, options.component);
-  const Log log = readLog(options.log, format);
+  const Log log = options.log_options.read("replay", options.log, description.name);
   std::error_code none;
   if (std::filesystem::equivalent(options.output, options.log, none)) {
     throw UsageError("--output: " + options.output + " is the log itself; accepted: another file");
@@ -36,8 +35,9 @@ int run(const Options& options) {
   if (!options.plot.empty()) {
     drawFigure(replayFigure(description.name, log, result.force), options.plot);
   }
-  for (const std::string& note : result.notes) {
-    std::cerr << "replay: note: " << log.name << ": " << note << '\n';
+  if (result.bridged > 0) {
+    std::cerr << "replay: note: " << options.log << ": " << result.bridged
+              << " gaps in time bridged, displacement linear in between\n";
   }
   std::cout << summary(description.name, log, result) << "\n" << options.output << '\n';
   return kSuccess;
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
-        app.add_option("--log", options->log, "log to simulate: .csv or .mat")->required()->type_name("FILE");
+        app.add_option("--log", options->log, "log to simulate: .csv, .bag or .mat")->required()->type_name("FILE");
         app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
             ->required()
             ->type_name("FILE");

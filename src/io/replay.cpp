@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "rubber_suspension/io/progress.h"
 
@@ -100,12 +101,8 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
 
 Replay replay(const Component& component, const Log& log) {
   StreamCounters counters;
-  Replay result{simulateLog(component, log, &counters), log.notes};
-  if (counters.bridged > 0) {
-    result.notes.push_back(fmt::format("{} gap{} in time bridged, displacement linear in between", counters.bridged,
-                                       counters.bridged == 1 ? "" : "s"));
-  }
-  return result;
+  std::vector<double> force = simulateLog(component, log, &counters);
+  return {std::move(force), counters.bridged};
 }
 
 std::string summary(const std::string& component, const Log& log, const Replay& replay) {

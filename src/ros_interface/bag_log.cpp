@@ -175,7 +175,7 @@ Log readBagLog(const std::string& path, const std::string& component) {
 bool isBagPath(const std::string& path) { return endsWith(path, ".bag"); }
 
 Log readAnyLog(const std::string& path, const std::string& component, const LogFormat& format) {
-  return isBagPath(path) ? readBagLog(path, component) : readCsvLog(path, format);
+  return isBagPath(path) ? readBagLog(path, component) : readLog(path, format);
 }
 
 std::int64_t headerShift(const Log& log) {

@@ -1,6 +1,7 @@
 // Simulates a component on a recorded log, offline.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,11 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
 
 /// What a simulation of a log gave.
 struct Replay {
-  std::vector<double> force;       ///< [N], one per sample
-  std::vector<std::string> notes;  ///< of the log, and of gaps in time that were bridged
+  std::vector<double> force;  ///< [N], one per sample
+  std::uint64_t bridged = 0;  ///< gaps in time longer than the stream's max_gap
 };
 
-/// Simulate a log and say what was noticed. Throws as simulateLog does.
+/// Simulate a log. Throws as simulateLog does.
 Replay replay(const Component& component, const Log& log);
 
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.

@@ -21,7 +21,7 @@ Log readBagLog(const std::string& path, const std::string& component = "");
 /// True for a path that ends in .bag.
 bool isBagPath(const std::string& path);
 
-/// A log of either kind: a bag if the path ends in .bag, else CSV.
+/// A log of any kind, by its extension: .bag, .mat, otherwise CSV.
 Log readAnyLog(const std::string& path, const std::string& component = "", const LogFormat& format = {});
 
 /// The time that shifts a log's stamps into those that a ROS header can hold (0 to 2^32 s); 0 where none is needed
