@@ -208,7 +208,10 @@ std::string toHtml(const Diagnosis& d) {
                       100.0 * d.closed, 100.0 * d.closed_interval[0], 100.0 * d.closed_interval[1]);
   html += "<p class=note>Errors of the characteristics on the same data:</p>\n" + errorTable(d);
   html += "<h2>Which</h2>\n" + candidateTable(d) +
-          fmt::format("<p>Probability that it is none of these: {:.0f} %.</p>\n", 100.0 * d.probability_none);
+          fmt::format(
+              "<p>Probability that it is none of these: {:.0f} %. All candidates at once, as a flexible fit without "
+              "claim to a cause, would leave a gap of {} on blocks of these logs held out.</p>\n",
+              100.0 * d.probability_none, percent(d.search.surrogate_gap));
   if (!sets.empty()) {
     html += "<p>These logs cannot tell apart:</p><ul>\n" + sets + "</ul>\n";
   }

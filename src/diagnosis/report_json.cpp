@@ -137,6 +137,7 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
       {"trials", trialsJson(diagnosis.search)},
+      {"surrogate_gap", number(diagnosis.search.surrogate_gap)},
       {"element_level_gap", number(diagnosis.search.element_level.held_out)},
       {"own_parameters", ownJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};

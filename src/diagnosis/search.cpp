@@ -274,6 +274,9 @@ Search search(const Fitter& fitter, const Fitter& element_level, int threads, co
     if (i == 0) {
       screened[i] = screen.pairs();
       screen.measureVisibility(result.noise, result);
+      std::vector<int> all(result.candidates.size());
+      std::iota(all.begin(), all.end(), 0);
+      result.surrogate_gap = screen(all).error;
     } else {
       screened[i] = screen.additions(ranked[i - 1].members);
     }

@@ -25,6 +25,7 @@ struct Search {
   std::vector<Trial> singles;   ///< one per candidate, in their order
   std::vector<Trial> pairs;     ///< the pairs that a screening of all found worth a full fit, best first
   std::vector<Trial> triples;
+  double surrogate_gap = 0.0;        ///< held out, all candidates at once: what a flexible fit could close
   double discretisation = 0.0;       ///< what dashpots of the model err by at the time steps of the logs
   double noise = 0.0;                ///< noise floor of all logs
   std::vector<double> record_noise;  ///< of each log, in units of its force's deviation
