@@ -27,7 +27,7 @@ struct Options {
 
 void addOptions(CLI::App& app, Options& options) {
   app.add_option("--component", options.play.component, "name of the component")->required();
-  app.add_option("--log", options.log, "CSV file, or bag with the node's topics")->required();
+  app.add_option("--log", options.log, "log to play: .csv, .mat, or .bag with the node's topics")->required();
   app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N");
   app.add_option("--bag", options.bag, "bag for displacements, measured forces and forces");
   app.add_option("--rate", options.play.rate, "multiple of the log's own speed; 0: as fast as the node answers")
