@@ -68,19 +68,23 @@ Forces replayEach(const std::vector<ElementDescription>& elements, const std::ve
   return forces;
 }
 
+// More than all is closed where the floor was taken for higher than it is.
+constexpr double kMostClosed = 1.1;
+
 double closedFraction(double re_estimated, double augmented, double floor) {
   const double closable = re_estimated - floor;
-  return closable > 1e-12 ? std::clamp((re_estimated - augmented) / closable, -1.0, 1.0) : 0.0;
+  return closable > 1e-12 ? std::clamp((re_estimated - augmented) / closable, -1.0, kMostClosed) : 0.0;
 }
 
-// Relative standard error of the noise floor, from the scatter of the floors of virtual rigs about their true ones.
-constexpr double kFloorDoubt = 0.05;
+// Standard error of the logarithm of the noise floor: 95 of 100 estimates of virtual rigs lay between 0.74 and 2.2
+// times their true floors.
+constexpr double kFloorDoubt = 0.3;
 
 std::array<double, 2> closedInterval(const std::vector<BlockError>& before, const std::vector<BlockError>& after,
                                      double floor, const DiagnosisOptions& options) {
   std::mt19937 generator(options.seed);
   std::uniform_int_distribution<std::size_t> pick(0, before.size() - 1);
-  std::normal_distribution<double> doubt(1.0, kFloorDoubt);
+  std::normal_distribution<double> doubt(0.0, kFloorDoubt);
   std::vector<double> fractions;
   for (int i = 0; i < options.resamplings; ++i) {
     std::vector<BlockError> a;
@@ -90,7 +94,7 @@ std::array<double, 2> closedInterval(const std::vector<BlockError>& before, cons
       a.push_back(before[chosen]);
       b.push_back(after[chosen]);
     }
-    fractions.push_back(closedFraction(rootMeanSquare(a), rootMeanSquare(b), floor * doubt(generator)));
+    fractions.push_back(closedFraction(rootMeanSquare(a), rootMeanSquare(b), floor * std::exp(doubt(generator))));
   }
   std::sort(fractions.begin(), fractions.end());
   const auto at = [&](double share) {
@@ -332,7 +336,8 @@ class Diagnoser {
       result_.errors_before = characteristicErrors(held_out_, unseen(result_.force_re_estimated));
       result_.errors_after = characteristicErrors(held_out_, unseen(result_.force_augmented));
     }
-    result_.closed = closedFraction(result_.gap.re_estimated, result_.gap.augmented, result_.gap.noise_floor);
+    result_.closed =
+        std::min(1.0, closedFraction(result_.gap.re_estimated, result_.gap.augmented, result_.gap.noise_floor));
     result_.closed_interval = closedInterval(before_, after_, result_.gap.noise_floor, options_);
     Forces residual;
     std::vector<double> noise;
@@ -359,7 +364,8 @@ class Diagnoser {
       candidate.on_rig = s.candidates[c].on_rig;
       candidate.probability = verdict_.probabilities[c];
       candidate.gap = rootMeanSquare(errors[c]);
-      candidate.closed = closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor);
+      candidate.closed =
+          std::min(1.0, closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor));
       candidate.interval = closedInterval(before_, errors[c], result_.gap.noise_floor, options_);
       candidate.visible_share = s.visible_share[c];
       candidate.testable = s.testable[c];
