@@ -11,6 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 # rosdep key -> (how the sources name it: CMake package, header folder or Python module, its packages in Debian)
 KEYS = {
+    "benchmark": ({"benchmark"}, {"libbenchmark-dev"}),
     "boost": ({"Boost", "boost"}, {"libboost-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
     "cli11": ({"CLI11", "CLI"}, {"libcli11-dev"}),
@@ -56,9 +57,9 @@ KEYS = {
 # Brought by a package that another key names, or by the language itself.
 IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "netinet", "gnu", "linux"}
 # Found where they are, done without where not: no rosdep key names them.
-OPTIONAL = {"rapidcheck", "rapidcheck.h", "benchmark"}
+OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
-TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libbenchmark-dev"}
+TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}

@@ -17,6 +17,7 @@ BELOW = {
     "io": {"element", "component", "response", "estimation"},
     "command": {"element", "component", "response", "estimation", "io"},
     "diagnosis": {"element", "component", "response", "estimation", "io"},
+    "benchmark": {"element", "component", "response", "estimation", "io", "diagnosis"},
     "ros_interface": {"element", "component", "response", "estimation", "io", "diagnosis"},
 }
 KNOW_ROS = {"ros_interface", "apps"}

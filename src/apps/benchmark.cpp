@@ -1,0 +1,72 @@
+// The command `benchmark`: how fast the library is against plain loops written by hand, with the error beside it.
+#include <unistd.h>
+
+#include <memory>
+
+#include "../benchmark/cases.h"
+#include "command.h"
+
+namespace {
+
+using namespace rubber_suspension;
+
+struct Options {
+  bool quick = false;
+  std::size_t samples = 0;
+  double log_duration = 20.0;
+  int pairs = 0;
+};
+
+std::vector<Case> allCases(const BenchmarkSize& size) {
+  std::vector<Case> all;
+  for (const auto part : {stepCases, replayCases, estimationCases, diagnosisCases}) {
+    for (Case& work : part(size)) {
+      all.push_back(std::move(work));
+    }
+  }
+  return all;
+}
+
+int run(const Options& options) {
+  BenchmarkSize size;
+  size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
+  size.log_duration = options.log_duration;
+  const int pairs = options.pairs > 0 ? options.pairs : options.quick ? 15 : 101;
+  std::vector<Result> results;
+  bool accurate = true;
+  for (Case& work : allCases(size)) {
+    std::cerr << "measuring " << work.name << '\n';
+    if (options.quick) {
+      work.most_repetitions = std::min(work.most_repetitions, work.clock == Clock::wall ? 1 : pairs);
+    }
+    results.push_back(measure(work, pairs));
+    if (!results.back().accurate) {
+      printError("benchmark", work.name + ": the error is beyond its tolerance");
+      accurate = false;
+    }
+  }
+  std::cout << markdown(results);
+  return accurate ? kSuccess : kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runCommand(
+      argc, argv, "benchmark",
+      "Times the library against plain loops written by hand, by turns in one process, and prints a Markdown table: "
+      "ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces beside them. Times "
+      "are those of the thread, so that other programs count little; those of the diagnosis are of the wall.",
+      [](CLI::App& app) -> CommandBody {
+        auto options = std::make_shared<Options>();
+        app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
+        app.add_option("--samples", options->samples, "of the logs that are simulated")
+            ->check(CLI::Range(10, 10000000));
+        app.add_option("--log-duration", options->log_duration, "of the two logs that are diagnosed [s]")
+            ->check(CLI::Range(1.0, 3600.0))
+            ->capture_default_str();
+        app.add_option("--pairs", options->pairs, "runs of plain loop and library by turns, per row")
+            ->check(CLI::Range(1, 100000));
+        return [options] { return run(*options); };
+      });
+}

@@ -1,0 +1,31 @@
+// What is measured: one function per part of the table.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "measurement.h"
+
+namespace rubber_suspension {
+
+struct BenchmarkSize {
+  std::size_t samples = 100000;  ///< of the logs that are simulated, at 1 kHz
+  double log_duration = 20.0;    ///< of the logs that are diagnosed [s]
+  int components = 1000;         ///< at one tick
+  int frequencies = 200;         ///< of the table of stiffness and loss angle
+};
+
+/// One component sample by sample: constant and varying steps, by Component and by SampleStream; growth with the number
+/// of Maxwell elements.
+std::vector<Case> stepCases(const BenchmarkSize& size);
+
+/// Estimation from five inputs; the table of stiffness and loss angle of Berg's model.
+std::vector<Case> estimationCases(const BenchmarkSize& size);
+
+/// A log offline; many components at each tick.
+std::vector<Case> replayCases(const BenchmarkSize& size);
+
+/// Fit and diagnosis of two logs.
+std::vector<Case> diagnosisCases(const BenchmarkSize& size);
+
+}  // namespace rubber_suspension

@@ -1,0 +1,237 @@
+// Estimation from five inputs, and the table of stiffness and loss angle of Berg's model, each against the same sums
+// written by hand with no object around them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <complex>
+#include <memory>
+
+#include "bare_loop.h"
+#include "cases.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension {
+namespace {
+
+// The example of O. Polach, "Modelling of rubber components using estimated parameters" (IAVSD 2015).
+constexpr double kStaticStiffness = 3.0e6;   // [N/m]
+constexpr double kDynamicStiffness = 4.2e6;  // [N/m]
+constexpr double kNominalFrequency = 4.0;    // [Hz]
+constexpr double kMaximumStiffness = 4.9e6;  // [N/m]
+constexpr double kHighFrequency = 25.0;      // [Hz]
+constexpr double kNominalAmplitude = 2e-3;   // [m]
+constexpr int kElements = 5;
+
+struct FiveInputs {
+  double alpha = 0.0;
+  double break_frequency[kElements] = {};
+  double stiffness[kElements] = {};
+};
+
+// Polach Eqs. 17 to 22, with f_l = n_M f_h/10^(n_M - 1).
+void solveByHand(FiveInputs& result) {
+  const double low = kElements * kHighFrequency / std::pow(10.0, kElements - 1);
+  const double q = std::pow(kHighFrequency / low, 1.0 / kElements);
+  std::complex<double> relative[kElements];
+  double edge = low;
+  for (int i = 0; i < kElements; ++i, edge *= q) {
+    result.break_frequency[i] = 0.5 * edge * (1.0 + q);
+    const std::complex<double> ratio(0.0, kNominalFrequency / result.break_frequency[i]);
+    relative[i] = ratio / (1.0 + ratio);
+  }
+  const auto weigh = [&](double alpha) {
+    double share = 1.0;
+    double sum = 0.0;
+    for (int i = kElements - 1; i >= 0; --i, share *= alpha) {
+      result.stiffness[i] = share * (kMaximumStiffness - kStaticStiffness);
+      sum += share;
+    }
+    std::complex<double> total = kStaticStiffness;
+    for (int i = 0; i < kElements; ++i) {
+      result.stiffness[i] /= sum;
+      total += result.stiffness[i] * relative[i];
+    }
+    return std::abs(total) - kDynamicStiffness;
+  };
+  boost::uintmax_t iterations = 100;
+  const auto bracket =
+      boost::math::tools::toms748_solve(weigh, 0.1, 10.0, boost::math::tools::eps_tolerance<double>(50), iterations);
+  result.alpha = 0.5 * (bracket.first + bracket.second);
+  weigh(result.alpha);
+}
+
+// K* of the estimated elements against that of the solution by hand, over frequency.
+double estimationError(const FiveInputs& bare, const std::vector<ElementDescription>& elements) {
+  const Component component(elements);
+  double error = 0.0;
+  for (const double frequency : logSpaced(0.01, 100.0, 50)) {
+    std::complex<double> expected = kStaticStiffness;
+    for (int i = 0; i < kElements; ++i) {
+      const std::complex<double> ratio(0.0, frequency / bare.break_frequency[i]);
+      expected += bare.stiffness[i] * ratio / (1.0 + ratio);
+    }
+    error = std::max(error, std::abs(component.complexStiffness(frequency).value() - expected) / std::abs(expected));
+  }
+  return error;
+}
+
+Case estimationCase() {
+  constexpr int kRuns = 100;  // so that one run is long against the clock's resolution
+  struct Bench {
+    Specification specification;
+    FiveInputs bare;
+    std::vector<ElementDescription> library;
+  };
+  const auto bench = std::make_shared<Bench>();
+  bench->specification.set("static_stiffness", kStaticStiffness);
+  bench->specification.set("dynamic_stiffness", kDynamicStiffness);
+  bench->specification.set("nominal_frequency", kNominalFrequency);
+  bench->specification.set("maximum_stiffness", kMaximumStiffness);
+  bench->specification.set("high_frequency", kHighFrequency);
+  Case result;
+  result.name = "estimation from five inputs, checks included";
+  result.yardstick = "TOMS 748 alone";
+  result.unit = "estimation";
+  result.count = result.yardstick_count = kRuns;
+  result.bare = [bench] {
+    for (int i = 0; i < kRuns; ++i) {
+      solveByHand(bench->bare);
+    }
+  };
+  result.library = [bench] {
+    for (int i = 0; i < kRuns; ++i) {
+      bench->library = estimate(Model::multi_maxwell, bench->specification);
+    }
+  };
+  result.error = [bench] { return estimationError(bench->bare, bench->library); };
+  result.error_meaning = "of K*";
+  result.tolerance = 1e-12;  // both roots are good to 50 bits
+  return result;
+}
+
+// Berg's model with the numbers that the library estimated.
+struct BergNumbers {
+  double spring = 0.0;
+  double maxwell = 0.0;
+  double break_frequency = 0.0;
+  double maximum_force = 0.0;
+  double friction_displacement = 0.0;
+};
+
+std::vector<ElementDescription> bergElements() {
+  Specification specification;
+  specification.set("static_stiffness", kStaticStiffness);
+  specification.set("dynamic_stiffness", kDynamicStiffness);
+  specification.set("nominal_frequency", kNominalFrequency);
+  specification.set("nominal_amplitude", kNominalAmplitude);
+  specification.set("relative_damping", 0.05);
+  specification.set("break_frequency", 1.45);
+  return estimate(Model::berg, specification);
+}
+
+BergNumbers numbersOf(const std::vector<ElementDescription>& elements) {
+  BergNumbers numbers;
+  for (const ElementDescription& element : elements) {
+    if (element.type == "spring") {
+      numbers.spring = element.value("stiffness");
+    } else if (element.type == "maxwell") {
+      numbers.maxwell = element.value("stiffness");
+      numbers.break_frequency = element.value("break_frequency");
+    } else if (element.type == "friction") {
+      numbers.maximum_force = element.value("maximum_force");
+      numbers.friction_displacement = element.value("displacement");
+    }
+  }
+  return numbers;
+}
+
+// Peak force and loss of the settled loop of friction in closed form (Berg, VSD 30 (1998) 197-212).
+double settledFriction(const BergNumbers& numbers, double amplitude) {
+  const double z2 = numbers.friction_displacement;
+  return numbers.maximum_force / (2.0 * z2) *
+         (std::sqrt(z2 * z2 + amplitude * amplitude + 6.0 * z2 * amplitude) - z2 - amplitude);
+}
+
+double frictionLoss(const BergNumbers& numbers, double amplitude) {
+  const double reach =
+      numbers.friction_displacement * (1.0 + settledFriction(numbers, amplitude) / numbers.maximum_force);
+  return 2.0 * numbers.maximum_force *
+         (2.0 * amplitude -
+          reach * reach / numbers.friction_displacement * std::log((reach + 2.0 * amplitude) / reach));
+}
+
+// Half a loop is enough by symmetry: the peak of its samples, and the loss in closed form.
+Characteristics characteristicsByHand(const BergNumbers& numbers, double frequency, double amplitude) {
+  constexpr int kHalf = 360;  // as many samples per cycle as the library takes
+  const std::complex<double> ratio(0.0, frequency / numbers.break_frequency);
+  const std::complex<double> linear = numbers.spring + numbers.maxwell * ratio / (1.0 + ratio);
+  BareFriction friction;
+  friction.last_displacement = friction.reference_displacement = -amplitude;
+  friction.last_force = friction.reference_force = -settledFriction(numbers, amplitude);
+  friction.direction = 1.0;
+  double peak = 0.0;
+  for (int i = 0; i <= kHalf; ++i) {
+    const double phase = M_PI * i / kHalf;
+    const double z = -amplitude * std::cos(phase);
+    const double force = linear.real() * z + linear.imag() * amplitude * std::sin(phase) +
+                         friction.advance(z, numbers.maximum_force, numbers.friction_displacement);
+    peak = std::max(peak, force);
+  }
+  Characteristics result;
+  result.stiffness = peak / amplitude;
+  result.loss = M_PI * amplitude * amplitude * linear.imag() + frictionLoss(numbers, amplitude);
+  result.loss_angle = std::asin(result.loss / (M_PI * peak * amplitude));
+  return result;
+}
+
+double tableError(const std::vector<Characteristics>& bare, const std::vector<SweepPoint>& library) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    const Characteristics& actual = library[i].characteristics;
+    error = std::max({error, std::abs(actual.stiffness / bare[i].stiffness - 1.0),
+                      std::abs(actual.loss_angle / bare[i].loss_angle - 1.0)});
+  }
+  return error;
+}
+
+Case tableCase(const BenchmarkSize& size) {
+  struct Bench {
+    std::vector<ElementDescription> elements = bergElements();
+    BergNumbers numbers = numbersOf(elements);
+    Component component{elements};
+    std::vector<double> frequencies;
+    std::vector<Characteristics> bare;
+    std::vector<SweepPoint> library;
+  };
+  const auto bench = std::make_shared<Bench>();
+  bench->frequencies = logSpaced(0.1, 50.0, size.frequencies);
+  Case result;
+  result.name = fmt::format("K and delta of Berg's model over {} frequencies, settled loops", size.frequencies);
+  result.yardstick = "half loops by hand, loss in closed form";
+  result.unit = "table";
+  result.bare = [bench] {
+    bench->bare.clear();
+    for (const double frequency : bench->frequencies) {
+      bench->bare.push_back(characteristicsByHand(bench->numbers, frequency, kNominalAmplitude));
+    }
+  };
+  result.library = [bench] {
+    bench->library = sweepFrequency(bench->component, bench->frequencies, kNominalAmplitude);
+  };
+  result.error = [bench] { return tableError(bench->bare, bench->library); };
+  result.error_meaning = "of K or delta";
+  // A peak between two of 720 samples is low by up to (pi/720)^2/2 = 1e-5 of the force's second derivative in phase,
+  // which is that of the force itself within a small factor.
+  result.tolerance = 5e-5;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Case> estimationCases(const BenchmarkSize& size) { return {estimationCase(), tableCase(size)}; }
+
+}  // namespace rubber_suspension

@@ -1,0 +1,52 @@
+// Pairs of runs in one process: a yardstick and the library by turns, on Google Benchmark. The ratio of a pair is free
+// of what slows the whole machine.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension {
+
+/// Seconds of the calling thread, so that other programs on the machine do not count, or of the wall.
+enum class Clock { thread, wall };
+
+/// One row of the table before it is measured.
+struct Case {
+  std::string name;
+  std::string yardstick;          ///< what the library is compared with
+  std::string unit;               ///< what one of `count` is: step, estimation, ...
+  double count = 1.0;             ///< units of work in one run of the library
+  double yardstick_count = 1.0;   ///< and in one run of the yardstick
+  std::function<void()> bare;     ///< one run of the yardstick
+  std::function<void()> library;  ///< one run of the library
+  std::function<double()> error;  ///< of the library's last run against that of the yardstick, relative
+  std::string error_meaning;      ///< what the error is
+  double tolerance = 0.0;         ///< the error may be as large
+  Clock clock = Clock::thread;
+  int most_repetitions = 1000000;  ///< of a case that takes long
+};
+
+/// The same afterwards.
+struct Result {
+  std::string name;
+  std::string yardstick;
+  std::string unit;
+  double bare = 0.0;     ///< time of one unit of work, median over the pairs [s]
+  double library = 0.0;  ///< [s]
+  double ratio = 0.0;    ///< of the two within a pair, median over the pairs
+  double lowest = 0.0;   ///< quartiles of that ratio
+  double highest = 0.0;
+  double error = 0.0;
+  std::string error_meaning;
+  bool accurate = false;  ///< the error is within the tolerance
+};
+
+/// Run the case once unmeasured, then in so many pairs; which of the two runs first alternates.
+Result measure(const Case& work, int pairs);
+
+/// Result rows as a Markdown table.
+std::string markdown(const std::vector<Result>& results);
+
+}  // namespace rubber_suspension

@@ -1,0 +1,59 @@
+// Test signals of the benchmark.
+#include "test_signal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace rubber_suspension {
+
+std::vector<double> benchmarkDisplacement(std::size_t samples) {
+  std::vector<double> displacement(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = kStep * static_cast<double>(i);
+    displacement[i] = 1.0e-3 * std::sin(2.0 * M_PI * 1.3 * t) + 0.8e-3 * std::sin(2.0 * M_PI * 4.0 * t) +
+                      0.2e-3 * std::sin(2.0 * M_PI * 17.0 * t);
+  }
+  return displacement;
+}
+
+std::vector<std::int64_t> evenStamps(std::size_t samples) {
+  std::vector<std::int64_t> stamps(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    stamps[i] = static_cast<std::int64_t>(i) * 1000000;
+  }
+  return stamps;
+}
+
+std::vector<std::int64_t> unevenStamps(std::size_t samples) {
+  std::mt19937_64 random(1);
+  std::vector<std::int64_t> stamps(samples);
+  for (std::size_t i = 1; i < samples; ++i) {
+    // Odd after even, so that no step is that before it.
+    const auto jitter = static_cast<std::int64_t>(random() % 300000) * 2 + static_cast<std::int64_t>(i % 2);
+    stamps[i] = stamps[i - 1] + 700000 + jitter;
+  }
+  return stamps;
+}
+
+std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps) {
+  std::vector<double> steps(stamps.size());
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    steps[i] = static_cast<double>(stamps[i] - stamps[i - 1]) / 1e9;
+  }
+  return steps;
+}
+
+double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual) {
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    largest = std::max(largest, std::abs(expected[i]));
+    // Not std::max: it would pass over what is not a number.
+    const double here = std::abs(actual[i] - expected[i]);
+    difference = here <= difference ? difference : here;
+  }
+  return difference / largest;
+}
+
+}  // namespace rubber_suspension
