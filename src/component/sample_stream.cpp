@@ -40,11 +40,25 @@ Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
 
 void SampleStream::count(Verdict verdict) {
   counters_.accepted += isAccepted(verdict) ? 1 : 0;
-  counters_.restarted += verdict == Verdict::restarted ? 1 : 0;
-  counters_.bridged += verdict == Verdict::bridged ? 1 : 0;
-  counters_.not_finite += verdict == Verdict::not_finite ? 1 : 0;
-  counters_.repeated += verdict == Verdict::repeated ? 1 : 0;
-  counters_.stepped_back += verdict == Verdict::stepped_back ? 1 : 0;
+  switch (verdict) {
+    case Verdict::accepted:
+      break;
+    case Verdict::restarted:
+      ++counters_.restarted;
+      break;
+    case Verdict::bridged:
+      ++counters_.bridged;
+      break;
+    case Verdict::not_finite:
+      ++counters_.not_finite;
+      break;
+    case Verdict::repeated:
+      ++counters_.repeated;
+      break;
+    case Verdict::stepped_back:
+      ++counters_.stepped_back;
+      break;
+  }
 }
 
 ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
@@ -58,7 +72,7 @@ ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, displacement), {}};
   if (isAccepted(result.verdict)) {
-    before_ = state_;  // of the same size: copies numbers, allocates nothing
+    before_.recall(state_);
     const ComponentForce force = advance(result.verdict, stamp, displacement);
     if (std::isfinite(force.total)) {
       result.force = force;
@@ -66,7 +80,7 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
       started_ = true;
     } else {
       // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
-      state_ = before_;
+      state_.recall(before_);
       result.verdict = Verdict::not_finite;
     }
   }

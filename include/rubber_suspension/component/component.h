@@ -1,6 +1,7 @@
 // A component: elements in parallel, what lies between actuator and specimen, and what scales the specimen's force.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <memory>
 #include <optional>
@@ -22,6 +23,12 @@ class ComponentState {
   /// Continue from numbers that memory() and displacement() gave. Throws std::invalid_argument on another size or on
   /// numbers that are not finite.
   void restore(double displacement, const std::vector<double>& memory);
+
+  /// Take what another state of the same component remembers, and leave alone what is derived; faster than copying all.
+  void recall(const ComponentState& other) {
+    displacement_ = other.displacement_;
+    std::copy(other.memory_.begin(), other.memory_.end(), memory_.begin());
+  }
 
  private:
   friend class Component;
