@@ -10,7 +10,6 @@
 #include "rubber_suspension/command/data_sheet.h"
 #include "rubber_suspension/command/identify.h"
 #include "rubber_suspension/io/units.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
 
 namespace rubber_suspension {
 namespace {
@@ -87,7 +86,7 @@ int identifyComponent(const Options& options) {
   const ComponentDescription& description = selectComponent(components, options.component);
   std::vector<Log> logs;
   for (const std::string& path : options.logs) {
-    logs.push_back(readAnyLog(path, description.name, options.log_options.format()));
+    logs.push_back(options.log_options.read("estimate", path, description.name));
   }
   const Identification result = identifyFromLogs(description, logs, options.identification);
   if (!options.plot.empty()) {
