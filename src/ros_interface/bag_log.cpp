@@ -11,6 +11,8 @@
 #include <limits>
 #include <set>
 
+#include "rubber_suspension/ros_interface/bag_check.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -162,6 +164,7 @@ Log readBagLog(const std::string& path, const std::string& component) {
   try {
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
+    checkBagStructure(path);  // after open, which says it best where there is no file or no index
     return readOpenBag(bag, path, component);
   } catch (const LogError&) {
     throw;
