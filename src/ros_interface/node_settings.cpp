@@ -55,7 +55,7 @@ std::function<bool(const XmlRpcValue&, NodeSettings&)> flag(bool NodeSettings::*
   };
 }
 
-std::function<bool(const XmlRpcValue&, NodeSettings&)> positive(std::function<double&(NodeSettings&)> member,
+std::function<bool(const XmlRpcValue&, NodeSettings&)> positive(const std::function<double&(NodeSettings&)>& member,
                                                                 double upper) {
   return [=](const XmlRpcValue& value, NodeSettings& settings) {
     double& number = member(settings);

@@ -13,9 +13,9 @@ std::atomic<std::size_t> counter{0};
 
 std::size_t rubber_suspension::test::allocations() { return counter; }
 
-// The thread sanitizer brings operators of its own; under it nothing is counted.
+// Sanitizers bring operators of their own; under them nothing is counted.
 #if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
+#if __has_feature(thread_sanitizer) || __has_feature(address_sanitizer)
 #define RUBBER_SUSPENSION_UNCOUNTED
 #endif
 #endif

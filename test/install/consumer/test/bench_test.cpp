@@ -1,5 +1,6 @@
 // Checks a bench over its topics: one displacement in, one force out, of the value that the component file says.
 #include <gtest/gtest.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
