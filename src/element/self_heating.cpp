@@ -9,6 +9,9 @@ namespace {
 
 enum Slot { kRise, kLossForce };
 
+// Far beyond all that softens further; a displacement that no specimen survives must not leave an infinite rise.
+constexpr double kLargestRise = 1e6;
+
 double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeastFactor, 1.0); }
 
 }  // namespace
@@ -22,7 +25,8 @@ double SelfHeating::step(const Motion& motion, const ComponentForce& force, doub
   const double one_minus_decay = -std::expm1(-ratio);
   const double heating = energy_sensitivity_ * mean_force * motion.increment;
   // At constant power over the step: x+ = x e + s P T (1 - e).
-  memory[kRise] += heating * (one_minus_decay / ratio) - memory[kRise] * one_minus_decay;
+  const double rise = memory[kRise] + heating * (one_minus_decay / ratio) - memory[kRise] * one_minus_decay;
+  memory[kRise] = std::clamp(rise, -kLargestRise, kLargestRise);
   memory[kLossForce] = loss_force;
   return factorAt(memory[kRise]);
 }

@@ -2,12 +2,14 @@
 #include "rubber_suspension/io/component_file.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "rubber_suspension/io/units.h"
 #include "text.h"
@@ -78,6 +80,21 @@ std::string kindOf(const YAML::Node& node) {
   }
 }
 
+// Where the document that was parsed last starts.
+struct DocumentStart : YAML::EventHandler {
+  int line = 0;
+
+  void OnDocumentStart(const YAML::Mark& mark) override { line = mark.line; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
 // One file while it is read. `path` is where in the component a node stands: "specification.loss_angle", "add[0].type".
 class Loader {
  public:
@@ -130,17 +147,25 @@ class Loader {
     }
     checkNesting(text);
     try {
-      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-      if (documents.size() > 1) {
-        refuse(documents[1], "", "a second YAML document; accepted: one");
-      }
-      if (documents.empty() || documents[0].IsNull()) {
+      const YAML::Node document = YAML::Load(text);
+      if (document.IsNull()) {
         refuseLine(1, "", "the file is empty; accepted: a map with the key 'components'");
       }
-      return documents[0];
+      refuseSecondDocument(text);
+      return document;
     } catch (const YAML::Exception& error) {
       refuseLine(std::max(error.mark.line + 1, 1), "",
                  fmt::format("not YAML: {}; accepted: a component file", error.msg));
+    }
+  }
+
+  // YAML::LoadAll would tell, too, but never ends on a comma that belongs to nothing.
+  void refuseSecondDocument(const std::string& text) const {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    DocumentStart start;
+    if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
+      refuseLine(start.line + 1, "", "a second YAML document; accepted: one");
     }
   }
 
