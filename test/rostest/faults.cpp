@@ -1,6 +1,6 @@
 // Faults in the stream of samples, one test and one component each: what is accepted has exactly one force, equal to
 // that of an undisturbed stream; what is dropped is counted on /diagnostics.
-#include <std_srvs/SetBool.h>
+#include <rosgraph_msgs/Log.h>
 
 #include <cmath>
 #include <limits>
@@ -8,8 +8,10 @@
 #include <thread>
 
 #include "bench.h"
+#include "node_process.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/soak.h"
 
 namespace rubber_suspension {
 namespace {
@@ -45,6 +47,21 @@ class Fault : public testing::Test {
   void run(std::int64_t first, int count) {
     for (int i = 0; i < count; ++i) {
       expectAnswer(first + i * kMillisecond, wave(first + i * kMillisecond));
+    }
+  }
+
+  // As many samples at 10 kHz by their stamps, as fast as they go with a thousand under way.
+  void flood(std::int64_t first, int count) {
+    constexpr std::size_t kUnderWay = 1000;
+    const std::size_t before = bench_->forces.size();
+    const auto stamp = [&](std::size_t i) { return first + static_cast<std::int64_t>(i) * kMillisecond / 10; };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      ASSERT_TRUE(spinUntil([&] { return before + i < bench_->forces.size() + kUnderWay; }));
+      bench_->send(stamp(i), wave(stamp(i)));
+    }
+    ASSERT_TRUE(bench_->waitForForces(before + static_cast<std::size_t>(count)));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      ASSERT_EQ(bench_->forces[before + i].force, expected_->push(stamp(i), wave(stamp(i))).force.total);
     }
   }
 
@@ -146,31 +163,60 @@ TEST_F(Fault, Burst) {
 // Three seconds of samples at 10 kHz by their stamps, sent as fast as they go, a thousand under way.
 TEST_F(Fault, FloodOfTenKilohertz) {
   open("flood");
-  constexpr int kFlood = 30000;
-  constexpr std::size_t kUnderWay = 1000;
-  for (int i = 0; i < kFlood; ++i) {
-    const std::int64_t stamp = kStart + i * kMillisecond / 10;
-    ASSERT_TRUE(spinUntil([&] { return static_cast<std::size_t>(i) < bench_->forces.size() + kUnderWay; }));
-    bench_->send(stamp, wave(stamp));
-  }
-  ASSERT_TRUE(bench_->waitForForces(kFlood));
-  for (int i = 0; i < kFlood; ++i) {
-    const std::int64_t stamp = kStart + i * kMillisecond / 10;
-    ASSERT_EQ(bench_->forces[static_cast<std::size_t>(i)].force, expected_->push(stamp, wave(stamp)).force.total);
-  }
-  expectCounts({{"accepted", kFlood}});
+  flood(kStart, 30000);
+  expectCounts({{"accepted", 30000}});
 }
 
-// A subscriber that takes nothing off its socket must not hold up the others.
+// A legal name, but one that no two parsers need to agree on.
+TEST_F(Fault, OddName) {
+  open("Q_9__z_");
+  run(kStart, 100);
+  expectCounts({{"accepted", 100}});
+}
+
+// Two thousand bad samples a second must not write two thousand lines a second.
+TEST_F(Fault, LogsOneLineASecondAtMost) {
+  open("logged");
+  std::size_t lines = 0;
+  ros::NodeHandle handle;
+  const ros::Subscriber log =
+      handle.subscribe<rosgraph_msgs::Log>("/rosout", 10000, [&](const rosgraph_msgs::Log::ConstPtr& line) {
+        lines += line->name == "/simulate" && line->msg.find("logged: ") != std::string::npos ? 1 : 0;
+      });
+  ASSERT_TRUE(spinUntil([&] { return sendsToThisNode("/simulate", "/rosout"); }));
+  ASSERT_TRUE(spinUntil([&] { return diagnostics_.arrays > 0; }));
+  const std::size_t before = diagnostics_.arrays;
+  long sent = 0;
+  while (diagnostics_.arrays < before + 3) {  // one a second
+    for (int i = 0; i < 20; ++i, ++sent) {
+      bench_->send(kStart + sent, std::numeric_limits<double>::quiet_NaN());
+    }
+    // The node's queue holds five seconds of these.
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+  }
+  expectCounts({{"accepted", 0}, {"dropped", sent}, {"dropped, not finite", sent}});
+  EXPECT_GT(lines, 0U);
+  EXPECT_LE(lines, diagnostics_.arrays - before + 1);
+}
+
+// A subscriber that takes nothing off its socket must not hold up the others, and what waits for it is bounded.
 TEST_F(Fault, SubscriberThatStalls) {
   open("stalled");
-  ros::NodeHandle handle;
-  ros::CallbackQueue never_served;
-  handle.setCallbackQueue(&never_served);
-  const boost::function<void(const Force::ConstPtr&)> nothing = [](const Force::ConstPtr&) {};
-  const ros::Subscriber stalled = handle.subscribe<Force>("stalled/force", 1, nothing);
-  run(kStart, 2000);
-  expectCounts({{"accepted", 2000}});
+  const StalledSubscriber<Force> stalled("/simulate", "/stalled/force");
+  ASSERT_TRUE(stalled.connected());
+  const pid_t node = processOf("/simulate");
+  ASSERT_GT(node, 0);
+  constexpr int kFill = 20000;  // twice the node's queue, which holds 10000 per topic
+  constexpr int kMore = 40000;
+  constexpr long kWire = 64;  // bytes of a force on the wire, and more
+  flood(kStart, kFill);
+  const long full = residentMemory(node);
+  flood(kStart + kFill * kMillisecond / 10, kMore);
+  // Had the node kept what nobody reads, the memory would have grown by more than twice this.
+  EXPECT_LT(residentMemory(node) - full, kWire * kMore / 2);
+  // It has stalled indeed: of what was sent only as much has come as its buffer holds.
+  EXPECT_LT(stalled.unread(), kWire * kFill);
+  expectCounts({{"accepted", kFill + kMore}});
 }
 
 TEST_F(Fault, PublisherThatComesAndGoes) {

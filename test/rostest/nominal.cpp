@@ -1,4 +1,6 @@
 // The node as it should run: one force per displacement, headers, parts, diagnostics, reset.
+#include <rubber_suspension/DisplacementArray.h>
+#include <rubber_suspension/ForceArray.h>
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
@@ -36,6 +38,32 @@ TEST(Nominal, RestAtADisplacementIsTheStaticForce) {
   EXPECT_NEAR(bench.ask(kStart, 0.002).force, 6000.0, 1e-6);
 }
 
+TEST(Nominal, ABundleIsAnsweredByTheSameComponents) {
+  ros::NodeHandle handle;
+  std::vector<ForceArray> answers;
+  const ros::Subscriber subscriber = handle.subscribe<ForceArray>(
+      "forces", 100, [&](const ForceArray::ConstPtr& answer) { answers.push_back(*answer); });
+  const ros::Publisher publisher = handle.advertise<DisplacementArray>("displacements", 100);
+  ASSERT_TRUE(waitForPublishers(subscriber.getTopic(), kPatience));
+  ASSERT_TRUE(spinUntil([&] { return publisher.getNumSubscribers() > 0; }));
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+  DisplacementArray bundle;
+  bundle.header.stamp = toRosTime(kStart);
+  bundle.displacement = {0.002, 0.001};
+  publisher.publish(bundle);
+  ASSERT_TRUE(spinUntil([&] { return !answers.empty(); }));
+  EXPECT_EQ(answers[0].header.stamp, bundle.header.stamp);
+  EXPECT_EQ(answers[0].components, (std::vector<std::string>{"left_secondary", "right_secondary"}));
+  EXPECT_NEAR(answers[0].force[0], 6000.0, 1e-6);
+  EXPECT_NEAR(answers[0].force[1], 3000.0, 1e-6);
+  // The single topic goes on where the bundle left the component.
+  Bench bench("left_secondary");
+  ASSERT_TRUE(bench.connect());
+  EXPECT_GT(bench.ask(kStart + kMillisecond, 0.003).viscous, 0.0);
+  ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
+}
+
 TEST(Nominal, DiagnosticsTellRateAndCounts) {
   DiagnosticsWatch diagnostics;
   Bench bench("right_secondary");
@@ -43,7 +71,7 @@ TEST(Nominal, DiagnosticsTellRateAndCounts) {
   for (int i = 0; i < 100; ++i) {
     bench.ask(kStart + i * kMillisecond, 1e-5 * i);
   }
-  EXPECT_TRUE(diagnostics.waitForCount("right_secondary", "accepted", 100));
+  EXPECT_TRUE(diagnostics.waitForCount("right_secondary", "accepted", 101));  // the bundle's among them
   EXPECT_EQ(diagnostics.count("right_secondary", "dropped"), 0);
   EXPECT_EQ(diagnostics.count("right_secondary", "lost before arrival"), 0);
   const auto& status = diagnostics.all().at("right_secondary");

@@ -1,61 +1,91 @@
-// The node is killed in mid-run and respawned: it serves again, from a new specimen, and counts anew.
-#include <ros/network.h>
+// The node is killed in mid-run and respawned: it serves again, from a new specimen or where the saved state ends.
 #include <signal.h>
-#include <xmlrpcpp/XmlRpcClient.h>
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
 
 #include "bench.h"
+#include "node_process.h"
 
 namespace rubber_suspension {
 namespace {
 
-// The process of a node, by its slave API; 0 where it does not answer.
-pid_t processOf(const std::string& node) {
-  XmlRpc::XmlRpcValue arguments;
-  arguments[0] = ros::this_node::getName();
-  arguments[1] = node;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue uri;
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::master::execute("lookupNode", arguments, response, uri, false) ||
-      !ros::network::splitURI(static_cast<std::string&>(uri), host, port)) {
-    return 0;
+double wave(int i) { return 2e-3 * std::sin(0.025 * i); }
+
+class Respawn : public testing::Test {
+ protected:
+  void open(const std::string& component) {
+    bench_ = std::make_unique<Bench>(component);
+    ASSERT_TRUE(bench_->connect());
   }
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue caller;
-  caller[0] = ros::this_node::getName();
-  XmlRpc::XmlRpcValue answer;
-  const bool answered = client.execute("getPid", caller, answer);
-  client.close();
-  return answered && answer.size() == 3 ? static_cast<int>(answer[2]) : 0;
-}
 
-TEST(Respawn, ServesAgainAfterItWasKilled) {
-  Bench bench("left_secondary");
-  ASSERT_TRUE(bench.connect());
-  for (int i = 0; i < 100; ++i) {
-    bench.ask(kStart + i * kMillisecond, 1e-5 * i);
+  void ask(int first, int end) {
+    for (int i = first; i < end; ++i) {
+      bench_->ask(kStart + i * kMillisecond, wave(i));
+    }
   }
-  EXPECT_EQ(bench.forces.size(), 100U);
 
-  const pid_t before = processOf("/simulate");
-  ASSERT_GT(before, 0);
-  ASSERT_EQ(kill(before, SIGKILL), 0);
-  ASSERT_TRUE(spinUntil([&] { return !bench.isHeard(); }));
-  ASSERT_TRUE(spinUntil([&] {
-    const pid_t now = processOf("/simulate");
-    return now > 0 && now != before;
-  }));
-  ASSERT_TRUE(bench.connect());
+  // Kill the node with samples under way, and wait until its successor serves the bench.
+  void killAndWait(const std::string& node) {
+    const pid_t before = processOf(node);
+    ASSERT_GT(before, 0);
+    for (int i = 0; i < 2000; ++i) {
+      bench_->send(kStart + (kUnderWay + i) * kMillisecond, wave(kUnderWay + i));
+    }
+    ASSERT_EQ(kill(before, SIGKILL), 0);
+    ASSERT_TRUE(spinUntil([&] { return !bench_->isHeard(); }));
+    ASSERT_TRUE(spinUntil([&] {
+      const pid_t now = processOf(node);
+      return now > 0 && now != before;
+    }));
+    ASSERT_TRUE(bench_->connect());
+  }
 
+  static constexpr int kUnderWay = 10000;  // number of the first sample that is under way at the end
+  std::unique_ptr<Bench> bench_;
+};
+
+TEST_F(Respawn, ServesAgainAfterItWasKilled) {
+  open("left_secondary");
+  ask(0, 100);
+  EXPECT_EQ(bench_->forces.size(), 100U);
+  killAndWait("/simulate");
+
+  // What was under way is answered once or not at all.
+  std::set<ros::Time> stamps;
+  for (const Force& force : bench_->forces) {
+    EXPECT_TRUE(stamps.insert(force.header.stamp).second) << force.header.stamp;
+    EXPECT_TRUE(std::isfinite(force.force));
+  }
+  const std::size_t before = bench_->forces.size();
   DiagnosticsWatch diagnostics;
   // A new specimen at rest: 2 mm at the static stiffness of 3 kN/mm.
-  EXPECT_NEAR(bench.ask(kStart + 200 * kMillisecond, 0.002).force, 6000.0, 1e-6);
-  for (int i = 1; i < 50; ++i) {
-    bench.ask(kStart + (200 + i) * kMillisecond, 0.002);
-  }
-  EXPECT_EQ(bench.forces.size(), 150U);
+  EXPECT_NEAR(bench_->ask(kStart + 20000 * kMillisecond, 0.002).force, 6000.0, 1e-6);
+  ask(20001, 20050);
+  EXPECT_EQ(bench_->forces.size(), before + 50);
   EXPECT_TRUE(diagnostics.waitForCount("left_secondary", "accepted", 50));
+}
+
+TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
+  open("keeping/left_secondary");
+  ASSERT_TRUE(ros::service::waitForService("/keeping/simulate/reset", ros::Duration(kPatience)));
+  std_srvs::Trigger reset;  // of what an earlier run of this test may have left
+  ASSERT_TRUE(ros::service::call("/keeping/simulate/reset", reset));
+  ask(0, 100);
+  std_srvs::Trigger save;
+  ASSERT_TRUE(ros::service::call("/keeping/simulate/save_state", save));
+  ASSERT_TRUE(save.response.success) << save.response.message;
+  ask(100, 200);
+  const std::vector<Force> without_interruption(bench_->forces.begin() + 100, bench_->forces.begin() + 200);
+  killAndWait("/keeping/simulate");
+  bench_->forces.clear();
+  ask(100, 200);
+  ASSERT_EQ(bench_->forces.size(), 100U);
+  for (std::size_t i = 0; i < 100; ++i) {
+    EXPECT_EQ(bench_->forces[i].force, without_interruption[i].force) << "sample " << i;
+  }
 }
 
 }  // namespace

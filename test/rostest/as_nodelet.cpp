@@ -1,0 +1,59 @@
+// The nodelet: the forces of the node, without copies in one process; a bad configuration is not loaded.
+#include <nodelet/loader.h>
+
+#include <cmath>
+#include <set>
+
+#include "bench.h"
+#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr const char* kType = "rubber_suspension/simulate";
+
+TEST(Nodelet, AnswersWithoutCopies) {
+  nodelet::Loader loader;
+  ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
+  ros::NodeHandle handle;
+  std::vector<Force::ConstPtr> forces;
+  const ros::Subscriber subscriber = handle.subscribe<Force>(
+      "left_secondary/force", 1000, [&](const Force::ConstPtr& force) { forces.push_back(force); });
+  const ros::Publisher publisher = handle.advertise<Displacement>("left_secondary/displacement", 1000);
+  ASSERT_TRUE(spinUntil([&] { return subscriber.getNumPublishers() > 0 && publisher.getNumSubscribers() > 0; }));
+
+  const auto components = loadComponentFile(std::string(TEST_DIR) + "/rostest/config/two_components.yaml");
+  const Component component = selectComponent(components, "left_secondary").makeComponent();
+  SampleStream expected(component);
+  std::set<const Force*> addresses;
+  constexpr std::size_t kSamples = 1000;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const auto sample = boost::make_shared<Displacement>();
+    const std::int64_t stamp = kStart + static_cast<std::int64_t>(i) * kMillisecond;
+    sample->header.stamp = toRosTime(stamp);
+    sample->displacement = 1e-3 * std::sin(0.02 * static_cast<double>(i));
+    publisher.publish(sample);
+    ASSERT_TRUE(spinUntil([&] { return !forces.empty(); }));
+    ASSERT_EQ(forces.size(), 1U);
+    EXPECT_EQ(forces[0]->force, expected.push(stamp, sample->displacement).force.total);
+    addresses.insert(forces[0].get());
+    forces.clear();
+  }
+  // The server's own messages, over and over: a copy for each answer would have come and gone elsewhere in memory, and
+  // these are never freed while they are seen.
+  EXPECT_LE(addresses.size(), 32U);
+  EXPECT_TRUE(loader.unload("/simulate"));
+}
+
+TEST(Nodelet, ABadConfigurationIsNotLoaded) {
+  nodelet::Loader loader;
+  ros::param::set("/bad/config_file", "/nowhere/bad.yaml");
+  EXPECT_FALSE(loader.load("/bad", kType, {}, {}));
+  EXPECT_TRUE(loader.listLoadedNodelets().empty());
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "as_nodelet"); }

@@ -1,0 +1,158 @@
+// The real-time set-up: used where the system permits it, said so where it does not; samples are served in both cases.
+#include <sched.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "bench.h"
+#include "node_process.h"
+#include "rubber_suspension/ros_interface/child_process.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr int kPriority = 7;
+constexpr const char* kNode = "/timely";
+
+// Whether this system permits a program what the node asks for, tried in a process of its own.
+bool permitted(const std::function<bool()>& attempt) {
+  const pid_t child = fork();
+  if (child == 0) {
+    _exit(attempt() ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+bool mayBeTimely() {
+  return permitted([] {
+    sched_param parameters{};
+    parameters.sched_priority = kPriority;
+    return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+  });
+}
+
+// A node's memory is more than what a small process of today may lock by default.
+bool mayLockMemory() {
+  return permitted([] { return mlockall(MCL_CURRENT | MCL_FUTURE) == 0; });
+}
+
+// The node with two serving threads, as a user would start it; what it prints is kept. It ends by itself after a while.
+class TimelyNode {
+ public:
+  explicit TimelyNode(const std::string& prefix) {
+    const std::string command = prefix + "timeout 60 " + siblingProgram("simulate") + " __name:=" + (kNode + 1) +
+                                " _threads:=2 _lock_memory:=true _realtime_priority:=" + std::to_string(kPriority) +
+                                " _config_file:=" + TEST_DIR + "/rostest/config/two_components.yaml 2>&1";
+    output_ = popen(command.c_str(), "r");
+  }
+  ~TimelyNode() { end(); }
+  TimelyNode(const TimelyNode&) = delete;
+  TimelyNode& operator=(const TimelyNode&) = delete;
+
+  // Ends the node; what it has printed and its exit status are known afterwards.
+  void end() {
+    if (output_ == nullptr) {
+      return;
+    }
+    const pid_t process = processOf(kNode);
+    if (process > 0) {
+      kill(process, SIGINT);
+    }
+    std::array<char, 4096> buffer{};
+    while (std::fgets(buffer.data(), buffer.size(), output_) != nullptr) {
+      text_ += buffer.data();
+    }
+    status_ = pclose(output_);
+    output_ = nullptr;
+  }
+
+  bool hasSaid(const std::string& words) const { return text_.find(words) != std::string::npos; }
+  const std::string& text() const { return text_; }
+  int exitStatus() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
+
+ private:
+  FILE* output_ = nullptr;
+  std::string text_;
+  int status_ = -1;
+};
+
+// Threads of a process at the priority asked for.
+int timelyThreads(pid_t process) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
+    const int thread = std::stoi(entry.path().filename());
+    sched_param parameters{};
+    sched_getparam(thread, &parameters);
+    count += sched_getscheduler(thread) == SCHED_FIFO && parameters.sched_priority == kPriority ? 1 : 0;
+  }
+  return count;
+}
+
+// Locked memory of a process [kB].
+long lockedMemory(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  std::string word;
+  long locked = -1;
+  while (file >> word && word != "VmLck:") {
+  }
+  file >> locked;
+  return locked;
+}
+
+void expectService() {
+  Bench bench("left_secondary");
+  ASSERT_TRUE(bench.connect());
+  for (int i = 0; i < 100; ++i) {
+    bench.ask(kStart + i * kMillisecond, 1e-5 * i);
+  }
+  EXPECT_EQ(bench.forces.size(), 100U);
+}
+
+TEST(RealTime, UsedWherePermittedAndSaidSo) {
+  const bool timely = mayBeTimely();
+  const bool locks = mayLockMemory();
+  TimelyNode node("");
+  expectService();
+  const pid_t process = processOf(kNode);
+  ASSERT_GT(process, 0);
+  // Only the two that serve: the others have to be able to stop them.
+  EXPECT_EQ(timelyThreads(process), timely ? 2 : 0);
+  EXPECT_EQ(lockedMemory(process) > 0, locks);
+  node.end();
+  EXPECT_EQ(node.hasSaid("memory locked"), locks) << node.text();
+  EXPECT_EQ(node.hasSaid("serving at SCHED_FIFO priority 7"), timely) << node.text();
+  EXPECT_EQ(node.exitStatus(), 0);
+}
+
+// Without the capabilities and limits that permit it, whoever runs this test.
+TEST(RealTime, SaysSoWhereNotPermittedAndServes) {
+  std::string prefix = "prlimit --rtprio=0:0 --memlock=65536:65536 ";
+  if (geteuid() == 0) {
+    prefix += "setpriv --bounding-set=-sys_nice,-ipc_lock --inh-caps=-sys_nice,-ipc_lock ";
+  }
+  TimelyNode node(prefix);
+  expectService();
+  const pid_t process = processOf(kNode);
+  ASSERT_GT(process, 0);
+  EXPECT_EQ(timelyThreads(process), 0);
+  EXPECT_EQ(lockedMemory(process), 0);
+  node.end();
+  EXPECT_TRUE(node.hasSaid("memory not locked")) << node.text();
+  EXPECT_TRUE(node.hasSaid("serving at normal priority")) << node.text();
+  EXPECT_EQ(node.exitStatus(), 0);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "real_time"); }

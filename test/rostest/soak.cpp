@@ -1,0 +1,27 @@
+// A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
+#include "rubber_suspension/ros_interface/soak.h"
+
+#include "bench.h"
+
+namespace rubber_suspension {
+namespace {
+
+TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
+  SoakOptions options;
+  options.samples = 400000;
+  options.components = 4;
+  const SoakResult result = soak(options, [](const std::string&) {});
+  EXPECT_EQ(result.sent, options.samples);
+  EXPECT_EQ(result.answered, result.sent);
+  EXPECT_EQ(result.surplus, 0U);
+  // The first tenth is for buffers and queues to find their size. Eight bytes kept of every later sample would be
+  // 2.9 MB.
+  ASSERT_EQ(result.memory.size(), 100U);
+  ASSERT_GT(result.memory[9], 0);
+  EXPECT_LT(result.memory.back() - result.memory[9], 1500000);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "soak"); }
