@@ -9,10 +9,12 @@
 #include <thread>
 
 #include "command.h"
+#include "rubber_suspension/ros_interface/benchmark_node.h"
 #include "rubber_suspension/ros_interface/child_process.h"
 #include "rubber_suspension/ros_interface/command_line.h"
 #include "rubber_suspension/ros_interface/echo_node.h"
 #include "rubber_suspension/ros_interface/latency_benchmark.h"
+#include "rubber_suspension/ros_interface/soak.h"
 
 using namespace rubber_suspension;
 
@@ -21,6 +23,7 @@ namespace {
 struct Options {
   BenchmarkOptions benchmark;
   int echo = 0;
+  std::uint64_t soak = 0;
 };
 
 int serveEcho(RosCommandLine& line, int components) {
@@ -51,15 +54,31 @@ void waitForMaster() {
   }
 }
 
-int measure(RosCommandLine& line, const BenchmarkOptions& options) {
+void tell(const std::string& what) { std::cerr << "benchmark_latency: " << what << '\n'; }
+
+int measureLatency(const BenchmarkOptions& options) {
+  printMarkdown(benchmarkLatency(options, [](const std::string& what) { tell("measuring " + what); }), std::cout);
+  return kSuccess;
+}
+
+int measureSoak(const Options& options) {
+  SoakOptions soak_options;
+  soak_options.samples = options.soak;
+  soak_options.components = options.benchmark.components.front();
+  const SoakResult result = soak(soak_options, tell);
+  printMarkdown(result, std::cout);
+  if (!result.exact()) {
+    throw std::runtime_error("not every sample had exactly one force");
+  }
+  return kSuccess;
+}
+
+int measure(RosCommandLine& line, const Options& options) {
   const auto master = startMaster();
   line.initialise("benchmark_latency");
   waitForMaster();
   const ros::NodeHandle keeps_ros_running;
-  const auto rows =
-      benchmarkLatency(options, [](const std::string& what) { std::cerr << "measuring " << what << '\n'; });
-  printMarkdown(rows, std::cout);
-  return kSuccess;
+  return options.soak > 0 ? measureSoak(options) : measureLatency(options.benchmark);
 }
 
 void addOptions(CLI::App& app, Options& options) {
@@ -76,9 +95,13 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--duration", benchmark.duration, "of each run [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
-  app.add_option("--pairs", benchmark.pairs, "runs of echo node and node in turn, per row")
+  app.add_option("--pairs", benchmark.pairs, "runs of the echo node, the node and the echo node again, per row")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app.add_option("--soak", options.soak,
+                 "send so many samples to as many components as --components names first, as fast as the node answers, "
+                 "and tell its memory in place of the latency")
+      ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{100000000000}));
   app.add_option("--echo", options.echo, "be the echo node of so many components")->check(CLI::Range(1, 500));
 }
 
@@ -89,12 +112,13 @@ int main(int argc, char** argv) {
   return runCommand(line.argc(), line.argv(), "benchmark_latency",
                     "Round trips through the node `simulate` against those through an empty echo node, in alternating "
                     "runs with a master of their own; prints a Markdown table. Ratios are medians over the pairs of "
-                    "runs, with lowest and highest in brackets.",
+                    "runs, with quartiles in brackets; those of the echo node to itself tell what the machine does to "
+                    "such a ratio.",
                     [&](CLI::App& app) {
                       const auto options = std::make_shared<Options>();
                       addOptions(app, *options);
                       return [&line, options] {
-                        return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, options->benchmark);
+                        return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);
                       };
                     });
 }

@@ -73,29 +73,32 @@ class RoundTripMeter::Link {
     }
   }
 
-  // Not while answers may come.
-  void begin(std::size_t capacity) {
-    sent_.assign(capacity, 0);
+  // For a run of so many samples, of which this is the first. Not while answers may come.
+  void begin(std::uint64_t first, std::size_t capacity) {
+    first_ = first;
+    sent_.assign(capacity, kAnswered);
     trips_.clear();
     trips_.reserve(capacity);
     answered_ = 0;
+    surplus_ = 0;
   }
 
   void send(std::uint64_t tick) {
     if (bundle_) {
       array_.header.stamp = stampOf(tick);
       std::fill(array_.displacement.begin(), array_.displacement.end(), displacementOf(tick));
-      sent_[tick] = nanoseconds();
+      sent_[tick - first_] = nanoseconds();
       publisher_.publish(array_);
     } else {
       single_.header.stamp = stampOf(tick);
       single_.displacement = displacementOf(tick);
-      sent_[tick] = nanoseconds();
+      sent_[tick - first_] = nanoseconds();
       publisher_.publish(single_);
     }
   }
 
   std::size_t answered() const { return answered_.load(std::memory_order_acquire); }
+  std::size_t surplus() const { return surplus_; }
   const std::vector<double>& trips() const { return trips_; }
 
  private:
@@ -109,11 +112,14 @@ class RoundTripMeter::Link {
 
   void take(const ros::Time& stamp) {
     const std::int64_t now = nanoseconds();
-    const std::uint64_t tick = tickOf(stamp);
-    if (tick < sent_.size() && trips_.size() < trips_.capacity()) {
-      trips_.push_back(1e-9 * static_cast<double>(now - sent_[tick]));
-      answered_.fetch_add(1, std::memory_order_release);
+    const std::uint64_t index = tickOf(stamp) - first_;
+    if (index >= sent_.size() || sent_[index] == kAnswered) {
+      ++surplus_;
+      return;
     }
+    trips_.push_back(1e-9 * static_cast<double>(now - sent_[index]));
+    sent_[index] = kAnswered;
+    answered_.fetch_add(1, std::memory_order_release);
   }
 
   bool bundle_ = false;
@@ -121,9 +127,12 @@ class RoundTripMeter::Link {
   DisplacementArray array_;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
-  std::vector<std::int64_t> sent_;  // by tick [ns]
+  static constexpr std::int64_t kAnswered = -1;
+  std::uint64_t first_ = 0;
+  std::vector<std::int64_t> sent_;  // when, by tick since the first [ns]
   std::vector<double> trips_;       // written by the receiving thread
   std::atomic<std::size_t> answered_{0};
+  std::atomic<std::size_t> surplus_{0};
 };
 
 RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled) {
@@ -149,14 +158,15 @@ void RoundTripMeter::connect() {
 
 void RoundTripMeter::begin(std::size_t capacity) {
   for (auto& link : links_) {
-    link->begin(capacity);
+    link->begin(next_, capacity);
   }
 }
 
-void RoundTripMeter::sendAll(std::uint64_t tick) {
+void RoundTripMeter::sendAll() {
   for (auto& link : links_) {
-    link->send(tick);
+    link->send(next_);
   }
+  ++next_;
 }
 
 std::size_t RoundTripMeter::answered() const {
@@ -176,6 +186,7 @@ RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) 
   }
   result.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   for (const auto& link : links_) {
+    result.surplus += link->surplus();
     // Only so many as were counted: a straggler may still be at work.
     const auto count = static_cast<std::ptrdiff_t>(link->answered());
     result.durations.insert(result.durations.end(), link->trips().begin(), link->trips().begin() + count);
@@ -191,20 +202,20 @@ RoundTrips RoundTripMeter::atRate(double rate, double duration) {
   const std::chrono::duration<double> period(1.0 / rate);
   for (std::uint64_t tick = 0; tick < ticks && ros::ok(); ++tick) {
     std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(tick * period));
-    sendAll(tick);
+    sendAll();
   }
   return finish(ticks, start);
 }
 
-RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way) {
-  constexpr std::size_t kLargest = 2000000;  // samples of a component; more than any machine answers in some seconds
-  begin(kLargest);
+RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way, std::uint64_t most) {
+  begin(most);
   const auto start = Clock::now();
   const auto end = start + std::chrono::duration<double>(duration);
   std::uint64_t tick = 0;
-  while (tick < kLargest && Clock::now() < end && ros::ok()) {
+  while (tick < most && Clock::now() < end && ros::ok()) {
     if (tick * links_.size() < answered() + under_way * links_.size()) {
-      sendAll(tick++);
+      sendAll();
+      ++tick;
     } else {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }

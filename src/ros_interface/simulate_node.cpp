@@ -39,7 +39,11 @@ void SimulateNode::makeChannels() {
 void SimulateNode::setUpRealTime() {
   if (settings_.lock_memory) {
     const std::string refusal = lockMemory();
-    ROS_INFO("%s", refusal.empty() ? "memory locked" : refusal.c_str());
+    if (refusal.empty()) {
+      ROS_INFO("memory locked");
+    } else {
+      ROS_WARN("%s", refusal.c_str());
+    }
   }
 }
 
@@ -56,11 +60,18 @@ void SimulateNode::startServing() {
   ros::NodeHandle first_group(handle_);
   first_group.setCallbackQueue(&threads_.front()->queue());
   bundle_ = std::make_unique<BundleServer>(first_group, channels(), settings_.queue_size);
+  startThreads();
+}
+
+void SimulateNode::startThreads() {
+  std::string refusal;
   for (auto& thread : threads_) {
-    const std::string refusal = thread->start(settings_.realtime_priority);
-    if (!refusal.empty()) {
-      ROS_WARN("%s; serving at normal priority", refusal.c_str());
-    }
+    refusal = thread->start(settings_.realtime_priority);
+  }
+  if (!refusal.empty()) {
+    ROS_WARN("%s; serving at normal priority", refusal.c_str());
+  } else if (settings_.realtime_priority > 0) {
+    ROS_INFO("serving at SCHED_FIFO priority %d", settings_.realtime_priority);
   }
 }
 

@@ -18,14 +18,16 @@ namespace rubber_suspension {
 struct RoundTrips {
   std::vector<double> durations;  ///< sorted
   std::size_t sent = 0;
-  double elapsed = 0.0;  ///< [s]
+  std::size_t surplus = 0;  ///< answers to nothing that was sent, or answered already
+  double elapsed = 0.0;     ///< [s]
 
   double median() const { return quantile(0.5); }
   double quantile(double fraction) const;  ///< 0 without any
   std::size_t lost() const { return sent - durations.size(); }
 };
 
-/// Drives the components of a node in a namespace. Sends in the calling thread, receives in one of its own.
+/// Drives the components of a node in a namespace. Sends in the calling thread, receives in one of its own. The stamps
+/// go on from run to run, a millisecond from sample to sample.
 class RoundTripMeter {
  public:
   /// With `bundled` all components go in one message of the topics `displacements` and `forces`.
@@ -38,19 +40,21 @@ class RoundTripMeter {
   /// Send to all components at once, `rate` times a second [Hz], for a time [s].
   RoundTrips atRate(double rate, double duration);
 
-  /// Send for a time [s] as fast as answers come, so many samples of each component under way at most.
-  RoundTrips flood(double duration, std::size_t under_way);
+  /// Send for a time [s] as fast as answers come, so many samples of each component under way and
+  /// `most` of each in all.
+  RoundTrips flood(double duration, std::size_t under_way, std::uint64_t most);
 
  private:
   class Link;
 
-  void sendAll(std::uint64_t tick);
+  void sendAll();
   void begin(std::size_t capacity);
   RoundTrips finish(std::uint64_t ticks, std::chrono::steady_clock::time_point start);
   std::size_t answered() const;
 
   ServingThread receiver_;
   std::vector<std::unique_ptr<Link>> links_;
+  std::uint64_t next_ = 0;  // number of the next sample
 };
 
 }  // namespace rubber_suspension

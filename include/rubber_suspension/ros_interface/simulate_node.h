@@ -30,6 +30,7 @@ class SimulateNode {
   void makeChannels();
   void setUpRealTime();
   void startServing();
+  void startThreads();
   void advertiseServices();
 
   std::vector<ComponentChannel*> channels() const;
