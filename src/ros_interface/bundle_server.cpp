@@ -8,13 +8,9 @@
 namespace rubber_suspension {
 namespace {
 
-// The channel of entry i. Senders name the components in the order of the file, mostly: look there first.
-ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
-                            const std::vector<ComponentChannel*>& channels) {
-  if (bundle.components.empty()) {
-    return channels[i];
-  }
-  const std::string& name = bundle.components[i];
+// The channel of a name that stands at place i. Senders name the components in the order of the file, mostly: look
+// there first.
+ComponentChannel* channelNamed(const std::string& name, std::size_t i, const std::vector<ComponentChannel*>& channels) {
   if (i < channels.size() && channels[i]->name() == name) {
     return channels[i];
   }
@@ -24,6 +20,12 @@ ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
     }
   }
   return nullptr;
+}
+
+// The channel of entry i.
+ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
+                            const std::vector<ComponentChannel*>& channels) {
+  return bundle.components.empty() ? channels[i] : channelNamed(bundle.components[i], i, channels);
 }
 
 bool isWellFormed(const DisplacementArray& bundle, const std::vector<ComponentChannel*>& channels) {
@@ -98,8 +100,8 @@ void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event
   publisher_.publish(message);
   ++answered_;
   const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    channels_[i]->countLatency(latency);
+  for (std::size_t i = 0; i < message->components.size(); ++i) {
+    channelNamed(message->components[i], i, channels_)->countLatency(latency);
   }
 }
 

@@ -109,8 +109,9 @@ TEST_F(NodeCore, AMalformedBundleTouchesNothing) {
   }
 }
 
-// As the servers do it: take a message from the pool, step, fill, let go; some samples are bad.
-void serve(ComponentChannel& channel, MessagePool<Force>& pool, const Displacement& sample) {
+// As the servers do it: look for lost ones, step, take a message from the pool, fill, let go; some samples are bad.
+void serve(ComponentChannel& channel, SequenceWatch& watch, MessagePool<Force>& pool, const Displacement& sample) {
+  channel.countLost(watch.take(&channel, sample.header.seq));
   ComponentForce force;
   if (channel.push(static_cast<std::int64_t>(sample.header.stamp.toNSec()), sample.displacement, force)) {
     const auto message = pool.take();
@@ -122,13 +123,14 @@ void serve(ComponentChannel& channel, MessagePool<Force>& pool, const Displaceme
 
 TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
   MessagePool<Force> pool;
+  SequenceWatch watch;
   std::mt19937 random(3);
   std::uniform_int_distribution<int> kind(0, 999);
   Displacement sample;
   sample.header.frame_id = "a frame with a name that is longer than short strings are";
   for (int i = 0; i < 64; ++i) {  // strings of the pool grow to their size
     sample.header.stamp.fromNSec(static_cast<std::uint64_t>(i + 1) * kMillisecond);
-    serve(*channels_[0], pool, sample);
+    serve(*channels_[0], watch, pool, sample);
   }
   channels_[0]->gap().addMeasured(1, 0.0);
   const test::AllocationCounter allocations;
@@ -140,15 +142,17 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
     stamp -= which == 1 ? 2 * kMillisecond : 0;    // step back
     stamp += which == 2 ? 700 * kMillisecond : 0;  // gap
     sample.header.stamp.fromNSec(stamp);
+    sample.header.seq += which == 5 ? 2 : 1;  // one was lost on the way
     sample.displacement = which == 3   ? std::numeric_limits<double>::quiet_NaN()
                           : which == 4 ? std::numeric_limits<double>::max()
                                        : 2e-3 * std::sin(0.01 * i);
-    serve(*channels_[0], pool, sample);
+    serve(*channels_[0], watch, pool, sample);
     channels_[0]->gap().addMeasured(static_cast<std::int64_t>(stamp), 0.0);
   }
   EXPECT_EQ(allocations.count(), 0U);
   const ChannelReport report = channels_[0]->report();
   EXPECT_EQ(report.counters.accepted + report.counters.dropped(), static_cast<std::uint64_t>(kSamples) + 64U);
+  EXPECT_GT(report.lost, 0U);
   EXPECT_GT(report.counters.not_finite, 0U);
   EXPECT_GT(report.counters.repeated, 0U);
   EXPECT_GT(report.counters.stepped_back, 0U);
