@@ -14,13 +14,14 @@ namespace rubber_suspension {
 
 class LogOptions {
  public:
-  /// Adds --columns, --unit and --rate; the object has to live as long as the parser.
-  void addTo(CLI::App& app) {
+  /// Adds --columns, --unit and --rate; the object has to live as long as the parser. A command whose --rate is another
+  /// gives the option a name of its own.
+  void addTo(CLI::App& app, const std::string& rate_option = "--rate") {
     app.add_option("--columns", columns_,
                    "columns of other names: time=NAME displacement=NAME force=NAME temperature=NAME")
         ->type_name("QUANTITY=NAME");
     app.add_option("--unit", unit_, "units of the columns named by --columns, as mm,kN")->type_name("LENGTH,FORCE");
-    app.add_option("--rate", rate_, "sampling rate of a log without column of time")->type_name("HZ");
+    app.add_option(rate_option, rate_, "sampling rate of a log without column of time")->type_name("HZ");
   }
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.

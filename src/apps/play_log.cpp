@@ -6,12 +6,14 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "command.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
+#include "log_options.h"
+#include "rubber_suspension/ros_interface/bench_player.h"
 #include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/log_player.h"
+#include "rubber_suspension/ros_interface/play_control.h"
 
 using namespace rubber_suspension;
 
@@ -19,22 +21,43 @@ namespace {
 
 struct Options {
   PlayOptions play;
-  std::string log;
+  std::vector<std::string> components;
+  std::vector<std::string> logs;
+  LogOptions log_options;
+  std::string folder;
   std::string output;
+  std::string gap_output;
   std::string bag;
   std::string reset;
+  std::size_t passes = 1;
+  std::size_t step = 0;
+  bool paused = false;
 };
 
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--component", options.play.component, "name of the component")->required();
-  app.add_option("--log", options.log, "log to play: .csv, .mat, or .bag with the node's topics")->required();
+void addRecordOptions(CLI::App& app, Options& options) {
   app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N");
-  app.add_option("--bag", options.bag, "bag for displacements, measured forces and forces");
+  app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force");
+  app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap");
+  app.add_option("--folder", options.folder,
+                 "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component");
+}
+
+void addPlayOptions(CLI::App& app, Options& options) {
   app.add_option("--rate", options.play.rate, "multiple of the log's own speed; 0: as fast as the node answers")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  app.add_option("--loop", options.passes,
+                 "times to play the logs, 0: until interrupted; time goes on and the specimen stays the same")
+      ->capture_default_str();
+  app.add_option("--step", options.step,
+                 "step by step: samples of each component per call of the service ~step; ~pause with false lets go");
+  app.add_flag("--paused", options.paused, "begin held, until the service ~pause is called with false");
   app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  app.add_option("--listeners", options.play.listeners,
+                 "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100}))
       ->capture_default_str();
   app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer [s]")
       ->check(CLI::Range(0.01, 1e6))
@@ -47,6 +70,16 @@ void addOptions(CLI::App& app, Options& options) {
                  "/simulate/reset");
 }
 
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--component", options.components, "names of the components, one or several")->required();
+  app.add_option("--log", options.logs,
+                 "logs to play: .csv, .mat, or .bag with the node's topics; one per component, or one for all")
+      ->required();
+  options.log_options.addTo(app, "--sampling-rate");
+  addRecordOptions(app, options);
+  addPlayOptions(app, options);
+}
+
 void reset(ros::NodeHandle& handle, const std::string& service) {
   std_srvs::Trigger trigger;
   if (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success) {
@@ -54,62 +87,99 @@ void reset(ros::NodeHandle& handle, const std::string& service) {
   }
 }
 
-void writeBag(const Options& options, const Log& log, const PlayResult& result) {
-  const std::int64_t shift = headerShift(log);
-  BagWriter writer(options.bag, options.play.component);
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
-    if (!log.force.empty()) {
-      writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
-    }
-    if (result.answers[i] > 0) {
-      writer.writeForce(log.stamp[i] + shift, log.displacement[i], result.force[i]);
-    }
+void checkCounts(const Options& options) {
+  if (options.logs.size() != 1 && options.logs.size() != options.components.size()) {
+    throw UsageError(fmt::format("--log: {} logs for {} components; accepted: one for all, or one each",
+                                 options.logs.size(), options.components.size()));
   }
-  writer.close();
+  if (options.components.size() > 1 && !(options.output + options.gap_output + options.bag).empty()) {
+    throw UsageError("--output, --gap and --bag go with one component; accepted with several: --folder");
+  }
 }
 
-void writeCsv(const Options& options, const Log& log, const PlayResult& result) {
-  std::vector<double> force;
-  force.reserve(log.size());
-  for (const ComponentForce& answer : result.force) {
-    force.push_back(answer.total);
-  }
-  writeForceCsv(options.output, log, force);
+RecordPaths recordPaths(const Options& options, const std::string& component) {
+  RecordPaths paths = options.folder.empty() ? RecordPaths() : recordPathsIn(options.folder, component);
+  const auto prefer = [](const std::string& given, std::string& path) { path = given.empty() ? path : given; };
+  prefer(options.output, paths.forces);
+  prefer(options.gap_output, paths.gaps);
+  prefer(options.bag, paths.bag);
+  return paths;
 }
 
-int report(const Options& options, const Log& log, const PlayResult& result) {
-  const std::string counts =
+// Without a measured force there is no gap to record.
+BenchTrack readTrack(const Options& options, std::size_t i) {
+  BenchTrack track;
+  track.component = options.components[i];
+  const std::string& path = options.logs[options.logs.size() == 1 ? 0 : i];
+  track.log = options.log_options.read("play_log", path, track.component);
+  track.paths = recordPaths(options, track.component);
+  for (const std::string& output : {track.paths.forces, track.paths.gaps, track.paths.bag}) {
+    std::error_code none;
+    if (std::filesystem::equivalent(output, path, none)) {
+      throw UsageError(output + " would overwrite the log; accepted: another file or folder");
+    }
+  }
+  if (track.log.force.empty()) {
+    track.paths.gaps.clear();
+  }
+  return track;
+}
+
+std::vector<BenchTrack> readTracks(const Options& options) {
+  checkCounts(options);
+  std::vector<BenchTrack> tracks;
+  for (std::size_t i = 0; i < options.components.size(); ++i) {
+    tracks.push_back(readTrack(options, i));
+  }
+  return tracks;
+}
+
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
+    throw PlayError(folder + ": " + error.message());
+  }
+}
+
+std::string describe(const BenchCount& count) {
+  std::string text =
       fmt::format("{}: {} samples, {} answered, {} forces of other stamps; {:.3g} s, {:.0f} samples per second",
-                  options.play.component, log.size(), result.answered(), result.unexpected, result.duration,
-                  static_cast<double>(result.answered()) / std::max(result.duration, 1e-9));
-  if (!result.exactlyOneEach()) {
-    throw PlayError(counts + "; not every sample had exactly one force");
+                  count.component, count.samples, count.answered, count.unexpected + count.repeated, count.duration,
+                  static_cast<double>(count.answered) / std::max(count.duration, 1e-9));
+  return count.gaps > 0 ? text + fmt::format("; gap {} times", count.gaps) : text;
+}
+
+// A playback without end ends by being interrupted; any other has to come to its end.
+int report(const std::vector<BenchCount>& counts, bool endless) {
+  std::string failed;
+  for (const BenchCount& count : counts) {
+    if (count.exactlyOneEach() && (count.complete || endless)) {
+      std::cout << describe(count) << "; every sample had exactly one force\n";
+    } else {
+      failed += (failed.empty() ? "" : "; ") + describe(count);
+    }
   }
-  std::cout << counts << "; every sample had exactly one force\n";
+  if (!failed.empty()) {
+    throw PlayError(failed + "; not every sample had exactly one force");
+  }
   return kSuccess;
 }
 
-int play(RosCommandLine& line, const Options& options) {
-  const Log log = readAnyLog(options.log, options.play.component);
-  for (const std::string& note : log.notes) {
-    std::cerr << "play_log: note: " << note << '\n';
-  }
+int play(RosCommandLine& line, Options& options) {
+  std::vector<BenchTrack> tracks = readTracks(options);
+  makeFolder(options.folder);
   line.initialise("play_log");
   ros::NodeHandle handle;
-  LogPlayer player(handle, options.play);
+  PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
+  const PlayControlServices services(ros::NodeHandle("~"), control);
+  options.play.control = &control;
+  options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
+  BenchPlayer player(handle, options.play, std::move(tracks));
   player.connect();
   if (!options.reset.empty()) {
     reset(handle, options.reset);
   }
-  const PlayResult result = player.play(log);
-  if (!options.bag.empty()) {
-    writeBag(options, log, result);
-  }
-  if (!options.output.empty() && result.answered() == log.size()) {
-    writeCsv(options, log, result);
-  }
-  return report(options, log, result);
+  return report(player.play(options.passes), options.passes == 0);
 }
 
 }  // namespace
@@ -117,8 +187,8 @@ int play(RosCommandLine& line, const Options& options) {
 int main(int argc, char** argv) {
   RosCommandLine line(argc, argv);
   return runCommand(line.argc(), line.argv(), "play_log",
-                    "Play a log through a running node and record the forces. The node answers on "
-                    "<component>/force; see launch/replay.launch.",
+                    "Play logs through a running node and record the forces. The node answers on "
+                    "<component>/force; see launch/replay.launch and launch/bench.launch.",
                     [&](CLI::App& app) {
                       const auto options = std::make_shared<Options>();
                       addOptions(app, *options);

@@ -111,22 +111,41 @@ void writeForceCsv(const std::string& path, const Log& log, const std::vector<do
   writeLogCsv(path, answered);
 }
 
+LogCsvWriter::LogCsvWriter(const std::string& path, bool with_force)
+    : path_(path), with_force_(with_force), file_(path, std::ios::binary) {
+  file_ << "time_s,displacement_m" << (with_force ? ",force_N\n" : "\n");
+  if (!file_) {
+    fail();
+  }
+}
+
+void LogCsvWriter::fail() const {
+  throw LogError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+}
+
+void LogCsvWriter::append(std::int64_t stamp, double displacement, double force) {
+  fmt::memory_buffer row;
+  fmt::format_to(std::back_inserter(row), "{},{:.17g}", formatStamp(stamp), displacement);
+  if (with_force_) {
+    fmt::format_to(std::back_inserter(row), ",{:.17g}", force);
+  }
+  row.push_back('\n');
+  file_.write(row.data(), static_cast<std::streamsize>(row.size()));
+}
+
+void LogCsvWriter::close() {
+  file_.close();
+  if (!file_) {
+    fail();
+  }
+}
+
 void writeLogCsv(const std::string& path, const Log& log) {
-  std::ofstream file(path, std::ios::binary);
-  fmt::memory_buffer rows;
-  fmt::format_to(std::back_inserter(rows), "time_s,displacement_m{}\n", log.force.empty() ? "" : ",force_N");
+  LogCsvWriter writer(path, !log.force.empty());
   for (std::size_t i = 0; i < log.size(); ++i) {
-    fmt::format_to(std::back_inserter(rows), "{},{:.17g}", formatStamp(log.stamp[i]), log.displacement[i]);
-    if (!log.force.empty()) {
-      fmt::format_to(std::back_inserter(rows), ",{:.17g}", log.force[i]);
-    }
-    rows.push_back('\n');
+    writer.append(log.stamp[i], log.displacement[i], log.force.empty() ? 0.0 : log.force[i]);
   }
-  file.write(rows.data(), static_cast<std::streamsize>(rows.size()));
-  file.close();
-  if (!file) {
-    throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-  }
+  writer.close();
 }
 
 }  // namespace rubber_suspension

@@ -57,6 +57,28 @@ Axes gapAxes(const std::vector<double>& seconds, const Log& log, const std::vect
   return axes;
 }
 
+// The force for a short time around its largest value, where single cycles can be told apart.
+Axes closeUpAxes(const Log& log, const std::vector<double>& force) {
+  constexpr std::int64_t kHalfWidth = 1000000000;  // [ns]
+  const auto largest =
+      std::max_element(force.begin(), force.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const std::int64_t middle = log.stamp[static_cast<std::size_t>(largest - force.begin())];
+  std::vector<double> seconds;
+  std::vector<double> close_up;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (std::abs(log.stamp[i] - middle) <= kHalfWidth) {
+      seconds.push_back(static_cast<double>(log.stamp[i] - log.stamp[0]) * 1e-9);
+      close_up.push_back(force[i]);
+    }
+  }
+  Axes axes;
+  axes.title = "around the largest force";
+  axes.x_label = "time [s]";
+  axes.y_label = "force [kN]";
+  axes.curves.push_back({"", thinned(seconds, 1.0), thinned(close_up, 1e-3), "-", 1});
+  return axes;
+}
+
 }  // namespace
 
 std::vector<double> simulateLog(const Component& component, const Log& log, StreamCounters* counters) {
@@ -129,9 +151,7 @@ Figure replayFigure(const std::string& component, const Log& log, const std::vec
   figure.title = fmt::format("{}, {}", component, log.name);
   figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force),
                  forceAxes("time [s]", seconds, log, force)};
-  if (!log.force.empty()) {
-    figure.axes.push_back(gapAxes(seconds, log, force));
-  }
+  figure.axes.push_back(log.force.empty() ? closeUpAxes(log, force) : gapAxes(seconds, log, force));
   return figure;
 }
 

@@ -8,7 +8,9 @@
 #include <rubber_suspension/MeasuredForce.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "rubber_suspension/ros_interface/bag_check.h"
@@ -97,17 +99,66 @@ void checkIncreasing(const Series& series, const std::string& path, const std::s
   }
 }
 
-// First sample and length of the longest stretch of displacements that all have a force; forces of it in `force`.
-std::size_t longestMatch(const Series& displacement, const Series& measured, std::vector<double>& force) {
-  std::size_t best_start = 0;
-  std::vector<double> current;
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < displacement.stamp.size(); ++i) {
-    while (j < measured.stamp.size() && measured.stamp[j] < displacement.stamp[i]) {
+using ForceAt = std::function<std::optional<double>(std::int64_t)>;
+
+// The measured force that has the stamp; to be asked for stamps that increase.
+ForceAt forceOfSameStamp(const Series& measured) {
+  return [&measured, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
+    while (j < measured.stamp.size() && measured.stamp[j] < stamp) {
       ++j;
     }
-    if (j < measured.stamp.size() && measured.stamp[j] == displacement.stamp[i]) {
-      current.push_back(measured.value[j]);
+    const bool found = j < measured.stamp.size() && measured.stamp[j] == stamp;
+    return found ? std::optional<double>(measured.value[j]) : std::nullopt;
+  };
+}
+
+std::int64_t medianInterval(const Series& series) {
+  std::vector<std::int64_t> intervals;
+  for (std::size_t i = 1; i < series.stamp.size(); ++i) {
+    intervals.push_back(series.stamp[i] - series.stamp[i - 1]);
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
+// The measured force between the two stamps around the one asked for, taken as linear; none across missing samples.
+ForceAt forceInBetween(const Series& measured) {
+  const std::int64_t longest = 3 * medianInterval(measured);
+  return [&measured, longest, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
+    while (j + 2 < measured.stamp.size() && measured.stamp[j + 1] < stamp) {
+      ++j;
+    }
+    const std::int64_t before = measured.stamp[j];
+    const std::int64_t after = measured.stamp[j + 1];
+    if (stamp < before || stamp > after || after - before > longest) {
+      return std::nullopt;
+    }
+    const double share = static_cast<double>(stamp - before) / static_cast<double>(after - before);
+    return (1.0 - share) * measured.value[j] + share * measured.value[j + 1];
+  };
+}
+
+// A force of another clock or rate has no stamps, or only a few by chance, in common with the displacement.
+bool hasOwnClock(const Series& displacement, const Series& measured) {
+  std::size_t common = 0;
+  std::size_t i = 0;
+  for (const std::int64_t stamp : measured.stamp) {
+    while (i < displacement.stamp.size() && displacement.stamp[i] < stamp) {
+      ++i;
+    }
+    common += i < displacement.stamp.size() && displacement.stamp[i] == stamp ? 1 : 0;
+  }
+  return measured.stamp.size() > 1 && 2 * common < measured.stamp.size();
+}
+
+// First sample and length of the longest stretch of displacements that all have a force; forces of it in `force`.
+std::size_t longestMatch(const Series& displacement, const ForceAt& force_at, std::vector<double>& force) {
+  std::size_t best_start = 0;
+  std::vector<double> current;
+  for (std::size_t i = 0; i < displacement.stamp.size(); ++i) {
+    if (const auto value = force_at(displacement.stamp[i])) {
+      current.push_back(*value);
     } else {
       current.clear();
     }
@@ -126,14 +177,22 @@ void keep(std::vector<Value>& values, std::size_t start, std::size_t count) {
 }
 
 void addMeasuredForce(const Series& displacement, const Series& measured, const std::string& topic, Log& log) {
-  const std::size_t start = longestMatch(displacement, measured, log.force);
+  const bool own_clock = hasOwnClock(displacement, measured);
+  const ForceAt force_at = own_clock ? forceInBetween(measured) : forceOfSameStamp(measured);
+  const std::size_t start = longestMatch(displacement, force_at, log.force);
   const std::size_t count = log.force.size();
+  const char* what = own_clock ? "a force around their stamp" : "a force of the same stamp";
   if (count == 0) {
-    log.notes.push_back(fmt::format("{}: {}: no stamp is that of a displacement; ignored", log.name, topic));
-  } else if (count < displacement.stamp.size()) {
-    log.notes.push_back(
-        fmt::format("{}: {}: samples {} to {} of {} have a force of the same stamp; the others are left out", log.name,
-                    topic, start + 1, start + count, displacement.stamp.size()));
+    log.notes.push_back(fmt::format("{}: {}: no displacement has {}; ignored", log.name, topic, what));
+    return;
+  }
+  if (own_clock) {
+    log.notes.push_back(fmt::format(
+        "{}: {}: stamps of a clock or rate of its own; interpolated linearly to the displacement's", log.name, topic));
+  }
+  if (count < displacement.stamp.size()) {
+    log.notes.push_back(fmt::format("{}: {}: samples {} to {} of {} have {}; the others are left out", log.name, topic,
+                                    start + 1, start + count, displacement.stamp.size(), what));
     keep(log.stamp, start, count);
     keep(log.displacement, start, count);
   }
@@ -246,6 +305,8 @@ void BagWriter::writeForce(std::int64_t stamp, double displacement, const Compon
   message.friction = force.friction;
   write("/force", message);
 }
+
+void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
 
 void BagWriter::close() {
   try {

@@ -14,8 +14,13 @@ namespace rubber_suspension {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100000;
+constexpr double kNoteEvery = 5.0;  // [s]
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+std::chrono::steady_clock::duration toDuration(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+}
 
 }  // namespace
 
@@ -37,19 +42,51 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
       [this](const boost::shared_ptr<const Force>& force) { take(*force); };
   subscriber_ = handle_.subscribe<Force>(component + "/force", kQueueSize, callback, ros::VoidConstPtr(),
                                          ros::TransportHints().tcpNoDelay());
+  if (options_.record_gap) {
+    const boost::function<void(const boost::shared_ptr<const Gap>&)> gap_callback =
+        [this](const boost::shared_ptr<const Gap>& gap) { takeGap(*gap); };
+    gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kQueueSize, gap_callback);
+  }
 }
 
-void LogPlayer::connect() {
-  const auto end = Steady::now() + std::chrono::duration<double>(options_.connect_timeout);
-  bool connected = waitForPublishers(subscriber_.getTopic(), options_.connect_timeout);
-  while (connected && displacement_publisher_.getNumSubscribers() == 0) {
+void LogPlayer::notify(const std::string& text) const {
+  if (options_.notify) {
+    options_.notify(text);
+  }
+}
+
+bool LogPlayer::isConnected(double patience) {
+  const auto end = Steady::now() + toDuration(patience);
+  bool connected = waitForPublishers(subscriber_.getTopic(), patience) &&
+                   (!options_.record_gap || waitForPublishers(gap_subscriber_.getTopic(), patience));
+  while (connected && (displacement_publisher_.getNumSubscribers() == 0 ||
+                       measured_force_publisher_.getNumSubscribers() <= options_.listeners)) {
     connected = Steady::now() < end && ros::ok();
     ros::WallDuration(0.01).sleep();
   }
-  if (!connected) {
-    throw PlayError(
-        fmt::format("no node serves {} within {:g} s", displacement_publisher_.getTopic(), options_.connect_timeout));
+  return connected;
+}
+
+void LogPlayer::connect() {
+  const auto begin = Steady::now();
+  while (!connected_) {
+    const double left = options_.connect_timeout - seconds(Steady::now() - begin);
+    connected_ = isConnected(std::clamp(left, 0.0, kNoteEvery));
+    const double waited = seconds(Steady::now() - begin);
+    if (!connected_ && (waited >= options_.connect_timeout || !ros::ok())) {
+      throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
+    }
+    if (!connected_) {
+      notify(fmt::format("waiting for what serves {} and listens to it: {:.0f} of {:g} s",
+                         displacement_publisher_.getTopic(), waited, options_.connect_timeout));
+    }
   }
+}
+
+void LogPlayer::takeGap(const Gap& gap) {
+  result_.gaps.push_back(gap);
+  const std::int64_t stamp = static_cast<std::int64_t>(gap.header.stamp.toNSec()) - shift_;
+  result_.gap_stamps.push_back(stamp);
 }
 
 void LogPlayer::take(const Force& force) {
@@ -71,6 +108,10 @@ void LogPlayer::take(const Force& force) {
   }
 }
 
+bool LogPlayer::isHeld() const {
+  return options_.control != nullptr && !options_.control->running() && stepped_ >= options_.control->granted();
+}
+
 double LogPlayer::untilDue() const {
   if (options_.rate <= 0.0) {
     return 0.0;
@@ -80,7 +121,7 @@ double LogPlayer::untilDue() const {
 }
 
 bool LogPlayer::maySend() const {
-  return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && untilDue() <= 0.0;
+  return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !isHeld() && untilDue() <= 0.0;
 }
 
 void LogPlayer::send() {
@@ -97,44 +138,86 @@ void LogPlayer::send() {
   }
 }
 
+// While the playback is held or stepped, time stands still: the next sample is due at once, whenever it goes on.
+void LogPlayer::sendWhatIsDue(Progress& progress) {
+  const bool stepping = options_.control != nullptr && !options_.control->running();
+  if (stepping && result_.sent < log_->size()) {
+    start_ += toDuration(-untilDue());
+  }
+  while (maySend()) {
+    stepped_ += stepping ? 1 : 0;
+    send();
+    progress.advance();
+  }
+}
+
+// Take answers until the next sample is due; false where they stay away for too long.
+bool LogPlayer::waitForAnswers() {
+  constexpr double kLongestWait = 0.05;  // [s], after which shut-down and control are looked at again
+  const bool waits_for_answer = result_.sent > answered_;
+  const bool may_send = result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !isHeld();
+  queue_.callAvailable(ros::WallDuration(may_send ? std::clamp(untilDue(), 0.0, kLongestWait) : kLongestWait));
+  const auto now = Steady::now();
+  if (!waits_for_answer) {
+    last_answer_ = now;
+  }
+  const double waited = seconds(now - last_answer_);
+  if (waited > kNoteEvery && seconds(now - last_note_) > kNoteEvery) {
+    last_note_ = now;
+    notify(fmt::format("waiting for an answer on {}: {:.0f} of {:g} s", subscriber_.getTopic(), waited,
+                       options_.answer_timeout));
+  }
+  return waited <= options_.answer_timeout;
+}
+
 void LogPlayer::lingerForSurplus() {
   // Answers to one sample too many would follow at once; this is a multiple of a round trip.
   constexpr double kLinger = 0.2;
-  const auto end = Steady::now() + std::chrono::duration<double>(kLinger);
+  const auto end = Steady::now() + toDuration(kLinger);
   while (Steady::now() < end) {
     queue_.callAvailable(ros::WallDuration(0.05));
   }
 }
 
-PlayResult LogPlayer::play(const Log& log) {
+// The node measures the gap once per second; what it measured last covers the last sample.
+void LogPlayer::waitForLastGap() {
+  constexpr double kPatience = 10.0;
+  const auto end = Steady::now() + toDuration(kPatience);
+  while (ros::ok() && Steady::now() < end &&
+         (result_.gap_stamps.empty() || result_.gap_stamps.back() < log_->stamp.back())) {
+    queue_.callAvailable(ros::WallDuration(0.05));
+  }
+}
+
+PlayResult LogPlayer::play(const Log& log, Steady::time_point start, bool more_follow) {
   checkLog(log);
   connect();
   log_ = &log;
-  shift_ = headerShift(log);
+  shift_ = goes_on_ ? shift_ : headerShift(log);
+  goes_on_ = more_follow;
   result_ = PlayResult();
+  result_.shift = shift_;
   result_.force.resize(log.size());
   result_.answers.resize(log.size());
   answered_ = 0;
-  Progress progress("playing " + log.name, log.size());
-  start_ = last_answer_ = Steady::now();
-  while (ros::ok() && answered_ < log.size()) {
-    while (maySend()) {
-      send();
-      progress.advance();
-    }
-    const bool waits_for_answer = result_.sent > answered_;
-    const double wait = result_.sent < log.size() ? std::clamp(untilDue(), 0.0, 0.05) : 0.05;
-    queue_.callAvailable(ros::WallDuration(wait > 0.0 || !waits_for_answer ? wait : 0.05));
-    if (!waits_for_answer) {
-      last_answer_ = Steady::now();
-    } else if (seconds(Steady::now() - last_answer_) > options_.answer_timeout) {
-      break;
+  Progress progress("playing " + log.name, options_.show_progress ? log.size() : 0);
+  const auto begin = Steady::now();
+  start_ = start == Steady::time_point() ? begin : start;
+  last_answer_ = begin;
+  bool answers_come = true;
+  while (ros::ok() && answers_come && answered_ < log.size()) {
+    sendWhatIsDue(progress);
+    answers_come = waitForAnswers();
+  }
+  result_.duration = seconds(last_answer_ - begin);
+  if (!more_follow && answers_come) {
+    lingerForSurplus();
+    if (options_.record_gap && !log.force.empty() && ros::ok()) {
+      waitForLastGap();
     }
   }
-  result_.duration = seconds(last_answer_ - start_);
-  lingerForSurplus();
   log_ = nullptr;
-  return result_;
+  return std::move(result_);
 }
 
 }  // namespace rubber_suspension

@@ -98,7 +98,7 @@ TEST(ReplayFigure, ThinsLongLogs) {
   EXPECT_EQ(figure.axes[2].curves[1].y[0], 2.0);  // [kN]
   EXPECT_EQ(figure.axes[3].curves[0].y[0], -1.999);
   log.force.clear();
-  EXPECT_EQ(replayFigure("bush", log, std::vector<double>(log.size(), 2000.0)).axes.size(), 3u);
+  EXPECT_EQ(replayFigure("bush", log, std::vector<double>(log.size(), 2000.0)).axes.size(), 4u);
 }
 
 TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {

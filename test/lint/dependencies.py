@@ -34,6 +34,7 @@ KEYS = {
     "pluginlib": ({"pluginlib"}, {"pluginlib-dev"}),
     "python3-matplotlib": ({"matplotlib"}, {"python3-matplotlib"}),
     "python3-numpy": ({"numpy"}, {"python3-numpy"}),
+    "python3-tk": ({"tkinter"}, {"python3-tk"}),
     "python3-scipy": ({"scipy"}, {"python3-scipy"}),
     "python3-yaml": ({"yaml"}, {"python3-yaml"}),
     "rosbag": ({"py:rosbag", "pkg:rosbag"}, {"python3-rosbag"}),
@@ -62,7 +63,7 @@ OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
-STANDARD_PYTHON = set(sys.stdlib_module_names) | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}
+STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}
 
 FIND_PACKAGE = re.compile(r"^\s*find_package\((\w[\w+-]*)([^)]*)\)", re.MULTILINE | re.DOTALL)
 FIND_OTHER = re.compile(r"^\s*(?:find_library|find_path)\((\w+)", re.MULTILINE)

@@ -88,6 +88,32 @@ TEST_F(BagLog, KeepsTheLongestStretchWithForce) {
   EXPECT_THAT(read.notes[0], HasSubstr("samples 2 to 3 of 4"));
 }
 
+// Forces at stamps of their own, 100 ppm fast and at another rate; a straight line is interpolated exactly.
+TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
+  constexpr int kSamples = 200;
+  constexpr std::int64_t kInterval = 1000000;
+  const auto line = [](std::int64_t stamp) { return 3.0 + 2e-6 * static_cast<double>(stamp); };
+  BagWriter writer(path("a.bag"), "bush");
+  for (std::int64_t i = 0; i < kSamples; ++i) {
+    writer.writeDisplacement((i + 1) * kInterval, 1e-3);
+    const std::int64_t stamp = 700003 + i * 800080;
+    if (i < 100 || i > 103) {  // between these the samples are too far apart
+      writer.writeMeasuredForce(stamp, line(stamp));
+    }
+  }
+  writer.close();
+  const Log read = readBagLog(path("a.bag"));
+  ASSERT_EQ(read.notes.size(), 2U);
+  EXPECT_THAT(read.notes[0], HasSubstr("interpolated linearly"));
+  EXPECT_THAT(read.notes[1], HasSubstr("a force around their stamp"));
+  ASSERT_EQ(read.force.size(), read.size());
+  EXPECT_EQ(read.stamp.front(), kInterval);
+  EXPECT_EQ(read.stamp.back(), 79 * kInterval);  // the last before 700003 + 99 * 800080 ns
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
+  }
+}
+
 TEST_F(BagLog, SeveralComponentsNeedAName) {
   rosbag::Bag bag(path("a.bag"), rosbag::bagmode::Write);
   for (const char* topic : {"/bench/left/displacement", "/bench/right/displacement"}) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -66,6 +67,23 @@ Log readLog(const std::string& path, const LogFormat& format = {});
 /// Check a log from any source: lengths agree, time increases, all is finite, at least two samples.
 /// Throws LogError that names log, sample and value.
 void checkLog(const Log& log);
+
+/// Writes `time_s,displacement_m` and, if wanted, `force_N`, piece by piece; time as exact decimal, the others with 17
+/// digits: all reads back bit by bit. All calls throw LogError.
+class LogCsvWriter {
+ public:
+  LogCsvWriter(const std::string& path, bool with_force);
+
+  void append(std::int64_t stamp, double displacement, double force = 0.0);
+  void close();
+
+ private:
+  void fail() const;
+
+  std::string path_;
+  bool with_force_;
+  std::ofstream file_;
+};
 
 /// Write `time_s,displacement_m,force_N`; time as exact decimal, the others with 17 digits: all reads back bit by bit.
 /// Throws LogError.

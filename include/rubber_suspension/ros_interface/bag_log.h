@@ -3,6 +3,7 @@
 
 #include <ros/time.h>
 #include <rosbag/bag.h>
+#include <rubber_suspension/Gap.h>
 
 #include <string>
 
@@ -13,9 +14,10 @@ namespace rubber_suspension {
 
 /// Read displacement and, if recorded, measured force of one component from a bag: from topics that end in
 /// <component>/displacement and <component>/measured_force; with an empty name the bag's only component. Forces are
-/// matched by stamp. A bag in which only a part of the samples has a measured force gives the longest stretch in which
-/// all have one, with a note.
-/// Throws LogError that names bag, topic, message and reason.
+/// matched by stamp; those whose stamps come from a clock of their own, which may drift against that of the
+/// displacement, or at another rate, are interpolated linearly, with a note. A bag in which only a part of the samples
+/// has a measured force gives the longest stretch in which all have one, with a note. Throws LogError that names bag,
+/// topic, message and reason.
 Log readBagLog(const std::string& path, const std::string& component = "");
 
 /// True for a path that ends in .bag.
@@ -42,6 +44,7 @@ class BagWriter {
   void writeDisplacement(std::int64_t stamp, double displacement);
   void writeMeasuredForce(std::int64_t stamp, double force);
   void writeForce(std::int64_t stamp, double displacement, const ComponentForce& force);
+  void writeGap(const Gap& gap);
   void close();
 
  private:

@@ -1,0 +1,101 @@
+// Plays the logs of several components side by side through a running node.
+#include "rubber_suspension/ros_interface/bench_player.h"
+
+#include <ros/init.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <utility>
+
+namespace rubber_suspension {
+
+std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
+  std::int64_t longest = 0;
+  for (const BenchTrack& track : tracks) {
+    const std::int64_t duration = track.log.stamp.back() - track.log.stamp.front();
+    longest = std::max(longest, duration + duration / static_cast<std::int64_t>(track.log.size() - 1));
+  }
+  return longest;
+}
+
+Log laterLog(const Log& log, std::int64_t shift) {
+  Log later = log;
+  for (std::int64_t& stamp : later.stamp) {
+    stamp += shift;
+  }
+  return later;
+}
+
+BenchPlayer::BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& options, std::vector<BenchTrack> tracks)
+    : options_(options), tracks_(std::move(tracks)) {
+  for (const BenchTrack& track : tracks_) {
+    checkLog(track.log);
+    options_.component = track.component;
+    options_.show_progress = players_.empty();
+    options_.record_gap = !track.paths.gaps.empty() || !track.paths.bag.empty();
+    players_.push_back(std::make_unique<LogPlayer>(handle, options_));
+    recorders_.push_back(std::make_unique<PlayRecorder>(track.paths, track.component));
+    counts_.emplace_back();
+    counts_.back().component = track.component;
+  }
+  period_ = loopPeriod(tracks_);
+}
+
+void BenchPlayer::connect() {
+  for (auto& player : players_) {
+    player->connect();
+  }
+}
+
+void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follow) {
+  const Log log = laterLog(tracks_[track].log, static_cast<std::int64_t>(pass) * period_);
+  const PlayResult result = players_[track]->play(log, starts_[track], more_follow);
+  if (options_.rate > 0.0) {
+    const std::chrono::duration<double> period(1e-9 * static_cast<double>(period_) / options_.rate);
+    starts_[track] = players_[track]->start() + std::chrono::duration_cast<LogPlayer::Steady::duration>(period);
+  }
+  recorders_[track]->add(log, result);
+  BenchCount& count = counts_[track];
+  // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.
+  count.samples += ros::ok() ? result.sent : result.answered();
+  count.answered += result.answered();
+  for (const std::uint32_t answers : result.answers) {
+    count.repeated += answers > 1 ? answers - 1 : 0;
+  }
+  count.unexpected += result.unexpected;
+  count.gaps += result.gaps.size();
+  count.duration += result.duration;
+  count.complete = result.answered() == log.size();
+}
+
+// A thread per component; each player has a callback queue of its own.
+void BenchPlayer::playPass(std::size_t pass, bool more_follow) {
+  std::vector<std::future<void>> others;
+  for (std::size_t track = 1; track < tracks_.size(); ++track) {
+    others.push_back(
+        std::async(std::launch::async, [this, track, pass, more_follow] { playTrack(track, pass, more_follow); }));
+  }
+  playTrack(0, pass, more_follow);
+  for (auto& other : others) {
+    other.get();
+  }
+}
+
+std::vector<BenchCount> BenchPlayer::play(std::size_t passes) {
+  connect();
+  starts_.assign(tracks_.size(), LogPlayer::Steady::now());
+  const auto is_complete = [](const BenchCount& count) { return count.complete; };
+  for (std::size_t pass = 0; (passes == 0 || pass < passes) && ros::ok(); ++pass) {
+    playPass(pass, passes == 0 || pass + 1 < passes);
+    if (!std::all_of(counts_.begin(), counts_.end(), is_complete)) {
+      break;
+    }
+  }
+  for (auto& recorder : recorders_) {
+    recorder->close();
+  }
+  return counts_;
+}
+
+}  // namespace rubber_suspension

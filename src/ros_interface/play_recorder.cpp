@@ -1,0 +1,103 @@
+// Records what a playback brought.
+#include "rubber_suspension/ros_interface/play_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace rubber_suspension {
+namespace {
+
+constexpr const char* kGapHeader =
+    "time_s,level,window_s,samples,gap,noise_floor,beyond_noise,trend_per_s,share_stiffness,share_loss,"
+    "share_harmonics,share_mean,share_drift\n";
+
+[[noreturn]] void failToWrite(const std::string& path) {
+  throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+}
+
+std::string gapRow(std::int64_t stamp, const Gap& gap) {
+  return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                     1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
+                     gap.noise_floor, gap.beyond_noise, gap.trend, gap.share_stiffness, gap.share_loss,
+                     gap.share_harmonics, gap.share_mean, gap.share_drift);
+}
+
+}  // namespace
+
+RecordPaths recordPathsIn(const std::string& folder, const std::string& component) {
+  std::string name = component.substr(std::min(component.find_first_not_of('/'), component.size()));
+  std::replace(name.begin(), name.end(), '/', '_');
+  const std::string base = (std::filesystem::path(folder) / name).string();
+  return {base + "_force.csv", base + "_gap.csv", base + ".bag"};
+}
+
+PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& component) : paths_(paths) {
+  if (!paths.forces.empty()) {
+    forces_ = std::make_unique<LogCsvWriter>(paths.forces, true);
+  }
+  if (!paths.gaps.empty()) {
+    gaps_.open(paths.gaps, std::ios::binary);
+    gaps_ << kGapHeader;
+    if (!gaps_) {
+      failToWrite(paths.gaps);
+    }
+  }
+  if (!paths.bag.empty()) {
+    bag_ = std::make_unique<BagWriter>(paths.bag, component);
+  }
+}
+
+void PlayRecorder::add(const Log& log, const PlayResult& result) {
+  for (std::size_t i = 0; forces_ && i < log.size(); ++i) {
+    if (result.answers[i] > 0) {
+      forces_->append(log.stamp[i], log.displacement[i], result.force[i].total);
+    }
+  }
+  addGaps(result);
+  if (bag_) {
+    addToBag(log, result);
+  }
+}
+
+void PlayRecorder::addGaps(const PlayResult& result) {
+  for (std::size_t i = 0; gaps_.is_open() && i < result.gaps.size(); ++i) {
+    gaps_ << gapRow(result.gap_stamps[i], result.gaps[i]);
+  }
+}
+
+void PlayRecorder::addToBag(const Log& log, const PlayResult& result) {
+  const std::int64_t shift = result.shift;
+  for (std::size_t i = 0; i < result.sent; ++i) {
+    bag_->writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
+    if (!log.force.empty()) {
+      bag_->writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
+    }
+    if (result.answers[i] > 0) {
+      bag_->writeForce(log.stamp[i] + shift, log.displacement[i], result.force[i]);
+    }
+  }
+  for (const Gap& gap : result.gaps) {
+    bag_->writeGap(gap);
+  }
+}
+
+void PlayRecorder::close() {
+  if (forces_) {
+    forces_->close();
+  }
+  if (gaps_.is_open()) {
+    gaps_.close();
+    if (!gaps_) {
+      failToWrite(paths_.gaps);
+    }
+  }
+  if (bag_) {
+    bag_->close();
+  }
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,130 @@
+// Plays logs step by step, held, over and over and at a rate, for one and for several components.
+#include "rubber_suspension/ros_interface/bench_player.h"
+
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+#include <filesystem>
+#include <future>
+
+#include "bench.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr const char* kLeft = "left_secondary";
+constexpr const char* kRight = "right_secondary";
+
+// Each log begins 1000 s after the last, so that nothing of it is refused as stepping back.
+Log sineLog(int samples, std::int64_t interval) {
+  static std::int64_t start = kStart;
+  start += 1000 * 1000 * kMillisecond;
+  Log log;
+  log.name = "sine";
+  for (int i = 0; i < samples; ++i) {
+    log.stamp.push_back(start + i * interval);
+    log.displacement.push_back(1e-3 * std::sin(0.1 * i));
+    log.force.push_back(4e3 * std::sin(0.1 * i + 0.1));
+  }
+  return log;
+}
+
+BenchTrack track(const std::string& component, const Log& log) {
+  BenchTrack track;
+  track.component = component;
+  track.log = log;
+  return track;
+}
+
+TEST(BenchPlayer, StepsAndHolds) {
+  constexpr std::size_t kStep = 3;
+  constexpr std::size_t kSamples = 20;
+  Bench bench(kLeft);
+  ASSERT_TRUE(bench.connect());
+  PlayControl control(kStep, true);
+  const PlayControlServices services(ros::NodeHandle("~"), control);
+  PlayOptions options;
+  options.control = &control;
+  BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, sineLog(kSamples, kMillisecond))});
+  auto played = std::async(std::launch::async, [&] { return player.play(1); });
+  const std::shared_ptr<void> ends_play_on_failure(nullptr, [&](void*) { control.pause(false); });
+  for (std::size_t steps = 1; steps <= 3; ++steps) {
+    std_srvs::Trigger step;
+    ASSERT_TRUE(ros::service::call(ros::names::resolve("~step"), step));
+    ASSERT_TRUE(bench.waitForForces(steps * kStep));
+    EXPECT_EQ(bench.forces.size(), steps * kStep);
+  }
+  std_srvs::SetBool let_go;
+  let_go.request.data = false;
+  ASSERT_TRUE(ros::service::call(ros::names::resolve("~pause"), let_go));
+  const auto counts = played.get();
+  EXPECT_EQ(counts.at(0).samples, kSamples);
+  EXPECT_TRUE(counts.at(0).exactlyOneEach());
+}
+
+TEST(BenchPlayer, LoopsSeveralComponentsSideBySide) {
+  constexpr std::size_t kPasses = 3;
+  Bench left(kLeft);
+  Bench right(kRight);
+  ASSERT_TRUE(left.connect() && right.connect());
+  const Log longer = sineLog(500, kMillisecond);
+  const Log shorter = sineLog(200, 2 * kMillisecond);
+  BenchPlayer player(ros::NodeHandle(), PlayOptions(), {track(kLeft, longer), track(kRight, shorter)});
+  const auto counts = player.play(kPasses);
+  EXPECT_EQ(counts.at(0).samples, kPasses * longer.size());
+  EXPECT_EQ(counts.at(1).samples, kPasses * shorter.size());
+  EXPECT_TRUE(counts.at(0).exactlyOneEach() && counts.at(1).exactlyOneEach());
+  ASSERT_TRUE(left.waitForForces(kPasses * longer.size()));
+  ASSERT_TRUE(right.waitForForces(kPasses * shorter.size()));
+  // The longest log and one interval of it, for both.
+  const std::int64_t period = 500 * kMillisecond;
+  for (std::size_t i = 0; i < right.forces.size(); ++i) {
+    const std::int64_t expected =
+        shorter.stamp[i % shorter.size()] + static_cast<std::int64_t>(i / shorter.size()) * period;
+    ASSERT_EQ(static_cast<std::int64_t>(right.forces[i].header.stamp.toNSec()), expected);
+  }
+}
+
+TEST(BenchPlayer, IsNeverFasterThanItsRate) {
+  constexpr double kRate = 5.0;
+  const Log log = sineLog(500, 2 * kMillisecond);
+  PlayOptions options;
+  options.rate = kRate;
+  BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, log)});
+  const auto counts = player.play(1);
+  EXPECT_TRUE(counts.at(0).exactlyOneEach());
+  EXPECT_GE(counts.at(0).duration, 1e-9 * static_cast<double>(log.stamp.back() - log.stamp.front()) / kRate);
+}
+
+// Stamps that a header cannot hold are shifted, and by as much in every pass.
+TEST(BenchPlayer, KeepsTheShiftOfNegativeTimes) {
+  Bench bench(kLeft);
+  ASSERT_TRUE(bench.connect());
+  Log log = sineLog(100, kMillisecond);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    log.stamp[i] = (static_cast<std::int64_t>(i) - 50) * kMillisecond;
+  }
+  BenchPlayer player(ros::NodeHandle(), PlayOptions(), {track(kLeft, log)});
+  EXPECT_TRUE(player.play(2).at(0).exactlyOneEach());
+  ASSERT_TRUE(bench.waitForForces(200));
+  EXPECT_EQ((bench.forces[100].header.stamp - bench.forces[0].header.stamp).toNSec(), 100 * kMillisecond);
+}
+
+TEST(BenchPlayer, RefusesWhatCannotBeWritten) {
+  BenchTrack bad = track(kLeft, sineLog(10, kMillisecond));
+  bad.paths = recordPathsIn(testing::TempDir() + "no_such_folder", kLeft);
+  EXPECT_THROW(BenchPlayer(ros::NodeHandle(), PlayOptions(), {bad}), LogError);
+}
+
+TEST(RecordPaths, PutNamespacesIntoTheName) {
+  const RecordPaths paths = recordPathsIn("runs", "/front/left");
+  EXPECT_EQ(paths.forces, "runs/front_left_force.csv");
+  EXPECT_EQ(paths.gaps, "runs/front_left_gap.csv");
+  EXPECT_EQ(paths.bag, "runs/front_left.bag");
+}
+
+}  // namespace
+}  // namespace rubber_suspension
+
+int main(int argc, char** argv) { return rubber_suspension::runAsNode(argc, argv, "bench_player"); }
