@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -38,13 +37,44 @@ void scale(ComponentForce& force, double factor) {
   force.friction *= factor;
 }
 
+struct Sample {
+  double position;
+  double value;
+};
+
+// Root between two samples of unlike signs by the method of Anderson and Bjorck (BIT 13, 1973): secants, the end that
+// stays weighed down such that both ends close in. It ends where the value is rounding, or the bracket has no inside.
+template <class Function>
+double root(Function function, Sample stays, Sample latest) {
+  constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();
+  constexpr int kMostSteps = 100;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double slope = (latest.value - stays.value) / (latest.position - stays.position);
+    const double position = latest.position - latest.value / slope;
+    if (position == latest.position || position == stays.position) {
+      return position;
+    }
+    const Sample next{position, function(position)};
+    if (!(std::abs(next.value) > kRounding * std::abs(position))) {
+      return position;
+    }
+    if (next.value * latest.value < 0.0) {
+      stays = latest;
+    } else {
+      const double share = 1.0 - next.value / latest.value;
+      stays.value *= share > 0.0 ? share : 0.5;
+    }
+    latest = next;
+  }
+  return latest.position;
+}
+
 // Root of mismatch(z) = z + compliance F(z) - z_actuator next to the guess. Where no tangent stiffness is negative the
 // slope is 1 or more, and the root lies between the guess and the guess less its mismatch; otherwise a step or more
 // beyond, each twice as far. NaN where there is none: the specimen has given way.
 template <class Mismatch>
 double solveSeries(Mismatch mismatch, double guess) {
   constexpr int kWidenings = 60;
-  constexpr int kPrecision = 51;  // bits, all but the last two
   const double at_guess = mismatch(guess);
   if (at_guess == 0.0 || !std::isfinite(at_guess)) {
     return guess;
@@ -63,12 +93,7 @@ double solveSeries(Mismatch mismatch, double guess) {
   if (!(at_other * at_guess < 0.0)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const bool ascending = other > guess;
-  boost::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      mismatch, ascending ? guess : other, ascending ? other : guess, ascending ? at_guess : at_other,
-      ascending ? at_other : at_guess, boost::math::tools::eps_tolerance<double>(kPrecision), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  return root(mismatch, {guess, at_guess}, {other, at_other});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "characteristics.h"
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/experiment.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/diagnosis/verdict.h"
@@ -59,11 +60,13 @@ std::vector<BlockError> blocksOfReplay(const std::vector<Record>& records, const
   return blocks;
 }
 
+Eigen::VectorXd asRecorded(const Record& record) { return record.raw_displacement; }
+
 // Each log on a new specimen at rest, from the displacement as recorded: what `replay` and the node compute.
 Forces replayEach(const std::vector<ElementDescription>& elements, const std::vector<Record>& records) {
   Forces forces;
   for (const Record& record : records) {
-    forces.push_back(simulate(elements, {record}, true).front());
+    forces.push_back(simulate(elements, {record}, asRecorded).front());
   }
   return forces;
 }
@@ -241,10 +244,22 @@ Admission admit(const Record& record, bool hold_out, double noise) {
   return admission;
 }
 
-// Noise floor of hold-out logs by what the augmented model leaves above their band.
-double noiseOf(const Record& record, const Eigen::VectorXd& simulated) {
+// Noise floor of a hold-out log: the larger one of what the augmented model leaves above the band, and of what the
+// noise of the displacement, which was smoothed for the fits, causes by Berg's friction.
+double noiseOf(const Record& record, const Eigen::VectorXd& simulated, std::vector<ElementDescription> elements) {
   const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-  return whiteNoiseAbove(record.force - simulated, record.dt, edge) / record.force_deviation;
+  const double white = std::min(whiteNoiseAbove(record.force - simulated, record.dt, edge),
+                                whiteNoiseAbove(record.force, record.dt, edge));
+  elements.erase(std::remove_if(elements.begin(), elements.end(),
+                                [](const ElementDescription& element) { return element.type != "friction"; }),
+                 elements.end());
+  double caused = 0.0;
+  if (!elements.empty()) {
+    const Forces recorded = simulate(elements, {record}, asRecorded);
+    const Forces smoothed = simulate(elements, {record});
+    caused = std::sqrt((recorded[0] - smoothed[0]).squaredNorm() / static_cast<double>(record.size()));
+  }
+  return std::max(white, caused) / record.force_deviation;
 }
 
 class Diagnoser {
@@ -287,7 +302,7 @@ class Diagnoser {
     result_.training = training_.size();
     const auto all = [&](const ComponentDescription& description) {
       const auto elements = description.allElements();
-      Forces forces = simulate(elements, training_, true);
+      Forces forces = simulate(elements, training_, asRecorded);
       const Forces unseen = replayEach(elements, held_out_);
       forces.insert(forces.end(), unseen.begin(), unseen.end());
       return forces;
@@ -297,12 +312,33 @@ class Diagnoser {
     result_.force_augmented = all(result_.augmented);
   }
 
-  // Effects are named only if they gain at least 5 % on logs that took no part in the fit. A drift cannot be foreseen.
+  // Effects are named only if they gain at least 5 % on logs that took no part in the fit, or lose little where own
+  // parameters far from their configuration would do as well. A drift cannot be foreseen. The displacement is smoothed
+  // as for the fits: a mass or a dashpot may be there, and yet make more noise of a sensor's noise than it explains.
   bool holdsOnUnseenLogs() const {
     constexpr double kLeastGain = 0.05;
+    constexpr double kLittle = 1.2;
     const bool drift_alone = verdict_.effects.size() == 1 &&
                              result_.search.candidates[static_cast<std::size_t>(verdict_.effects.front())].free_trend;
-    return held_out_.empty() || verdict_.effects.empty() || drift_alone || result_.closed >= kLeastGain;
+    if (held_out_.empty() || verdict_.effects.empty() || drift_alone) {
+      return true;
+    }
+    const double before = unseenGap(result_.search.re_estimated);
+    const double after = unseenGap(verdict_.model);
+    return closedFraction(before, after, result_.gap.noise_floor) >= kLeastGain ||
+           (closedByOwnParameters(result_.search) && after < kLittle * before + result_.gap.noise_floor);
+  }
+
+  double unseenGap(const Trial& trial) const {
+    Forces forces;
+    for (const Record& record : held_out_) {
+      std::vector<Atom> atoms = trial.atoms;
+      for (Atom& atom : atoms) {
+        atom.unit_force = atom.exact ? std::make_shared<const Forces>(Forces{atom.exact(record)}) : nullptr;
+      }
+      forces.push_back(Fitter({record}, own_).forces(trial.fit.point, atoms)->front());
+    }
+    return rootMeanSquare(blocksOfReplay(held_out_, forces));
   }
 
   Forces unseen(const Forces& forces) const {
@@ -326,8 +362,9 @@ class Diagnoser {
       before_ = blocksOfReplay(held_out_, unseen(result_.force_re_estimated));
       after_ = blocksOfReplay(held_out_, unseen(result_.force_augmented));
       double noise = 0.0;
+      const auto elements = result_.augmented.allElements();
       for (std::size_t r = 0; r < held_out_.size(); ++r) {
-        const double floor = noiseOf(held_out_[r], result_.force_augmented[training_.size() + r]);
+        const double floor = noiseOf(held_out_[r], result_.force_augmented[training_.size() + r], elements);
         result_.admission.push_back(admit(held_out_[r], true, floor));
         noise += floor * floor / static_cast<double>(held_out_.size());
       }

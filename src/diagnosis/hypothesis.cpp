@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -15,9 +16,12 @@ namespace {
 
 constexpr double kOwnStep = 1e-4;     // of a logarithm, for difference quotients
 constexpr double kAtomStep = 0.02;    // of the typical scale
-constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
+constexpr int kTrendsPerLog = 18;     // the zero, a ramp and sixteen half cosines
 constexpr double kBlockLength = 1.5;  // [s]
 constexpr double kEnoughGain = 1e-3;  // of the gap, to go on
+constexpr double kOwnPrice = 5.0;     // times the noise of the force, between hypotheses
+constexpr double kOwnTether = 1.0;    // the same within a fit, where it must not keep parameters from what logs tell
+constexpr double kLeastNoise = 1e-3;  // of the force's deviation: no model is better than that
 constexpr int kMostBlocks = 24;
 constexpr int kFewestBlocks = 8;
 
@@ -40,7 +44,7 @@ Eigen::MatrixXd trendColumns(const Record& record) {
 // True if no effect that acts on the sum of the elements is at work.
 bool isPlain(const Point& point, const std::vector<Atom>& atoms) {
   for (std::size_t a = 0; a < atoms.size(); ++a) {
-    if (point.scales[static_cast<Eigen::Index>(a)] != 0.0 && !atoms[a].unit_force) {
+    if (point.scales[static_cast<Eigen::Index>(a)] != 0.0 && !atoms[a].additive) {
       return false;
     }
   }
@@ -50,12 +54,13 @@ bool isPlain(const Point& point, const std::vector<Atom>& atoms) {
 }  // namespace
 
 std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& elements,
-                                      const std::vector<Record>& records, bool raw_displacement) {
+                                      const std::vector<Record>& records, const Drive& drive) {
   const Component component(elements);
   ComponentState state = component.makeState();
   std::vector<Eigen::VectorXd> forces;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd& z = raw_displacement ? records[r].raw_displacement : records[r].displacement;
+    const Eigen::VectorXd other = drive ? drive(records[r]) : Eigen::VectorXd();
+    const Eigen::VectorXd& z = drive ? other : records[r].displacement;
     Eigen::VectorXd force(z.size());
     force[0] = (r == 0 ? component.rest(state, z[0]) : component.recover(state, z[0])).total;
     for (Eigen::Index i = 1; i < z.size(); ++i) {
@@ -67,7 +72,7 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
 }
 
 Eigen::MatrixXd BlockGrams::sum(int without_fold) const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(gram[0].rows(), gram[0].cols());
+  Eigen::MatrixXd result = prior;
   for (std::size_t b = 0; b < gram.size(); ++b) {
     if (fold[b] != without_fold) {
       result += gram[b];
@@ -80,6 +85,9 @@ Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_
   for (const Record& record : records_) {
     const double samples = static_cast<double>(record.size()) * static_cast<double>(records_.size());
     weights_.push_back(1.0 / (record.force_deviation * std::sqrt(samples)));
+    const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
+    const double noise = whiteNoiseAbove(record.force, record.dt, edge) / record.force_deviation;
+    force_noise_ += std::max(noise, kLeastNoise) / static_cast<double>(records_.size());
   }
 }
 
@@ -110,28 +118,37 @@ void Fitter::precompute(std::vector<Candidate>& candidates, int threads) const {
   }
   parallelFor(additive.size(), threads, [&](std::size_t i) {
     Atom& atom = *additive[i];
-    auto unit = simulate({atom.at(atom.typical)}, records_);
-    for (Eigen::VectorXd& force : unit) {
-      force /= atom.typical;
+    std::vector<Eigen::VectorXd> unit;
+    if (atom.exact) {
+      std::transform(records_.begin(), records_.end(), std::back_inserter(unit), atom.exact);
+    } else {
+      unit = simulate({atom.at(atom.typical)}, records_);
+      for (Eigen::VectorXd& force : unit) {
+        force /= atom.typical;
+      }
     }
     atom.unit_force = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(unit));
   });
 }
 
 std::optional<std::vector<Eigen::VectorXd>> Fitter::forces(const Point& point, const std::vector<Atom>& atoms) const {
-  if (!isPlain(point, atoms)) {
-    const auto description = elements(point, atoms);
-    return description ? std::optional(simulate(*description, records_)) : std::nullopt;
+  // What is known by its unit force is added; the rest has to be simulated.
+  const bool plain = isPlain(point, atoms);
+  std::vector<const Atom*> added;
+  Point rest = point;
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const bool known = atoms[a].unit_force && (plain || atoms[a].on_rig);
+    added.push_back(known && point.scales[static_cast<Eigen::Index>(a)] != 0.0 ? &atoms[a] : nullptr);
+    rest.scales[static_cast<Eigen::Index>(a)] *= known ? 0.0 : 1.0;
   }
-  const auto description = own_.elements(point.own);
+  const auto description = elements(rest, atoms);
   if (!description) {
     return std::nullopt;
   }
   auto result = simulate(*description, records_);
   for (std::size_t a = 0; a < atoms.size(); ++a) {
-    const double scale = point.scales[static_cast<Eigen::Index>(a)];
-    for (std::size_t r = 0; scale != 0.0 && r < records_.size(); ++r) {
-      result[r] += scale * (*atoms[a].unit_force)[r];
+    for (std::size_t r = 0; added[a] != nullptr && r < records_.size(); ++r) {
+      result[r] += point.scales[static_cast<Eigen::Index>(a)] * (*added[a]->unit_force)[r];
     }
   }
   return result;
@@ -168,13 +185,20 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
   for (std::size_t a = 0; a < atoms.size(); ++a) {
     if (!active.empty() && !active[a]) {
       columns.push_back(zeros);
-    } else if (plain && atoms[a].unit_force) {
+    } else if (atoms[a].unit_force && (plain || atoms[a].on_rig)) {
       columns.push_back(atoms[a].unit_force);
     } else {
       columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(atomColumn(point, atoms, a, *base)));
     }
   }
-  return normalEquations(*base, columns, trends);
+  BlockGrams result = normalEquations(*base, columns, trends);
+  const Eigen::Index last = result.gram[0].rows() - 1;
+  result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
+  for (Eigen::Index j = 0; j < own_.size(); ++j) {
+    result.prior(j, j) = std::pow(kOwnTether * force_noise_, 2);
+    result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * point.own[j];
+  }
+  return result;
 }
 
 std::vector<Eigen::VectorXd> Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
@@ -270,8 +294,8 @@ void Fitter::stepBounds(const Point& point, const std::vector<Atom>& atoms, Eige
   lower = Eigen::VectorXd::Constant(columns, -kInfinity);
   upper = Eigen::VectorXd::Constant(columns, kInfinity);
   for (Eigen::Index j = 0; j < own_.size(); ++j) {
-    lower[j] = -OwnParameters::bound() - point.own[j];
-    upper[j] = OwnParameters::bound() - point.own[j];
+    lower[j] = -own_.bound(j) - point.own[j];
+    upper[j] = own_.bound(j) - point.own[j];
   }
   for (std::size_t a = 0; a < atoms.size(); ++a) {
     const auto i = static_cast<Eigen::Index>(a);
@@ -280,23 +304,35 @@ void Fitter::stepBounds(const Point& point, const std::vector<Atom>& atoms, Eige
   }
 }
 
-Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends) const {
-  Fit result;
-  result.point = start;
-  BlockGrams blocks = linearise(start, atoms, trends);
+double Fitter::departure(const Point& point) const { return kOwnPrice * force_noise_ * point.own.norm(); }
+
+double Fitter::cost(const Point& point, const std::vector<Atom>& atoms) const {
+  return std::hypot(gapAt(point, atoms), kOwnTether * force_noise_ * point.own.norm());
+}
+
+BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
+                           Point& point) const {
+  BlockGrams blocks = linearise(point, atoms, trends);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
-  double cost = gapAt(start, atoms);
+  double least = cost(point, atoms);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const Eigen::MatrixXd total = blocks.sum();
-    stepBounds(result.point, atoms, unknowns, lower, upper);
+    stepBounds(point, atoms, unknowns, lower, upper);
+    if (own_fixed) {
+      lower.head(own_.size()).setZero();
+      upper.head(own_.size()).setZero();
+    }
     const Eigen::VectorXd step =
         boundedLeastSquares(total.topLeftCorner(unknowns, unknowns), total.col(unknowns).head(unknowns), lower, upper);
+    if (!step.allFinite()) {
+      break;
+    }
     double factor = 1.0;
     bool improved = false;
     for (int halving = 0; halving < 6 && !improved; ++halving, factor *= 0.5) {
-      Point trial = result.point;
+      Point trial = point;
       trial.own += factor * step.head(own_.size());
       trial.scales += factor * step.segment(own_.size(), trial.scales.size());
       for (std::size_t a = 0; a < atoms.size(); ++a) {  // rounding must not leave the bounds
@@ -304,11 +340,11 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
         scale = std::clamp(scale, atoms[a].lower, atoms[a].upper);
         scale = std::abs(scale) < 1e-9 * atoms[a].typical ? 0.0 : scale;
       }
-      const double trial_cost = gapAt(trial, atoms);
-      if (trial_cost < cost) {
-        improved = cost - trial_cost > kEnoughGain * cost;
-        cost = trial_cost;
-        result.point = trial;
+      const double trial_cost = cost(trial, atoms);
+      if (trial_cost < least) {
+        improved = least - trial_cost > kEnoughGain * least;
+        least = trial_cost;
+        point = trial;
         if (!improved) {
           break;
         }
@@ -320,14 +356,30 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
     // What the first step leaves at nothing takes no further part: its force would have to be simulated each time.
     std::vector<bool> active(atoms.size());
     for (std::size_t a = 0; a < atoms.size(); ++a) {
-      active[a] = atoms[a].additive || result.point.scales[static_cast<Eigen::Index>(a)] != 0.0;
+      active[a] = atoms[a].additive || point.scales[static_cast<Eigen::Index>(a)] != 0.0;
     }
-    blocks = linearise(result.point, atoms, trends, active);
+    blocks = linearise(point, atoms, trends, active);
   }
+  return blocks;
+}
+
+Point Fitter::scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const {
+  Point point = start;
+  descend(atoms, iterations, false, true, point);
+  return point;
+}
+
+Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends) const {
+  Fit result;
+  result.point = start;
+  const BlockGrams blocks = descend(atoms, iterations, trends, false, result.point);
+  const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   for (Eigen::Index j = 0; j < unknowns; ++j) {
     columns[static_cast<std::size_t>(j)] = j;
   }
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
   stepBounds(result.point, atoms, unknowns, lower, upper);
   result.block_errors = crossValidate(blocks, columns, lower, upper);
   result.block_weights = blocks.weight;
@@ -337,7 +389,8 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
   }
   // A law that gives way under some log (a series mount about a softening specimen) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
-  result.gap = cost;
+  result.departure = departure(result.point);
+  result.gap = gapAt(result.point, atoms);
   return result;
 }
 

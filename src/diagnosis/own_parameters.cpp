@@ -27,7 +27,10 @@ ComponentDescription asElements(const ComponentDescription& description) {
 
 }  // namespace
 
-double OwnParameters::bound() { return std::log(3.0); }
+double OwnParameters::bound(Eigen::Index i) const {
+  const Slot::Where where = slots_[static_cast<std::size_t>(i)].where;
+  return where == Slot::element || where == Slot::added ? std::log(10.0) : std::log(3.0);
+}
 
 OwnParameters::OwnParameters(const ComponentDescription& description, Level level)
     : description_(level == Level::elements ? asElements(description) : description) {

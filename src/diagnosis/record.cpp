@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <complex>
+#include <random>
 #include <unsupported/Eigen/FFT>
 
 namespace rubber_suspension {
@@ -73,16 +75,30 @@ void setTimeBase(const Log& log, Record& record) {
   }
 }
 
-// Gaussian smoothing in time that passes `frequency` at 99.5 % or more; zero phase, ends mirrored about their values.
-Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequency) {
-  // |H| = exp(-2 (pi f s)^2) = 0.995 at f.
-  const double spread = std::sqrt(-0.5 * std::log(0.995)) / (M_PI * frequency) / dt;
-  const auto half = static_cast<Eigen::Index>(std::ceil(4.0 * spread));
+// Weights of a low-pass filter of zero phase: passes `frequency` and stops kStop times that, by a sinc in a Kaiser
+// window (60 dB: Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
+constexpr double kStop = 1.6;
+
+Eigen::VectorXd lowPass(double dt, double frequency) {
+  constexpr double kAttenuation = 60.0;  // [dB]
+  constexpr double kShape = 0.1102 * (kAttenuation - 8.7);
+  const double width = (kStop - 1.0) * frequency * dt;
+  const double middle = 0.5 * (kStop + 1.0) * frequency * dt;
+  const auto half = static_cast<Eigen::Index>(std::ceil(0.5 * (kAttenuation - 7.95) / (14.36 * width)));
   Eigen::VectorXd weights(2 * half + 1);
   for (Eigen::Index k = -half; k <= half; ++k) {
-    weights[k + half] = std::exp(-0.5 * std::pow(static_cast<double>(k) / spread, 2));
+    const double place = static_cast<double>(k) / static_cast<double>(half);
+    const double angle = 2.0 * M_PI * middle * static_cast<double>(k);
+    const double sinc = k == 0 ? 1.0 : std::sin(angle) / angle;
+    weights[k + half] = sinc * boost::math::cyl_bessel_i(0, kShape * std::sqrt(1.0 - place * place));
   }
-  weights /= weights.sum();
+  return weights / weights.sum();
+}
+
+// Low-pass filtered; ends mirrored about their values.
+Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequency) {
+  const Eigen::VectorXd weights = lowPass(dt, frequency);
+  const Eigen::Index half = weights.size() / 2;
   const Eigen::Index count = values.size();
   const auto at = [&](Eigen::Index i) {
     if (i < 0) {
@@ -125,12 +141,28 @@ double excitedUpTo(const Eigen::VectorXd& displacement, double dt, double noise)
   return 0.5 / dt;
 }
 
+// The highest frequency at which the displacement stands out of the noise: corners of triangles and ends of ramps carry
+// little power, but a mass answers to them.
+double visibleUpTo(const Eigen::VectorXd& displacement, double dt, double noise) {
+  constexpr double kStandsOut = 5.0;  // beyond chance for a mean over 8 segments or more
+  const Eigen::Index segment = segmentLength(displacement.size());
+  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
+  const double floor = noise * noise * 2.0 * dt;
+  Eigen::Index last = density.size() - 1;
+  while (last > 0 && density[last] < kStandsOut * floor) {
+    --last;
+  }
+  return static_cast<double>(last) / (static_cast<double>(segment) * dt);
+}
+
 void smoothDisplacement(Record& record) {
   const double nyquist = 0.5 / record.dt;
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
   record.highest_frequency = excitedUpTo(record.raw_displacement, record.dt, record.displacement_noise);
-  const double pass = 3.0 * record.highest_frequency;
-  if (record.displacement_noise > 1e-5 * deviation(record.raw_displacement) && pass < 0.5 * nyquist) {
+  const double pass =
+      std::max(record.highest_frequency, visibleUpTo(record.raw_displacement, record.dt, record.displacement_noise));
+  if (record.displacement_noise > 1e-5 * deviation(record.raw_displacement) && kStop * pass < 0.9 * nyquist) {
+    record.passed_frequency = pass;
     record.displacement = smooth(record.raw_displacement, record.dt, pass);
     record.notes.push_back(fmt::format("displacement noise {:.2g} m: smoothed above {:.3g} Hz for the fits",
                                        record.displacement_noise, pass));
@@ -152,6 +184,16 @@ void noteSaturation(Record& record) {
 }
 
 }  // namespace
+
+Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
+  std::mt19937_64 generator(draw);
+  std::normal_distribution<double> normal(0.0, record.displacement_noise);
+  Eigen::VectorXd noise(record.size());
+  for (double& value : noise) {
+    value = normal(generator);
+  }
+  return record.displacement + noise;
+}
 
 Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment) {
   Eigen::FFT<double> fft;

@@ -75,8 +75,12 @@ ordered_json trialsJson(const Search& search) {
     for (const int member : trial.members) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
-    result.push_back(
-        {{"effects", effects}, {"held_out", number(trial.fit.held_out)}, {"in_sample", number(trial.fit.gap)}});
+    const double moved = trial.fit.point.own.size() > 0 ? trial.fit.point.own.cwiseAbs().maxCoeff() : 0.0;
+    result.push_back({{"effects", effects},
+                      {"held_out", number(trial.fit.held_out)},
+                      {"in_sample", number(trial.fit.gap)},
+                      {"own_moved_by", number(std::exp(moved))},
+                      {"departure", number(trial.fit.departure)}});
   };
   add(search.re_estimated);
   for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {

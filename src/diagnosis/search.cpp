@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 
 namespace rubber_suspension {
@@ -14,6 +15,7 @@ namespace {
 constexpr int kBaseIterations = 10;
 constexpr int kSingleIterations = 6;
 constexpr int kPairIterations = 5;
+constexpr int kAloneIterations = 4;
 constexpr std::size_t kPairsFitted = 8;
 constexpr std::size_t kAdditionsFitted = 3;
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
@@ -32,24 +34,39 @@ Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>
 void fitTrial(const Fitter& fitter, const std::vector<Candidate>& candidates,
               const std::vector<Eigen::VectorXd>& starts, int iterations, Trial& trial) {
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trial.atoms.size()));
-  const bool additive =
-      std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return atom.additive; });
-  for (std::size_t i = 0; i < (additive ? 1 : starts.size()); ++i) {  // additive effects have one optimum only
-    Fit fit = fitter.fit(trial.atoms, {starts[i], nothing}, iterations, hasTrends(candidates, trial.members));
-    if (i == 0 || fit.held_out < trial.fit.held_out) {
+  const auto tryFrom = [&](const Point& start) {
+    Fit fit = fitter.fit(trial.atoms, start, iterations, hasTrends(candidates, trial.members));
+    if (trial.fit.block_errors.empty() || fit.score() < trial.fit.score()) {
       trial.fit = std::move(fit);
     }
+  };
+  for (const Eigen::VectorXd& start : starts) {
+    tryFrom({start, nothing});
+  }
+  if (std::any_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return !atom.additive; })) {
+    tryFrom(fitter.scalesAlone(trial.atoms, fitter.configured(trial.atoms.size()), kAloneIterations));
   }
 }
 
-// Own parameters that the fits of the members alone arrived at, the best first.
-std::vector<Eigen::VectorXd> startsOf(const Search& result, const std::vector<int>& members) {
+// Where to start the own parameters: where another fit arrived, and if that is far from the configured ones, from
+// those.
+std::vector<Eigen::VectorXd> startsAbout(const Trial& other) {
+  constexpr double kFar = 0.2;  // a logarithm
+  std::vector<Eigen::VectorXd> starts = {other.fit.point.own};
+  if (starts[0].size() > 0 && starts[0].cwiseAbs().maxCoeff() > kFar) {
+    starts.emplace_back(Eigen::VectorXd::Zero(starts[0].size()));
+  }
+  return starts;
+}
+
+// The best fit among those of the members alone.
+const Trial& bestMember(const Search& result, const std::vector<int>& members) {
   const Trial* best = &result.singles[static_cast<std::size_t>(members.front())];
   for (const int member : members) {
     const Trial& single = result.singles[static_cast<std::size_t>(member)];
-    best = single.fit.held_out < best->fit.held_out ? &single : best;
+    best = single.fit.score() < best->fit.score() ? &single : best;
   }
-  return {best->fit.point.own};
+  return *best;
 }
 
 // A dashpot takes the displacement as linear between samples: its force lags by half a step, which looks like a delay.
@@ -77,19 +94,71 @@ double discretisationError(const Fitter& fitter, const Point& point) {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// White noise of what the best model leaves, above the band of the excitation, for each log.
+// Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
+std::vector<ElementDescription> bergFriction(const std::vector<ElementDescription>& elements, double noise,
+                                             double dead_band_factor) {
+  constexpr double kOfNoise = 4.0;
+  std::vector<ElementDescription> result;
+  for (const ElementDescription& element : elements) {
+    if (element.type == "friction") {
+      result.push_back(complete(element));
+      double& dead_band = result.back().values.at("dead_band").front();
+      dead_band = dead_band_factor * (dead_band > 0.0 ? dead_band : kOfNoise * noise);
+    }
+  }
+  return result;
+}
+
+// What small reversals make of the force of Berg's friction, for each log. It forgets all but the last reversal, so one
+// that is missed, or taken where none was, shifts all that follows: the worst of some dead bands and draws of the
+// sensor's noise counts. Other laws of a model err by no more than the noise itself.
+std::vector<double> frictionNoise(const Fitter& fitter, const Point& point) {
+  const auto elements = *fitter.elements(point, {});
+  const auto& records = fitter.records();
+  double noise = 0.0;
+  for (const Record& record : records) {
+    noise = std::max(noise, record.displacement_noise);
+  }
+  std::vector<double> result(records.size(), 0.0);
+  if (bergFriction(elements, noise, 1.0).empty()) {
+    return result;
+  }
+  const auto plain = simulate(bergFriction(elements, noise, 1.0), records);
+  unsigned draw = 0;
+  for (const double factor : {0.7, 1.0, 1.4}) {
+    ++draw;
+    const auto noisy = simulate(bergFriction(elements, noise, factor), records,
+                                [draw](const Record& record) { return withNoiseDrawn(record, draw); });
+    for (std::size_t r = 0; r < plain.size(); ++r) {
+      const double error = std::sqrt((noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()));
+      result[r] = std::max(result[r], error / records[r].force_deviation);
+    }
+  }
+  return result;
+}
+
+// For each log, the larger one of the white noise of what the best model leaves above the band of the excitation, and
+// of what the noise of the displacement causes.
 void estimateNoise(const Fitter& fitter, const Fit& best, const std::vector<Atom>& atoms, Search& result) {
-  const auto forces = simulate(*fitter.elements(best.point, atoms), fitter.records());
+  const auto forces = *fitter.forces(best.point, atoms);
+  const std::vector<double> caused = frictionNoise(fitter, result.re_estimated.fit.point);
   double sum = 0.0;
+  bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
     const Record& record = fitter.records()[r];
     const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-    const double noise = whiteNoiseAbove(record.force - forces[r], record.dt, edge) / record.force_deviation;
-    result.record_noise.push_back(noise);
-    sum += noise * noise / static_cast<double>(fitter.records().size());
+    // A model that makes more noise than was measured (a mass, of a noisy displacement) must not raise the floor.
+    const double white = std::min(whiteNoiseAbove(record.force - forces[r], record.dt, edge),
+                                  whiteNoiseAbove(record.force, record.dt, edge)) /
+                         record.force_deviation;
+    by_displacement = by_displacement || caused[r] > white;
+    result.record_noise.push_back(std::max(white, caused[r]));
+    sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());
   }
   result.noise = std::sqrt(sum);
-  result.noise_source = "spectrum of the residual above the band of the excitation";
+  result.noise_source = by_displacement ? "spectrum of the residual above the band of the excitation, and noise of the "
+                                          "displacement through the model"
+                                        : "spectrum of the residual above the band of the excitation";
 }
 
 struct Screened {
@@ -176,7 +245,7 @@ class Screen {
   void measureVisibility(double noise, Search& result) const {
     constexpr double kVisible = 0.05;
     constexpr double kOverNoise = 0.2;
-    const Eigen::MatrixXd total = blocks_.sum();
+    const Eigen::MatrixXd total = blocks_.sum() - blocks_.prior;
     const auto base = total.topLeftCorner(own_, own_).completeOrthogonalDecomposition();
     for (const auto& columns : columns_of_) {
       double share = 0.0;
@@ -223,10 +292,119 @@ void choose(const std::vector<Candidate>& candidates, const std::vector<Screened
   }
 }
 
-void sortByError(std::vector<Trial>& trials) {
-  std::sort(trials.begin(), trials.end(),
-            [](const Trial& x, const Trial& y) { return x.fit.held_out < y.fit.held_out; });
+void sortByScore(std::vector<Trial>& trials) {
+  std::sort(trials.begin(), trials.end(), [](const Trial& x, const Trial& y) { return x.fit.score() < y.fit.score(); });
 }
+
+class Searcher {
+ public:
+  Searcher(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress)
+      : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
+
+  Search run() {
+    result_.candidates = candidates(summarise(fitter_.records()));
+    fitter_.precompute(result_.candidates, threads_);
+    say("re-estimating the model's own parameters", 0.0);
+    reEstimate();
+    say("fitting single effects", 0.1);
+    fitSingles();
+    say("screening all pairs", 0.4);
+    const std::vector<Screened> pairs = screenPairs();
+    if (restIsLeft()) {
+      say("fitting the best pairs", 0.5);
+      fitPairs(pairs);
+      if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
+        say("fitting triples", 0.75);
+        fitTriples();
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void say(const std::string& stage, double fraction) const {
+    if (progress_) {
+      progress_(stage, fraction);
+    }
+  }
+
+  void reEstimate() {
+    result_.configured_gap = fitter_.gapAt(fitter_.configured(0), {});
+    result_.re_estimated.fit = fitter_.fit({}, fitter_.configured(0), kBaseIterations);
+    result_.discretisation = discretisationError(fitter_, result_.re_estimated.fit.point);
+  }
+
+  void fitSingles() {
+    for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
+      result_.singles.push_back(makeTrial(result_.candidates, {c}));
+    }
+    const std::vector<Eigen::VectorXd> starts = startsAbout(result_.re_estimated);
+    parallelFor(result_.singles.size() + 1, threads_, [&](std::size_t i) {
+      if (i == result_.singles.size()) {
+        result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations);
+      } else {
+        fitTrial(fitter_, result_.candidates, starts, kSingleIterations, result_.singles[i]);
+      }
+    });
+    ranked_ = result_.singles;
+    sortByScore(ranked_);
+    estimateNoise(fitter_, ranked_.front().fit, ranked_.front().atoms, result_);
+  }
+
+  // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
+  std::vector<Screened> screenPairs() {
+    const Screen screen(fitter_, result_.candidates, result_.re_estimated);
+    screen.measureVisibility(result_.noise, result_);
+    std::vector<int> all(result_.candidates.size());
+    std::iota(all.begin(), all.end(), 0);
+    result_.surrogate_gap = screen(all).error;
+    return screen.pairs();
+  }
+
+  bool restIsLeft() const {
+    if (closedByOwnParameters(result_) && !hidesAnEffect(result_)) {
+      return false;
+    }
+    const Trial* single = bestSingle(result_);
+    // A trend follows whatever is slow: it may stand for two effects that are.
+    return single == nullptr || excess(result_, *single) > enough(result_) ||
+           hasTrends(result_.candidates, single->members);
+  }
+
+  void fitSeveral(std::vector<Trial>& trials) const {
+    parallelFor(trials.size(), threads_, [&](std::size_t i) {
+      fitTrial(fitter_, result_.candidates, startsAbout(bestMember(result_, trials[i].members)), kPairIterations,
+               trials[i]);
+    });
+    sortByScore(trials);
+  }
+
+  void fitPairs(const std::vector<Screened>& screened) {
+    std::vector<Screened> additions[2];
+    parallelFor(2, threads_, [&](std::size_t i) {
+      additions[i] = Screen(fitter_, result_.candidates, ranked_[i]).additions(ranked_[i].members);
+    });
+    choose(result_.candidates, screened, kPairsFitted, result_.pairs);
+    for (const auto& about_a_single : additions) {
+      choose(result_.candidates, about_a_single, kAdditionsFitted, result_.pairs);
+    }
+    fitSeveral(result_.pairs);
+  }
+
+  void fitTriples() {
+    const Trial& pair = result_.pairs.front();
+    const Screen screen(fitter_, result_.candidates, pair);
+    choose(result_.candidates, screen.additions(pair.members), kAdditionsFitted, result_.triples);
+    fitSeveral(result_.triples);
+  }
+
+  const Fitter& fitter_;
+  const Fitter& element_level_;
+  int threads_;
+  const ProgressCallback& progress_;
+  Search result_;
+  std::vector<Trial> ranked_;  // singles, best first
+};
 
 }  // namespace
 
@@ -236,72 +414,7 @@ bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>&
 }
 
 Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress) {
-  const auto say = [&](const std::string& stage, double fraction) {
-    if (progress) {
-      progress(stage, fraction);
-    }
-  };
-  Search result;
-  result.candidates = candidates(summarise(fitter.records()));
-  fitter.precompute(result.candidates, threads);
-
-  say("re-estimating the model's own parameters", 0.0);
-  result.configured_gap = fitter.gapAt(fitter.configured(0), {});
-  result.re_estimated.fit = fitter.fit({}, fitter.configured(0), kBaseIterations);
-  result.discretisation = discretisationError(fitter, result.re_estimated.fit.point);
-  const std::vector<Eigen::VectorXd> starts = {result.re_estimated.fit.point.own, fitter.configured(0).own};
-
-  say("fitting single effects", 0.1);
-  for (int c = 0; c < static_cast<int>(result.candidates.size()); ++c) {
-    result.singles.push_back(makeTrial(result.candidates, {c}));
-  }
-  parallelFor(result.singles.size() + 1, threads, [&](std::size_t i) {
-    if (i == result.singles.size()) {
-      result.element_level = element_level.fit({}, element_level.configured(0), kBaseIterations);
-    } else {
-      fitTrial(fitter, result.candidates, starts, kSingleIterations, result.singles[i]);
-    }
-  });
-
-  std::vector<Trial> ranked = result.singles;
-  sortByError(ranked);
-  estimateNoise(fitter, ranked.front().fit, ranked.front().atoms, result);
-
-  say("screening all pairs", 0.4);
-  std::vector<Screened> screened[3];
-  parallelFor(3, threads, [&](std::size_t i) {
-    const Screen screen(fitter, result.candidates, i == 0 ? result.re_estimated : ranked[i - 1]);
-    if (i == 0) {
-      screened[i] = screen.pairs();
-      screen.measureVisibility(result.noise, result);
-      std::vector<int> all(result.candidates.size());
-      std::iota(all.begin(), all.end(), 0);
-      result.surrogate_gap = screen(all).error;
-    } else {
-      screened[i] = screen.additions(ranked[i - 1].members);
-    }
-  });
-  choose(result.candidates, screened[0], kPairsFitted, result.pairs);
-  choose(result.candidates, screened[1], kAdditionsFitted, result.pairs);
-  choose(result.candidates, screened[2], kAdditionsFitted, result.pairs);
-  say("fitting the best pairs", 0.5);
-  const auto fitSeveral = [&](std::vector<Trial>& trials) {
-    parallelFor(trials.size(), threads, [&](std::size_t i) {
-      fitTrial(fitter, result.candidates, startsOf(result, trials[i].members), kPairIterations, trials[i]);
-    });
-  };
-  fitSeveral(result.pairs);
-  sortByError(result.pairs);
-
-  const Trial& pair = result.pairs.front();
-  if (pair.fit.held_out > kSignificantRest * result.noise) {
-    say("fitting triples", 0.75);
-    const Screen screen(fitter, result.candidates, pair);
-    choose(result.candidates, screen.additions(pair.members), kAdditionsFitted, result.triples);
-    fitSeveral(result.triples);
-    sortByError(result.triples);
-  }
-  return result;
+  return Searcher(fitter, element_level, threads, progress).run();
 }
 
 }  // namespace rubber_suspension

@@ -7,22 +7,16 @@
 #include <limits>
 #include <numeric>
 
+#include "rubber_suspension/diagnosis/excess.h"
+
 namespace rubber_suspension {
 namespace {
 
-// All errors are RMS in units of the force's deviation. What counts is the excess over the noise floor.
-constexpr double kFloorMargin = 1.03;        // the floor is known to some percent only
-constexpr double kInsignificantGap = 0.006;  // of the force: smaller gaps are within the accuracy of discretisation
-constexpr double kDiscretisation = 1.2;      // times what dashpots of the model err by at these time steps
-constexpr double kWithinNoise = 0.5;         // an excess below this part of the floor is noise
-constexpr double kRestOfGap = 0.12;          // what may remain of a gap that counts as closed by own parameters
-constexpr double kAboveNoise = 2.5;          // times the floor: an excess that own parameters must not leave
-constexpr double kRestOfEffects = 0.16;      // what may remain of a gap without a search for one more effect
-constexpr double kNeedsAnother = 0.55;       // one more effect has to reduce the excess below this part
-constexpr double kUnknown = 0.33;            // a gap closed by less than this is not explained
-constexpr double kPartly = 0.7;              // closed by less than this: explained in part
-constexpr double kWorthNaming = 0.15;        // or else by this part of the gap
-constexpr double kTrendHandicap = 1.25;      // on a free trend per log, which follows whatever is slow
+constexpr double kNeedsAnother = 0.55;  // one more effect has to reduce the excess below this part
+constexpr double kContributes = 0.67;   // an effect without which this part would be more than is left does show
+constexpr double kUnknown = 0.33;       // a gap closed by less than this is not explained
+constexpr double kPartly = 0.7;         // closed by less than this: explained in part
+constexpr double kWorthNaming = 0.15;   // or else by this part of the gap
 // Probabilities over the excess: sharpness, and the blur within which nothing can be told apart, as parts of the noise
 // floor and of the gap. Fitted by maximum likelihood to cases of virtual rigs that take part in no trial.
 constexpr double kSharpness = 3.0;
@@ -35,16 +29,15 @@ class Decision {
   Decision(const Search& search, std::size_t most_effects) : search_(search), most_effects_(most_effects) {
     verdict_.model = search.re_estimated;
     verdict_.probabilities.assign(search.candidates.size(), 0.0);
-    base_ = excess(search.re_estimated.fit.held_out);
+    base_ = excess(search.re_estimated);
   }
 
   Verdict decide() {
-    const double configured = excess(search_.configured_gap);
     rank();
-    if (configured < insignificant()) {
+    if (rubber_suspension::excess(search_, search_.configured_gap) < insignificant(search_)) {
       verdict_.kind = VerdictKind::none;
       verdict_.model = configuredTrial();
-    } else if (closedByOwnParameters(configured)) {
+    } else if (closedByOwnParameters(search_) && !(most_effects_ > 0 && hidesAnEffect(search_))) {
       verdict_.kind = VerdictKind::parameter_error;
     } else {
       name();
@@ -53,38 +46,17 @@ class Decision {
   }
 
  private:
-  double excess(double error) const {
-    return std::sqrt(std::max(0.0, error * error - std::pow(kFloorMargin * search_.noise, 2)));
-  }
-
-  double excess(const Trial& trial) const {
-    return excess(trial.fit.held_out * (hasTrends(search_.candidates, trial.members) ? kTrendHandicap : 1.0));
-  }
-
-  double insignificant() const {
-    return std::max({kWithinNoise * search_.noise, kInsignificantGap, kDiscretisation * search_.discretisation});
-  }
+  double excess(const Trial& trial) const { return rubber_suspension::excess(search_, trial); }
 
   // Effects that these logs would hardly show are not to be named, however well they fit.
   bool testable(const Trial& trial) const {
-    return std::all_of(trial.members.begin(), trial.members.end(),
-                       [&](int member) { return search_.testable[static_cast<std::size_t>(member)]; });
+    return std::all_of(trial.members.begin(), trial.members.end(), [&](int member) { return shows(search_, member); });
   }
 
   Trial configuredTrial() const {
     Trial trial = search_.re_estimated;
     trial.fit.point.own.setZero();
     return trial;
-  }
-
-  bool closedByOwnParameters(double configured) const {
-    if (base_ < insignificant() || base_ < std::min(kAboveNoise * search_.noise, kRestOfGap * configured)) {
-      return true;
-    }
-    // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
-    // closed by the numbers of the specification.
-    return excess(search_.element_level.held_out) < std::max(kWithinNoise * search_.noise, 0.3 * base_) &&
-           base_ < 0.4 * configured;
   }
 
   // Probability of each candidate from what it leaves against what its absence leaves: a power of the ratio, softened
@@ -130,15 +102,14 @@ class Decision {
       verdict_.kind = VerdictKind::unknown;
       return;
     }
-    const Trial* chosen = best(search_.singles);
+    const Trial* chosen = bestSingle(search_);
     if (chosen == nullptr) {
       verdict_.kind = VerdictKind::unknown;
       return;
     }
     for (const auto* more : {&search_.pairs, &search_.triples}) {
       const Trial* trial = chosen->members.size() < most_effects_ ? best(*more) : nullptr;
-      const double enough = std::max(kWithinNoise * search_.noise, kRestOfEffects * base_);
-      if (trial == nullptr || excess(*chosen) < enough) {
+      if (trial == nullptr || (excess(*chosen) < enough(search_) && !hasTrends(search_.candidates, chosen->members))) {
         continue;
       }
       const double ratio = excess(*trial) / excess(*chosen);
@@ -154,7 +125,7 @@ class Decision {
     verdict_.model = *chosen;
     orderEffects(*chosen);
     findSets(*chosen);
-    const bool rest = excess(*chosen) > kWithinNoise * search_.noise && closed < kPartly;
+    const bool rest = excess(*chosen) > enough(search_) && closed < kPartly;
     const bool ambiguous = std::any_of(verdict_.confounded.begin(), verdict_.confounded.end(),
                                        [](const std::vector<int>& set) { return set.size() > 1; });
     verdict_.kind = rest ? VerdictKind::partly : ambiguous ? VerdictKind::confounded : VerdictKind::named;

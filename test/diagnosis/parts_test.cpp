@@ -37,9 +37,10 @@ TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
 TEST(OwnParameters, HaveAModelEverywhere) {
   const OwnParameters own(fiveInputs(), Level::specification);
   std::mt19937 generator(3);
-  std::uniform_real_distribution<double> uniform(-OwnParameters::bound(), OwnParameters::bound());
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::VectorXd point = Eigen::VectorXd::NullaryExpr(own.size(), [&] { return uniform(generator); });
+    const Eigen::VectorXd point =
+        Eigen::VectorXd::NullaryExpr(own.size(), [&](Eigen::Index j) { return own.bound(j) * uniform(generator); });
     const auto elements = own.elements(point);
     ASSERT_TRUE(elements) << point.transpose();
     EXPECT_NEAR((*elements)[0].value("stiffness"), 3.0e6 * std::exp(point[0]), 1e-3);

@@ -34,6 +34,9 @@ struct Atom {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
+  bool on_rig = false;   ///< additive whatever effects act on the specimen
+  /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
+  std::function<Eigen::VectorXd(const Record&)> exact;
   /// Force of the entry alone at scale 1, per log [N]; set by Fitter::precompute for additive atoms.
   std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_force;
 };

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,9 +13,13 @@
 
 namespace rubber_suspension {
 
-/// Force of a component over logs in the order of their recording on one specimen [N].
+/// Displacement of a record that drives a component.
+using Drive = std::function<Eigen::VectorXd(const Record&)>;
+
+/// Force of a component over logs in the order of their recording on one specimen [N]. It is driven by the records'
+/// displacement unless `drive` gives another.
 std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& elements,
-                                      const std::vector<Record>& records, bool raw_displacement = false);
+                                      const std::vector<Record>& records, const Drive& drive = {});
 
 /// Point of a fit: logarithms of the own parameters, then scales of the atoms.
 struct Point {
@@ -29,7 +35,9 @@ struct BlockGrams {
   std::vector<int> fold;
   std::vector<int> record;
   std::vector<double> weight;  ///< share of the block in all samples, weighted
+  Eigen::MatrixXd prior;       ///< what departing from the configured own parameters costs
 
+  /// Normal equations of all blocks and the prior, without one fold.
   Eigen::MatrixXd sum(int without_fold = -1) const;
 };
 
@@ -37,13 +45,20 @@ struct BlockGrams {
 struct Fit {
   Point point;
   double gap = 0.0;                  ///< RMS residual over force deviation, in sample
+  double departure = 0.0;            ///< what the own parameters' departure from the configuration costs, as a gap
   double held_out = 0.0;             ///< the same on blocks that took no part in the fit, by cross validation
   std::vector<double> block_errors;  ///< mean square held-out residual of each block, in units of the force's variance
   std::vector<double> block_weights;
-  std::vector<Eigen::VectorXd> residual;  ///< measured less simulated, per log [N]
+
+  /// Held-out error and the price of the own parameters' departure together, by which fits compete.
+  double score() const { return std::hypot(held_out, departure); }
 };
 
 /// Fits hypotheses to one set of logs. Thread-safe once constructed.
+///
+/// Own parameters are free, but to move them from their configured values has a price in the order of the noise: what
+/// the logs do not determine stays as it was specified, and an effect need not compete with own parameters that are far
+/// from all that was specified.
 class Fitter {
  public:
   Fitter(std::vector<Record> records, const OwnParameters& own);
@@ -63,6 +78,9 @@ class Fitter {
   /// reproduces, is free too (drift of the load cell that is not a ramp).
   Fit fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends = false) const;
 
+  /// Where the scales arrive from a start while the own parameters stay as they are.
+  Point scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const;
+
   /// Simulate additive atoms once, so that every hypothesis that holds them may use their forces.
   void precompute(std::vector<Candidate>& candidates, int threads) const;
 
@@ -75,6 +93,9 @@ class Fitter {
   /// RMS residual over force deviation at a point, without any fit.
   double gapAt(const Point& point, const std::vector<Atom>& atoms) const;
 
+  /// Price of a point's own parameters, as a gap.
+  double departure(const Point& point) const;
+
   /// Bounds on a step from a point: own parameters, atoms, trends.
   void stepBounds(const Point& point, const std::vector<Atom>& atoms, Eigen::Index columns, Eigen::VectorXd& lower,
                   Eigen::VectorXd& upper) const;
@@ -82,6 +103,9 @@ class Fitter {
  private:
   using Columns = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
 
+  /// Gauss-Newton steps from `point`, to where they end; normal equations there.
+  BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed, Point& point) const;
+  double cost(const Point& point, const std::vector<Atom>& atoms) const;
   std::vector<Eigen::VectorXd> ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
                                          const std::vector<Eigen::VectorXd>& base) const;
   std::vector<Eigen::VectorXd> atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
@@ -92,6 +116,7 @@ class Fitter {
   std::vector<Record> records_;
   const OwnParameters& own_;
   std::vector<double> weights_;  // per record: 1/(force deviation sqrt(samples records))
+  double force_noise_ = 0.0;     // of the measured force, in units of its deviation
 };
 
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.

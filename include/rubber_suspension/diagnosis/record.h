@@ -18,6 +18,7 @@ struct Record {
   Eigen::VectorXd force;             ///< measured [N]
   double force_deviation = 0.0;      ///< standard deviation of the measured force [N]
   double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
+  double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
   double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
 
@@ -28,6 +29,9 @@ struct Record {
 /// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, with a note.
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
+
+/// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
+Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);
 
 /// One-sided power spectral density [unit^2/Hz], Welch's method with Hann windows of `segment` samples, half
 /// overlapped; entry i belongs to the frequency i/(segment dt).

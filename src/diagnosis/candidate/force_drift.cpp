@@ -6,6 +6,7 @@ namespace rubber_suspension {
 Candidate forceDriftCandidate(const Excitation& excitation) {
   Atom atom = additiveAtom("force_drift", "rate", 0.02 * excitation.force / excitation.longest_duration);
   atom.lower = -atom.upper;
+  atom.on_rig = true;
   return {"force_drift", "drift of the load cell: open loops, whatever the displacement", true, {atom}, true};
 }
 

@@ -6,6 +6,7 @@ namespace rubber_suspension {
 Candidate forceOffsetCandidate(const Excitation& excitation) {
   Atom atom = additiveAtom("force_offset", "offset", 0.02 * excitation.force);
   atom.lower = -atom.upper;
+  atom.on_rig = true;
   return {"force_offset", "zero of the load cell: error of the mean only", true, {atom}, false};
 }
 

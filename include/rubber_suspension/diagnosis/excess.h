@@ -1,0 +1,35 @@
+// The yardstick of search and verdict: what a hypothesis leaves beyond the noise floor. All in units of the force's
+// standard deviation.
+#pragma once
+
+#include "rubber_suspension/diagnosis/search.h"
+
+namespace rubber_suspension {
+
+/// What an error (RMS) is beyond the noise floor.
+double excess(const Search& search, double error);
+
+/// What a fitted hypothesis leaves beyond the noise floor, the price of moved own parameters included.
+double excess(const Search& search, const Trial& trial);
+
+/// An excess below this cannot be told from noise and discretisation.
+double insignificant(const Search& search);
+
+/// An excess below this calls for no further effect.
+double enough(const Search& search);
+
+/// The single effect of the least excess; none where there is none.
+const Trial* bestSingle(const Search& search);
+
+/// True if the fits to these logs may be relied on to show an effect: a typical size of it would stand out, or what was
+/// fitted does.
+bool shows(const Search& search, int candidate);
+
+/// True if re-estimated own parameters leave next to nothing of the gap.
+bool closedByOwnParameters(const Search& search);
+
+/// True if re-estimation may hide an effect: one alone explains as much with own parameters close to the configured
+/// ones, where re-estimation has to move them far.
+bool hidesAnEffect(const Search& search);
+
+}  // namespace rubber_suspension
