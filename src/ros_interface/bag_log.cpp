@@ -5,6 +5,7 @@
 #include <rosbag/view.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
+#include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
 
 #include <algorithm>
@@ -306,7 +307,7 @@ void BagWriter::writeForce(std::int64_t stamp, double displacement, const Compon
   write("/force", message);
 }
 
-void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
+void BagWriter::writeGap(const GapMessage& gap) { write("/gap", gap); }
 
 void BagWriter::close() {
   try {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <ros/init.h>
+#include <rubber_suspension/Gap.h>
 
 #include <algorithm>
 
@@ -43,9 +44,8 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
   subscriber_ = handle_.subscribe<Force>(component + "/force", kQueueSize, callback, ros::VoidConstPtr(),
                                          ros::TransportHints().tcpNoDelay());
   if (options_.record_gap) {
-    const boost::function<void(const boost::shared_ptr<const Gap>&)> gap_callback =
-        [this](const boost::shared_ptr<const Gap>& gap) { takeGap(*gap); };
-    gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kQueueSize, gap_callback);
+    const boost::function<void(const GapMessagePtr&)> gap_callback = [this](const GapMessagePtr& gap) { takeGap(gap); };
+    gap_subscriber_ = handle_.subscribe<GapMessage>(component + "/gap", kQueueSize, gap_callback);
   }
 }
 
@@ -83,9 +83,9 @@ void LogPlayer::connect() {
   }
 }
 
-void LogPlayer::takeGap(const Gap& gap) {
+void LogPlayer::takeGap(const GapMessagePtr& gap) {
   result_.gaps.push_back(gap);
-  const std::int64_t stamp = static_cast<std::int64_t>(gap.header.stamp.toNSec()) - shift_;
+  const std::int64_t stamp = static_cast<std::int64_t>(gap->header.stamp.toNSec()) - shift_;
   result_.gap_stamps.push_back(stamp);
 }
 

@@ -2,6 +2,7 @@
 #include "rubber_suspension/ros_interface/play_recorder.h"
 
 #include <fmt/format.h>
+#include <rubber_suspension/Gap.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -19,7 +20,7 @@ constexpr const char* kGapHeader =
   throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
 }
 
-std::string gapRow(std::int64_t stamp, const Gap& gap) {
+std::string gapRow(std::int64_t stamp, const GapMessage& gap) {
   return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                      1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
                      gap.noise_floor, gap.beyond_noise, gap.trend, gap.share_stiffness, gap.share_loss,
@@ -65,7 +66,7 @@ void PlayRecorder::add(const Log& log, const PlayResult& result) {
 
 void PlayRecorder::addGaps(const PlayResult& result) {
   for (std::size_t i = 0; gaps_.is_open() && i < result.gaps.size(); ++i) {
-    gaps_ << gapRow(result.gap_stamps[i], result.gaps[i]);
+    gaps_ << gapRow(result.gap_stamps[i], *result.gaps[i]);
   }
 }
 
@@ -80,8 +81,8 @@ void PlayRecorder::addToBag(const Log& log, const PlayResult& result) {
       bag_->writeForce(log.stamp[i] + shift, log.displacement[i], result.force[i]);
     }
   }
-  for (const Gap& gap : result.gaps) {
-    bag_->writeGap(gap);
+  for (const GapMessagePtr& gap : result.gaps) {
+    bag_->writeGap(*gap);
   }
 }
 

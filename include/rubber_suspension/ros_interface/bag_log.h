@@ -3,12 +3,12 @@
 
 #include <ros/time.h>
 #include <rosbag/bag.h>
-#include <rubber_suspension/Gap.h>
 
 #include <string>
 
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/io/log.h"
+#include "rubber_suspension/ros_interface/gap_message.h"
 
 namespace rubber_suspension {
 
@@ -44,7 +44,7 @@ class BagWriter {
   void writeDisplacement(std::int64_t stamp, double displacement);
   void writeMeasuredForce(std::int64_t stamp, double force);
   void writeForce(std::int64_t stamp, double displacement, const ComponentForce& force);
-  void writeGap(const Gap& gap);
+  void writeGap(const GapMessage& gap);
   void close();
 
  private:

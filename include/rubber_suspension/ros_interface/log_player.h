@@ -5,7 +5,6 @@
 #include <ros/node_handle.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
-#include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
 
 #include <chrono>
@@ -17,6 +16,7 @@
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/io/log.h"
 #include "rubber_suspension/io/progress.h"
+#include "rubber_suspension/ros_interface/gap_message.h"
 #include "rubber_suspension/ros_interface/play_control.h"
 
 namespace rubber_suspension {
@@ -41,7 +41,7 @@ struct PlayResult {
   std::size_t sent = 0;
   std::int64_t shift = 0;                ///< from the log's stamps to those of the headers [ns]
   std::size_t unexpected = 0;            ///< forces whose stamp is that of no sample sent
-  std::vector<Gap> gaps;                 ///< the live gap, in the order of arrival
+  std::vector<GapMessagePtr> gaps;       ///< the live gap, in the order of arrival
   std::vector<std::int64_t> gap_stamps;  ///< of them, as stamps of the log [ns]
   double duration = 0.0;                 ///< from the first sample to the last answer [s]
 
@@ -75,7 +75,7 @@ class LogPlayer {
 
  private:
   void take(const Force& force);
-  void takeGap(const Gap& gap);
+  void takeGap(const GapMessagePtr& gap);
   bool isConnected(double patience);
   bool isHeld() const;
   bool maySend() const;
