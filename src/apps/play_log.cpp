@@ -13,6 +13,7 @@
 #include "log_options.h"
 #include "rubber_suspension/ros_interface/bench_player.h"
 #include "rubber_suspension/ros_interface/command_line.h"
+#include "rubber_suspension/ros_interface/loopback.h"
 #include "rubber_suspension/ros_interface/play_control.h"
 
 using namespace rubber_suspension;
@@ -170,6 +171,10 @@ int play(RosCommandLine& line, Options& options) {
   makeFolder(options.folder);
   line.initialise("play_log");
   ros::NodeHandle handle;
+  const std::string refusal = keepSlaveApiToLoopback();
+  if (!refusal.empty()) {
+    std::cerr << "play_log: note: " << refusal << '\n';
+  }
   PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
   const PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;

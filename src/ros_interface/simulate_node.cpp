@@ -6,11 +6,14 @@
 
 #include <algorithm>
 
+#include "rubber_suspension/ros_interface/loopback.h"
+
 namespace rubber_suspension {
 
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
     : handle_(handle), private_handle_(private_handle), settings_(readNodeSettings(private_handle_)) {
   makeChannels();
+  keepToLoopback();
   setUpRealTime();
   startServing();
   advertiseServices();
@@ -33,6 +36,13 @@ void SimulateNode::makeChannels() {
   if (settings_.load_state && access(settings_.state_file.c_str(), F_OK) == 0) {
     loadStates(settings_.state_file, channels());
     ROS_INFO("going on from %s", settings_.state_file.c_str());
+  }
+}
+
+void SimulateNode::keepToLoopback() {
+  const std::string refusal = keepSlaveApiToLoopback();
+  if (!refusal.empty()) {
+    ROS_WARN("%s", refusal.c_str());
   }
 }
 

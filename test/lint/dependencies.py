@@ -27,7 +27,7 @@ KEYS = {
     "libceres-dev": ({"Ceres", "ceres"}, {"libceres-dev"}),
     "matio": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
     "libudunits2-dev": ({"UDUNITS2_LIBRARY", "udunits2.h"}, {"libudunits2-dev"}),
-    "message_generation": ({"message_generation"}, {"ros-message-generation"}),
+    "message_generation": ({"message_generation", "GENCPP_TEMPLATES"}, {"ros-message-generation"}),
     "message_runtime": ({"message_runtime"}, {"ros-message-runtime"}),
     "nlohmann-json-dev": ({"nlohmann_json", "nlohmann"}, {"nlohmann-json3-dev"}),
     "nodelet": ({"nodelet"}, {"libnodelet-dev", "libnodeletlib-dev", "libnodeletlib-tools"}),
@@ -50,13 +50,14 @@ KEYS = {
     "rostopic": ({"py:rostopic"}, {"python3-rostopic"}),
     "rosunit": ({"py:rosunit"}, {"python3-rosunit"}),
     "simbody": ({"Simbody"}, {"libsimbody-dev"}),
-    "std_msgs": ({"std_msgs"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
+    "std_msgs": ({"std_msgs", "STD_MSGS"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
     "std_srvs": ({"std_srvs"}, {"libstd-srvs-dev", "ros-std-srvs", "python3-std-srvs"}),
     "topic_tools": ({"topic_tools", "pkg:topic_tools"}, {"libtopic-tools-dev"}),
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
 }
 # Brought by a package that another key names, or by the language itself.
-IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "netinet", "gnu", "linux"}
+IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "net", "netinet", "gnu", "linux",
+           "Python3"}
 # Found where they are, done without where not: no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.

@@ -1,5 +1,6 @@
 // The nodelet: the forces of the node, without copies in one process; a bad configuration is not loaded.
 #include <nodelet/loader.h>
+#include <ros/xmlrpc_manager.h>
 
 #include <cmath>
 #include <set>
@@ -7,6 +8,7 @@
 #include "bench.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/loopback.h"
 
 namespace rubber_suspension {
 namespace {
@@ -43,6 +45,15 @@ TEST(Nodelet, AnswersWithoutCopies) {
   // The server's own messages, over and over: a copy for each answer would have come and gone elsewhere in memory, and
   // these are never freed while they are seen.
   EXPECT_LE(addresses.size(), 32U);
+  EXPECT_TRUE(loader.unload("/simulate"));
+}
+
+TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
+  nodelet::Loader loader;
+  ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
+  // Where this kernel does not permit it, the node says so and goes on.
+  const bool expected = isKeptToLoopback() && keepSlaveApiToLoopback().empty();
+  EXPECT_EQ(interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
   EXPECT_TRUE(loader.unload("/simulate"));
 }
 

@@ -28,6 +28,7 @@ class SimulateNode {
 
  private:
   void makeChannels();
+  static void keepToLoopback();
   void setUpRealTime();
   void startServing();
   void startThreads();
