@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -16,8 +17,9 @@ namespace {
 
 constexpr const char* kVersion = "#ROSBAG V2.0\n";
 constexpr std::uint32_t kLongestHeader = 1024 * 1024;
-constexpr std::size_t kIndexEntry = 12;     // time in two words, offset
-constexpr std::size_t kChunkInfoEntry = 8;  // connection, number of messages
+constexpr std::uint32_t kLargestChunk = 256 * 1024 * 1024;  // uncompressed; rosbag writes less than 1 MiB by default
+constexpr std::size_t kIndexEntry = 12;                     // time in two words, offset
+constexpr std::size_t kChunkInfoEntry = 8;                  // connection, number of messages
 
 enum Operation : std::uint8_t {
   kMessage = 2,
@@ -39,13 +41,18 @@ Number numberAt(const char* bytes) {  // little endian, as every machine is that
 
 class BagChecker {
  public:
-  explicit BagChecker(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  explicit BagChecker(const std::string& path) : path_(path) {
+    errno = 0;
+    file_.open(path, std::ios::binary);
     file_.seekg(0, std::ios::end);
     size_ = file_ ? static_cast<std::uint64_t>(file_.tellg()) : 0;
     file_.seekg(0);
   }
 
   void check() {
+    if (!file_) {
+      throw LogError(fmt::format("{}: {}", path_, std::strerror(errno)));
+    }
     if (take(std::strlen(kVersion)) != kVersion) {
       fail("no bag of version 2.0");
     }
@@ -138,6 +145,9 @@ class BagChecker {
 
   void checkBagHeader(const Fields& fields) const {
     const auto index = field<std::uint64_t>(fields, "index_pos");
+    if (index == 0) {
+      throw LogError(fmt::format("{}: the bag has no index, it was not closed; run rosbag reindex", path_));
+    }
     if (index > size_) {
       fail("the index lies behind the end of the file");
     }
@@ -146,6 +156,9 @@ class BagChecker {
   void checkChunk(const Fields& fields, const std::string& data, std::uint64_t start) {
     chunks_.insert(start);
     chunk_size_ = field<std::uint32_t>(fields, "size");
+    if (chunk_size_ > kLargestChunk) {
+      fail(fmt::format("a chunk of {} bytes; accepted: at most {}", chunk_size_, kLargestChunk));
+    }
     messages_.clear();
     const auto compression = fields.find("compression");
     plain_chunk_ = compression != fields.end() && compression->second == "none";

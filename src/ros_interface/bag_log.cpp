@@ -222,14 +222,12 @@ Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::stri
 
 Log readBagLog(const std::string& path, const std::string& component) {
   try {
+    checkBagStructure(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    checkBagStructure(path);  // after open, which says it best where there is no file or no index
     return readOpenBag(bag, path, component);
   } catch (const LogError&) {
     throw;
-  } catch (const rosbag::BagUnindexedException&) {
-    throw LogError(fmt::format("{}: the bag has no index, it was not closed; run rosbag reindex", path));
   } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
     throw LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
   }
