@@ -50,7 +50,7 @@ KEYS = {
     "rostopic": ({"py:rostopic"}, {"python3-rostopic"}),
     "rosunit": ({"py:rosunit"}, {"python3-rosunit"}),
     "simbody": ({"Simbody"}, {"libsimbody-dev"}),
-    "std_msgs": ({"std_msgs", "STD_MSGS"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
+    "std_msgs": ({"std_msgs"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
     "std_srvs": ({"std_srvs"}, {"libstd-srvs-dev", "ros-std-srvs", "python3-std-srvs"}),
     "topic_tools": ({"topic_tools", "pkg:topic_tools"}, {"libtopic-tools-dev"}),
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),

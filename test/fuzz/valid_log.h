@@ -1,0 +1,31 @@
+// What every reader of logs owes: a valid log, or one line of error.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "rubber_suspension/io/log.h"
+
+namespace rubber_suspension::fuzz {
+
+/// Call a reader; aborts where it breaks its promise.
+template <class Read>
+void requireValidLogOrError(Read read) {
+  try {
+    const Log log = read();
+    try {
+      checkLog(log);
+    } catch (const LogError& error) {
+      std::fprintf(stderr, "violated: a log that was read is valid: %s\n", error.what());
+      std::abort();
+    }
+  } catch (const LogError& error) {
+    if (std::string(error.what()).find('\n') != std::string::npos) {
+      std::fprintf(stderr, "violated: an error is one line: %s\n", error.what());
+      std::abort();
+    }
+  }
+}
+
+}  // namespace rubber_suspension::fuzz
