@@ -2,6 +2,9 @@
 #include "rubber_suspension/ros_interface/bag_check.h"
 
 #include <fmt/format.h>
+#include <rosbag/chunked_file.h>
+#include <rosbag/exceptions.h>
+#include <rosbag/stream.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -17,9 +20,9 @@ namespace {
 
 constexpr const char* kVersion = "#ROSBAG V2.0\n";
 constexpr std::uint32_t kLongestHeader = 1024 * 1024;
-constexpr std::uint32_t kLargestChunk = 256 * 1024 * 1024;  // uncompressed; rosbag writes less than 1 MiB by default
-constexpr std::size_t kIndexEntry = 12;                     // time in two words, offset
-constexpr std::size_t kChunkInfoEntry = 8;                  // connection, number of messages
+constexpr std::uint32_t kLargestChunk = 64 * 1024 * 1024;  // uncompressed; rosbag writes less than 1 MiB by default
+constexpr std::size_t kIndexEntry = 12;                    // time in two words, offset
+constexpr std::size_t kChunkInfoEntry = 8;                 // connection, number of messages
 
 enum Operation : std::uint8_t {
   kMessage = 2,
@@ -58,6 +61,9 @@ class BagChecker {
     }
     while (position_ < size_) {
       checkRecord();
+    }
+    if (records_.count(index_) == 0 && index_ != size_) {
+      fail("the index does not begin where the bag says");
     }
     for (const std::uint32_t connection : used_connections_) {
       if (connections_.count(connection) == 0) {
@@ -116,6 +122,7 @@ class BagChecker {
 
   void checkRecord() {
     const std::uint64_t start = position_;
+    records_.insert(start);
     const std::uint32_t header_length = takeNumber();
     if (header_length > kLongestHeader) {
       fail(fmt::format("a header of {} bytes; accepted: at most {}", header_length, kLongestHeader));
@@ -133,6 +140,7 @@ class BagChecker {
         checkIndex(fields, data);
         break;
       case kConnection:
+        fieldsOf(data);  // the header of the connection itself
         connections_.insert(field<std::uint32_t>(fields, "conn"));
         break;
       case kChunkInfo:
@@ -143,13 +151,14 @@ class BagChecker {
     }
   }
 
-  void checkBagHeader(const Fields& fields) const {
-    const auto index = field<std::uint64_t>(fields, "index_pos");
-    if (index == 0) {
+  void checkBagHeader(const Fields& fields) {
+    index_ = field<std::uint64_t>(fields, "index_pos");
+    if (index_ == 0) {
       throw LogError(fmt::format("{}: the bag has no index, it was not closed; run rosbag reindex", path_));
     }
-    if (index > size_) {
-      fail("the index lies behind the end of the file");
+    const auto encryptor = fields.find("encryptor");
+    if (encryptor != fields.end() && !encryptor->second.empty()) {
+      fail("an encrypted bag");  // rosbag would load a plugin that the file names
     }
   }
 
@@ -159,29 +168,63 @@ class BagChecker {
     if (chunk_size_ > kLargestChunk) {
       fail(fmt::format("a chunk of {} bytes; accepted: at most {}", chunk_size_, kLargestChunk));
     }
+    const std::string content = decompress(fields, data);
     messages_.clear();
-    const auto compression = fields.find("compression");
-    plain_chunk_ = compression != fields.end() && compression->second == "none";
-    if (!plain_chunk_) {
-      return;
-    }
-    if (chunk_size_ != data.size()) {
-      fail(fmt::format("a chunk of {} bytes says that it has {}", data.size(), chunk_size_));
-    }
-    for (std::size_t at = 0; at < data.size();) {
-      messages_.insert(static_cast<std::uint32_t>(at));
-      at = skipPart(data, skipPart(data, at));
+    for (std::size_t at = 0; at < content.size();) {
+      const auto record_start = static_cast<std::uint32_t>(at);
+      const Fields record = fieldsOf(takePart(content, at));
+      const std::string body = takePart(content, at);
+      const auto operation = field<std::uint8_t>(record, "op");
+      if (operation == kMessage) {
+        messages_.insert(record_start);
+      } else if (operation == kConnection) {
+        fieldsOf(body);
+      } else {
+        fail("a record of unknown kind in a chunk");
+      }
     }
   }
 
-  // Behind a length and so many bytes.
-  std::size_t skipPart(const std::string& data, std::size_t at) const {
+  // The content of a chunk, of chunk_size_ bytes.
+  std::string decompress(const Fields& fields, const std::string& data) const {
+    const auto compression = fields.find("compression");
+    const std::string kind = compression == fields.end() ? "" : compression->second;
+    if (kind == "none" && data.size() == chunk_size_) {
+      return data;
+    }
+    if (kind == "bz2") {
+      return decompressBy<rosbag::BZ2Stream>(data);
+    }
+    if (kind == "lz4") {
+      return decompressBy<rosbag::LZ4Stream>(data);
+    }
+    fail(fmt::format("a chunk of {} bytes says that it has {}; accepted: as many, or compressed by bz2 or lz4",
+                     data.size(), chunk_size_));
+  }
+
+  template <class Stream>
+  std::string decompressBy(std::string data) const {
+    std::string content(chunk_size_, '\0');
+    rosbag::ChunkedFile no_file;
+    try {
+      Stream(&no_file).decompress(reinterpret_cast<std::uint8_t*>(content.data()), chunk_size_,
+                                  reinterpret_cast<std::uint8_t*>(data.data()),
+                                  static_cast<std::uint32_t>(data.size()));
+    } catch (const rosbag::BagException& error) {
+      fail(fmt::format("a chunk cannot be decompressed: {}", error.what()));
+    }
+    return content;
+  }
+
+  // What follows a length at this place, which moves behind it.
+  std::string takePart(const std::string& data, std::size_t& at) const {
     const std::size_t left = data.size() - at;
     const std::uint32_t length = left < 4 ? 0 : numberAt<std::uint32_t>(&data[at]);
     if (left < 4 || length > left - 4) {
       fail("a record does not fit into its chunk");
     }
-    return at + 4 + length;
+    at += 4 + length;
+    return data.substr(at - length, length);
   }
 
   void checkIndex(const Fields& fields, const std::string& data) {
@@ -191,7 +234,7 @@ class BagChecker {
     }
     for (std::size_t at = 0; at < data.size(); at += kIndexEntry) {
       const auto offset = numberAt<std::uint32_t>(&data[at + 8]);
-      if (plain_chunk_ ? messages_.count(offset) == 0 : offset >= chunk_size_) {
+      if (messages_.count(offset) == 0) {
         fail(fmt::format("an index points at {}, where its chunk has no message", offset));
       }
     }
@@ -213,12 +256,13 @@ class BagChecker {
   std::ifstream file_;
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
+  std::uint64_t index_ = 0;          // where the bag says that its index begins
+  std::set<std::uint64_t> records_;  // where records begin
   std::set<std::uint64_t> chunks_;
   std::set<std::uint32_t> connections_;
   std::set<std::uint32_t> used_connections_;
-  bool plain_chunk_ = false;
   std::uint32_t chunk_size_ = 0;      // of the chunk before, uncompressed
-  std::set<std::uint32_t> messages_;  // where its records begin, if it is not compressed
+  std::set<std::uint32_t> messages_;  // where its messages begin
 };
 
 }  // namespace

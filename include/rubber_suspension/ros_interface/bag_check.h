@@ -5,9 +5,8 @@
 
 namespace rubber_suspension {
 
-/// Throws LogError where records do not fit into the file, an index entry points at no message of its chunk, or a
-/// connection is missing. Of a compressed chunk the entries are held to its size only: what lies inside is guarded by
-/// the compression's own checksums.
+/// Throws LogError where records do not fit into the file or their chunk, a header is damaged, an index entry points at
+/// no message of its chunk, a connection is missing, the bag is encrypted, or it has no index.
 /// Source of the format: http://wiki.ros.org/Bags/Format/2.0
 void checkBagStructure(const std::string& path);
 
