@@ -1,0 +1,161 @@
+// The test node `check_force`: plays a log through a bench and passes if its forces agree with a reference.
+#include <fmt/format.h>
+#include <ros/node_handle.h>
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "command.h"
+#include "log_options.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/command_line.h"
+#include "rubber_suspension/ros_interface/force_check.h"
+
+using namespace rubber_suspension;
+
+namespace {
+
+struct Options {
+  PlayOptions play;
+  std::string log;
+  LogOptions log_options;
+  std::string config;
+  std::string config_component;
+  double tolerance = 0.0;
+  double skip = 0.0;
+  std::string reset;
+  std::string report;
+  bool text = false;
+};
+
+// Refuses what is not a number, which a range lets pass.
+std::string notNegative(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  return value >= 0.0 && std::isfinite(value) ? "" : "'" + text + "'; accepted: a number of 0 or more";
+}
+
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--component", options.play.component,
+                 "name of the component: its topics are NAME/displacement and "
+                 "NAME/force, below the node's namespace")
+      ->required()
+      ->type_name("NAME");
+  app.add_option("--log", options.log, "log to play: .csv, .bag or .mat")->required()->type_name("FILE");
+  app.add_option("--tolerance", options.tolerance,
+                 "largest gap that passes: RMS of the difference over the standard deviation of the reference")
+      ->required()
+      ->check(notNegative)
+      ->type_name("RATIO");
+  app.add_option(
+         "--config", options.config,
+         "component file whose force for this log is the reference; if absent, it is the force measured in the log")
+      ->type_name("FILE");
+  app.add_option("--config-component", options.config_component, "its name in that file, if another")
+      ->type_name("NAME");
+  app.add_option("--skip", options.skip, "start of the log that is played and not compared [s]")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  app.add_option("--speed", options.play.rate, "multiple of the log's own speed; 0: as fast as the bench answers")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer [s]")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the bench [s]")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  app.add_option("--reset", options.reset, "service (std_srvs/Trigger) to call before the first sample")
+      ->type_name("SERVICE");
+  app.add_option("--gtest_output", options.report, "report to write, xml:FILE; rostest gives it")
+      ->type_name("xml:FILE");
+  app.add_flag("--text", options.text, "accepted and of no effect; rostest --text gives it");
+}
+
+void reset(ros::NodeHandle& handle, const std::string& service) {
+  std_srvs::Trigger trigger;
+  if (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success) {
+    throw PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
+  }
+}
+
+ForceReference referenceFor(const Options& options, const Log& log) {
+  if (options.config.empty()) {
+    return measuredReference(log);
+  }
+  const std::string& name = options.config_component.empty() ? options.play.component : options.config_component;
+  const auto components = loadComponentFile(options.config);
+  return simulatedReference(selectComponent(components, name).makeComponent(), log, options.config);
+}
+
+std::vector<TestCase> check(RosCommandLine& line, const Options& options) {
+  const Log log = options.log_options.read("check_force", options.log, options.play.component);
+  const ForceReference reference = referenceFor(options, log);
+  line.initialise("check_force");
+  ros::NodeHandle handle;
+  LogPlayer player(handle, options.play);
+  player.connect();
+  if (!options.reset.empty()) {
+    reset(handle, options.reset);
+  }
+  const PlayResult result = player.play(log);
+  return {checkAnswers(options.play.component, log, result),
+          checkForces(log, reference, result, options.tolerance, options.skip)};
+}
+
+// Whatever keeps the check from being made is a failure of it, and belongs into the report.
+std::vector<TestCase> checkOrFail(RosCommandLine& line, const Options& options) {
+  try {
+    return check(line, options);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {{"forces", false, error.what(), 0.0}};
+  }
+}
+
+std::string reportPath(const Options& options) {
+  try {
+    return options.report.empty() ? "" : testReportPath(options.report);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+int run(RosCommandLine& line, const Options& options) {
+  const std::string path = reportPath(options);
+  const std::vector<TestCase> cases = checkOrFail(line, options);
+  if (!path.empty()) {
+    writeTestReport(path, "check_force", cases);
+  }
+  int status = kSuccess;
+  for (const TestCase& test : cases) {
+    if (test.passed) {
+      std::cout << fmt::format("{}: passed: {}\n", test.name, test.message);
+    } else {
+      printError("check_force", test.message);
+      status = kFailed;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  RosCommandLine line(argc, argv);
+  return runCommand(line.argc(), line.argv(), "check_force",
+                    "Test node for rostest: plays a log through a bench and passes if its forces agree with the force "
+                    "measured in the log, or with that of a component file.",
+                    [&](CLI::App& app) -> CommandBody {
+                      const auto options = std::make_shared<Options>();
+                      addOptions(app, *options);
+                      options->log_options.addTo(app);
+                      return [&line, options] { return run(line, *options); };
+                    });
+}

@@ -1,0 +1,94 @@
+// Checks the forces of a bench against a reference.
+#include "rubber_suspension/ros_interface/force_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "rubber_suspension/io/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+double sinceStart(const Log& log, std::size_t i) { return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]); }
+
+std::ptrdiff_t firstCompared(const Log& log, double skip) {
+  std::size_t first = 0;
+  while (first < log.size() && sinceStart(log, first) < skip) {
+    ++first;
+  }
+  if (first + 2 > log.size()) {
+    throw std::invalid_argument(fmt::format("{}: nothing is left to compare after {:g} s; the log lasts {:g} s",
+                                            log.name, skip, sinceStart(log, log.size() - 1)));
+  }
+  return static_cast<std::ptrdiff_t>(first);
+}
+
+std::vector<double> totals(const PlayResult& result) {
+  std::vector<double> force;
+  force.reserve(result.force.size());
+  for (const ComponentForce& answer : result.force) {
+    force.push_back(answer.total);
+  }
+  return force;
+}
+
+}  // namespace
+
+ForceDifference compareForces(const Log& log, const std::vector<double>& reference, const std::vector<double>& force,
+                              double skip) {
+  const std::ptrdiff_t first = firstCompared(log, skip);
+  ForceDifference result{
+      relativeGap({reference.begin() + first, reference.end()}, {force.begin() + first, force.end()}), 0.0, 0.0};
+  for (auto i = static_cast<std::size_t>(first); i < log.size(); ++i) {
+    const double difference = std::abs(force[i] - reference[i]);
+    if (!(difference <= result.largest)) {
+      result.largest = difference;
+      result.largest_time = sinceStart(log, i);
+    }
+  }
+  return result;
+}
+
+ForceReference measuredReference(const Log& log) {
+  if (log.force.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{} has no measured force; accepted: a log with one, or a component file to compare with (--config)",
+        log.name));
+  }
+  return {"the force measured in " + log.name, log.force};
+}
+
+ForceReference simulatedReference(const Component& component, const Log& log, const std::string& config) {
+  return {"the force of " + config, simulateLog(component, log)};
+}
+
+TestCase checkAnswers(const std::string& component, const Log& log, const PlayResult& result) {
+  TestCase test{"oneForceForEachDisplacement", result.exactlyOneEach(), "", result.duration};
+  test.message = fmt::format("{}: {} of {} samples answered, {} forces of other stamps", component, result.answered(),
+                             log.size(), result.unexpected);
+  if (!test.passed && result.answered() == log.size() && result.unexpected == 0) {
+    test.message += "; some samples were answered more than once";
+  }
+  return test;
+}
+
+TestCase checkForces(const Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
+                     double skip) {
+  TestCase test{"forces", false, "", 0.0};
+  if (result.answered() < log.size()) {
+    test.message =
+        fmt::format("not compared with {}: {} samples have no force", reference.name, log.size() - result.answered());
+    return test;
+  }
+  const ForceDifference difference = compareForces(log, reference.force, totals(result), skip);
+  test.passed = difference.gap <= tolerance;
+  test.message = fmt::format("gap {:.6g} to {}, {} {:g}; largest difference {:.6g} N, {:.6g} s after the start",
+                             difference.gap, reference.name, test.passed ? "within" : "beyond", tolerance,
+                             difference.largest, difference.largest_time);
+  return test;
+}
+
+}  // namespace rubber_suspension
