@@ -1,0 +1,56 @@
+// A component in a simulation that tries steps and takes them back.
+#include "rubber_suspension/component/trial_stepper.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace rubber_suspension {
+
+TrialStepper::TrialStepper(const Component& component)
+    : component_(component), accepted_(component.makeState()), trial_(component.makeState()) {
+  force_ = component_.rest(accepted_, 0.0);
+}
+
+double TrialStepper::since(double time) const {
+  if (!(time >= time_)) {
+    throw std::invalid_argument(
+        fmt::format("time {:.9g} s is before that of the accepted step, {:.9g} s; accepted: a later one", time, time_));
+  }
+  return time - time_;
+}
+
+ComponentForce TrialStepper::rest(double time, double displacement) {
+  time_ = time;
+  force_ = component_.rest(accepted_, displacement);
+  return force_;
+}
+
+ComponentForce TrialStepper::attempt(double time, double displacement) {
+  const double dt = since(time);
+  if (dt == 0.0) {
+    return force_;
+  }
+  trial_.recall(accepted_);
+  return component_.step(trial_, dt, displacement);
+}
+
+Tangent TrialStepper::tangent(double time, double displacement) {
+  const double dt = since(time);
+  if (dt == 0.0) {
+    throw std::invalid_argument(
+        fmt::format("no tangent at the time of the accepted step itself, {:.9g} s; accepted: a later one", time));
+  }
+  return component_.tangent(accepted_, dt, displacement, trial_);
+}
+
+ComponentForce TrialStepper::accept(double time, double displacement) {
+  const double dt = since(time);
+  if (dt > 0.0) {
+    force_ = component_.step(accepted_, dt, displacement);
+    time_ = time;
+  }
+  return force_;
+}
+
+}  // namespace rubber_suspension
