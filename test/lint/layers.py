@@ -18,6 +18,7 @@ BELOW = {
     "command": {"element", "component", "response", "estimation", "io"},
     "diagnosis": {"element", "component", "response", "estimation", "io"},
     "benchmark": {"element", "component", "response", "estimation", "io", "diagnosis"},
+    "vehicle": {"element", "component", "response", "estimation", "io"},
     "ros_interface": {"element", "component", "response", "estimation", "io", "diagnosis"},
 }
 KNOW_ROS = {"ros_interface", "apps"}

@@ -25,7 +25,7 @@ void exchangeModels(const std::vector<ComponentDescription>& descriptions, doubl
                     const std::vector<ComponentChannel*>& channels);
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
-/// components, <component>/reset and <component>/set_enabled for one. They read and write nothing but the files that
+/// components, `COMPONENT/reset` and `COMPONENT/set_enabled` for one. They read and write nothing but the files that
 /// the node's own parameters name: whoever calls a service names no path.
 class NodeServices {
  public:

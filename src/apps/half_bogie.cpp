@@ -1,0 +1,179 @@
+// The command `half_bogie`: a vehicle on rubber components, stepped with their forces from the library or over topics.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "command.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/ros_interface/command_line.h"
+#include "topic_exchange.h"
+#include "vehicle/simulation.h"
+#include "vehicle/stability.h"
+
+using namespace rubber_suspension;
+using namespace rubber_suspension::vehicle;
+
+namespace {
+
+struct Options {
+  std::string config;
+  std::string track;
+  std::string loop = "library";
+  double step = 1e-3;
+  int delay = 0;
+  double speed = VehicleParameters().speed;
+  std::string output;
+  std::string plot;
+  std::string reset;
+  bool stability = false;
+};
+
+std::vector<Component> loadComponents(const std::string& path, const std::vector<ElementDescription>& further = {}) {
+  const auto file = loadComponentFile(path);
+  std::vector<Component> components;
+  for (const std::string& name : strutNames()) {
+    std::vector<ElementDescription> elements = selectComponent(file, name).allElements();
+    elements.insert(elements.end(), further.begin(), further.end());
+    components.emplace_back(elements);
+  }
+  return components;
+}
+
+std::string percentages(const PerStrut& values) {
+  std::string text;
+  for (std::size_t i = 0; i < kStruts; ++i) {
+    text += fmt::format("{}{} {:.4g} %", i == 0 ? "" : ", ", strutNames()[i], 100.0 * values[i]);
+  }
+  return text;
+}
+
+History runLoop(RosCommandLine& line, const Options& options, const Scene& scene,
+                const std::vector<Component>& components) {
+  if (options.loop == "implicit") {
+    return runImplicit(scene, components);
+  }
+  if (options.loop == "topics") {
+    line.initialise("half_bogie");
+    TopicExchange exchange(ros::NodeHandle(), options.reset);
+    return runExchange(scene, exchange, options.delay);
+  }
+  LibraryExchange exchange(components);
+  return runExchange(scene, exchange, options.delay);
+}
+
+int runTrack(RosCommandLine& line, const Options& options) {
+  const std::vector<Component> components = loadComponents(options.config);
+  Scene scene;
+  scene.parameters.speed = options.speed;
+  scene.track = Track(readLog(options.track));
+  scene.duration = scene.track.duration();
+  scene.step = std::llround(1e9 * options.step);
+  const auto start = std::chrono::steady_clock::now();
+  const History history = runLoop(line, options, scene, components);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const History reference = runVariableStep(scene, components, {});
+  std::cout << fmt::format("{} steps of {:g} ms in {:.3g} s\n", scene.steps(), 1e3 * options.step, elapsed.count());
+  std::cout << "displacements against variable steps without delay: "
+            << percentages(displacementDifference(history, reference)) << '\n';
+  if (options.loop != "implicit") {
+    const double delay = loopDelay(options.step, options.delay);
+    const History delayed =
+        runVariableStep(scene, loadComponents(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
+    std::cout << fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
+                             percentages(displacementDifference(history, delayed)));
+  }
+  if (!options.output.empty()) {
+    writeHistoryCsv(options.output, history);
+  }
+  if (!options.plot.empty()) {
+    drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.step)), options.plot);
+  }
+  return kSuccess;
+}
+
+// Growth over the step around the limit of each delay.
+Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<Component>& components, double margin) {
+  Axes axes;
+  axes.x_label = "step [ms]";
+  axes.y_label = "growth of the oscillation [1/s]";
+  double longest = 0.0;
+  for (int delay = 0; delay <= 2; ++delay) {
+    const double limit = margin / (delay + 0.5);
+    Curve curve{fmt::format("measured, --delay {}", delay), {}, {}, "o-", delay};
+    for (double share = 0.2; share < 1.35; share += 0.1) {
+      const double step = share * limit;
+      curve.x.push_back(1e3 * step);
+      curve.y.push_back(growthRate(parameters, components, std::llround(1e9 * step), delay));
+    }
+    longest = std::max(longest, curve.x.back());
+    axes.curves.push_back(curve);
+    axes.curves.push_back({delay == 0 ? "limit by the delay margin" : "", {1e3 * limit}, {0.0}, "x", delay});
+  }
+  axes.curves.push_back({"", {0.0, longest}, {0.0, 0.0}, ":", 7});
+  return {"Stability of the loop", {axes}, 1};
+}
+
+int runStability(const Options& options) {
+  const std::vector<Component> components = loadComponents(options.config);
+  VehicleParameters parameters;
+  parameters.speed = options.speed;
+  const DelayMargin margin = delayMargin(parameters, components);
+  std::cout << fmt::format("delay margin {:.4g} ms, at {:.4g} Hz\n\n", 1e3 * margin.delay, margin.frequency);
+  std::cout
+      << "| answer used | mean delay | largest step by the delay margin [ms] | measured [ms] |\n|---|---|---|---|\n";
+  for (int delay = 0; delay <= 2; ++delay) {
+    const double theory = margin.delay / (delay + 0.5);
+    std::cout << fmt::format(
+        "| {} | {:.1f} steps | {:.3g} | {:.3g} |\n",
+        delay == 0 ? "of the same step" : fmt::format("of {} step{} before", delay, delay > 1 ? "s" : ""), delay + 0.5,
+        1e3 * theory, 1e3 * largestStableStep(parameters, components, delay, theory));
+  }
+  if (!options.plot.empty()) {
+    drawFigure(stabilityFigure(parameters, components, margin.delay), options.plot);
+  }
+  return kSuccess;
+}
+
+int run(RosCommandLine& line, const Options& options) {
+  if (options.stability != options.track.empty()) {
+    throw UsageError("accepted: one of --track and --stability (see --help)");
+  }
+  return options.stability ? runStability(options) : runTrack(line, options);
+}
+
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--config", options.config, "component file with front_primary, rear_primary and secondary")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--track", options.track, "log whose displacement is the height of the track under the front wheel")
+      ->type_name("FILE");
+  app.add_option("--loop", options.loop,
+                 "who answers displacements with forces: library and topics at fixed steps, implicit with iterations")
+      ->check(CLI::IsMember({"library", "topics", "implicit"}))
+      ->capture_default_str();
+  app.add_option("--step", options.step, "of the loop [s]")->check(CLI::Range(1e-6, 0.1))->capture_default_str();
+  app.add_option("--delay", options.delay, "steps that pass before a force acts; 0 waits for each answer")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  app.add_option("--speed", options.speed, "of the vehicle [m/s]")->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--output", options.output, "CSV to write: positions, displacements and forces")->type_name("FILE");
+  app.add_option("--plot", options.plot, "figure to draw, .svg or .png")->type_name("FILE");
+  app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
+      ->type_name("SERVICE");
+  app.add_flag("--stability", options.stability, "print up to which step a loop is stable, in place of a run");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  RosCommandLine line(argc, argv);
+  return runCommand(line.argc(), line.argv(), "half_bogie",
+                    "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
+                    "topics, from the node.",
+                    [&](CLI::App& app) -> CommandBody {
+                      const auto options = std::make_shared<Options>();
+                      addOptions(app, *options);
+                      return [&line, options] { return run(line, *options); };
+                    });
+}

@@ -1,0 +1,85 @@
+// The other end of the bundled topics.
+#include "rubber_suspension/ros_interface/bundle_client.h"
+
+#include <fmt/format.h>
+#include <ros/init.h>
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+#include <functional>
+#include <utility>
+
+#include "rubber_suspension/ros_interface/bag_log.h"
+#include "rubber_suspension/ros_interface/connection.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 10000;
+
+}  // namespace
+
+BundleClient::BundleClient(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout)
+    : handle_(handle), timeout_(timeout) {
+  handle_.setCallbackQueue(&queue_);
+  message_.components = std::move(components);
+  publisher_ = handle_.advertise<DisplacementArray>("displacements", kQueueSize);
+  const boost::function<void(const boost::shared_ptr<const ForceArray>&)> callback =
+      [this](const boost::shared_ptr<const ForceArray>& answer) { answers_.push_back(*answer); };
+  subscriber_ = handle_.subscribe<ForceArray>("forces", kQueueSize, callback, ros::VoidConstPtr(),
+                                              ros::TransportHints().tcpNoDelay());
+}
+
+bool BundleClient::waitFor(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_);
+  while (!condition()) {
+    if (!ros::ok() || std::chrono::steady_clock::now() > end) {
+      return false;
+    }
+    queue_.callAvailable(ros::WallDuration(0.01));
+  }
+  return true;
+}
+
+void BundleClient::connect() {
+  if (!waitForPublishers(subscriber_.getTopic(), timeout_) ||
+      !waitFor([this] { return publisher_.getNumSubscribers() > 0; })) {
+    throw BundleError(fmt::format("no node serves {} within {:g} s", publisher_.getTopic(), timeout_));
+  }
+}
+
+void BundleClient::call(const std::string& service) {
+  std_srvs::Trigger trigger;
+  const std::string name = handle_.resolveName(service);
+  if (!ros::service::call(name, trigger) || !trigger.response.success) {
+    throw BundleError(fmt::format("service {} failed {}", name, trigger.response.message));
+  }
+}
+
+void BundleClient::send(std::int64_t stamp, const std::vector<double>& displacement) {
+  message_.header.stamp = toRosTime(stamp);
+  message_.displacement = displacement;
+  publisher_.publish(message_);
+}
+
+ForceArray BundleClient::receive(std::int64_t stamp) {
+  const ros::Time time = toRosTime(stamp);
+  const bool came = waitFor([&] {
+    while (!answers_.empty() && answers_.front().header.stamp < time) {
+      answers_.pop_front();
+    }
+    return !answers_.empty();
+  });
+  if (!came || answers_.front().header.stamp != time) {
+    throw BundleError(fmt::format("no forces on {} for {} ns within {:g} s", subscriber_.getTopic(), stamp, timeout_));
+  }
+  const ForceArray& answer = answers_.front();
+  if (answer.components != message_.components) {
+    throw BundleError(fmt::format("{} of {} displacements at {} ns were answered on {}; the others were dropped",
+                                  answer.components.size(), message_.components.size(), stamp, subscriber_.getTopic()));
+  }
+  return answer;
+}
+
+}  // namespace rubber_suspension

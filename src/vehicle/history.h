@@ -1,0 +1,36 @@
+// What a simulation of the vehicle gave, at even times, and how two of them differ.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "half_bogie.h"
+#include "rubber_suspension/io/figure.h"
+
+namespace rubber_suspension::vehicle {
+
+struct History {
+  std::vector<double> time;                                           ///< [s]
+  std::vector<std::array<double, HalfBogie::kCoordinates>> position;  ///< frame [m], its pitch [rad], body [m]
+  std::vector<PerStrut> compression;                                  ///< [m]
+  std::vector<PerStrut> force;                                        ///< [N]
+
+  std::size_t size() const { return time.size(); }
+
+  /// Add a state and the forces that act there.
+  void add(const HalfBogie& bogie, const SimTK::State& state, const PerStrut& force_now);
+};
+
+/// RMS of the difference of the compressions over the RMS of those of `reference`, per component [-]: how differently
+/// the vehicle has moved. (Forces that are held over a step are no measure: one at the start of a step stands for its
+/// middle.) Throws std::invalid_argument where the two are not of the same length.
+PerStrut displacementDifference(const History& history, const History& reference);
+
+/// Write time_s, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N.
+/// Throws std::runtime_error.
+void writeHistoryCsv(const std::string& path, const History& history);
+
+/// The displacements of a run and their difference to a reference, over time.
+Figure historyFigure(const History& history, const History& reference, const std::string& title);
+
+}  // namespace rubber_suspension::vehicle

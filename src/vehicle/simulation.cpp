@@ -1,0 +1,249 @@
+// Three ways to step the vehicle.
+#include "simulation.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+namespace rubber_suspension::vehicle {
+namespace {
+
+using SimTK::Stage;
+using SimTK::State;
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+
+// Forces of trial steps from the state at the accepted one.
+class TrialLaw final : public StrutLaw {
+ public:
+  explicit TrialLaw(const std::vector<Component>& components) {
+    for (const Component& component : components) {
+      steppers_.emplace_back(component);
+    }
+  }
+
+  double force(std::size_t strut, double time, double compression) override {
+    return steppers_[strut].attempt(time, compression).total;
+  }
+
+  void rest(double time, const PerStrut& compression) {
+    for (std::size_t i = 0; i < kStruts; ++i) {
+      steppers_[i].rest(time, compression[i]);
+    }
+  }
+
+  PerStrut accept(double time, const PerStrut& compression) {
+    PerStrut force{};
+    for (std::size_t i = 0; i < kStruts; ++i) {
+      force[i] = steppers_[i].accept(time, compression[i]).total;
+    }
+    return force;
+  }
+
+  Tangent tangent(std::size_t strut, double time, double compression) {
+    return steppers_[strut].tangent(time, compression);
+  }
+
+ private:
+  std::vector<TrialStepper> steppers_;
+};
+
+// Forces that somebody else has set.
+class HeldLaw final : public StrutLaw {
+ public:
+  double force(std::size_t strut, double /*time*/, double /*compression*/) override { return held[strut]; }
+
+  PerStrut held{};
+};
+
+State startOf(const Scene& scene, const HalfBogie& bogie) {
+  State state = bogie.restState();
+  state.updU() = SimTK::Vector(SimTK::Vec3(scene.kick[0], scene.kick[1], scene.kick[2]));
+  bogie.system().realize(state, Stage::Position);
+  return state;
+}
+
+// Steps that end where they are told to, and are seen one by one.
+void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
+  integrator.setAccuracy(options.accuracy);
+  integrator.setMaximumStepSize(options.longest);
+  integrator.setAllowInterpolation(false);
+  integrator.setReturnEveryInternalStep(true);
+}
+
+Vector toEigen(const SimTK::Vector& vector) { return {vector[0], vector[1], vector[2]}; }
+
+Matrix massMatrix(const HalfBogie& bogie, const State& state) {
+  SimTK::Matrix mass;
+  bogie.matter().calcM(state, mass);
+  Matrix result;
+  for (int row = 0; row < HalfBogie::kCoordinates; ++row) {
+    for (int column = 0; column < HalfBogie::kCoordinates; ++column) {
+      result(row, column) = mass(row, column);
+    }
+  }
+  return result;
+}
+
+// Newmark's method. The masses do not move against their joints, so speeds are derivatives of coordinates.
+class Newmark {
+ public:
+  Newmark(const HalfBogie& bogie, TrialLaw& law, State& state) : bogie_(bogie), law_(law), state_(state) {
+    bogie_.system().realize(state_, Stage::Acceleration);
+    mass_ = massMatrix(bogie_, state_);
+    acceleration_ = toEigen(state_.getUDot());
+  }
+
+  // Advance to a time; returns the number of iterations.
+  int step(double time) {
+    const double h = time - state_.getTime();
+    const Vector position = toEigen(state_.getQ());
+    const Vector speed = toEigen(state_.getU());
+    Vector guess = position + h * speed + 0.5 * h * h * acceleration_;
+    state_.setTime(time);
+    for (int iteration = 1; iteration <= kMostIterations; ++iteration) {
+      const Vector acceleration = (guess - position) * (4.0 / (h * h)) - speed * (4.0 / h) - acceleration_;
+      set(guess, (guess - position) * (2.0 / h) - speed);
+      const Vector correction = jacobian(h).ldlt().solve(residual(acceleration));
+      guess -= correction;
+      if (correction.norm() < kConverged) {
+        const Vector last = (guess - position) * (4.0 / (h * h)) - speed * (4.0 / h) - acceleration_;
+        set(guess, (guess - position) * (2.0 / h) - speed);
+        acceleration_ = last;
+        return iteration;
+      }
+    }
+    throw std::runtime_error(fmt::format("implicit step to {:.6g} s does not converge", time));
+  }
+
+ private:
+  static constexpr int kMostIterations = 30;
+  static constexpr double kConverged = 1e-12;  // [m, rad]; a millionth of a newton at 1 MN/m
+
+  void set(const Vector& position, const Vector& speed) {
+    for (int i = 0; i < HalfBogie::kCoordinates; ++i) {
+      state_.updQ()[i] = position[i];
+      state_.updU()[i] = speed[i];
+    }
+    bogie_.system().realize(state_, Stage::Dynamics);
+  }
+
+  // Masses times accelerations minus all forces, by Simbody.
+  Vector residual(const Vector& acceleration) const {
+    const SimTK::Vector known(SimTK::Vec3(acceleration[0], acceleration[1], acceleration[2]));
+    SimTK::Vector result;
+    bogie_.matter().calcResidualForceIgnoringConstraints(
+        state_, bogie_.system().getMobilityForces(state_, Stage::Dynamics),
+        bogie_.system().getRigidBodyForces(state_, Stage::Dynamics), known, result);
+    return toEigen(result);
+  }
+
+  // Of the residual by the coordinates, without the vehicle's own damper: it is small against the masses, and Newton's
+  // method then only takes one iteration more.
+  Matrix jacobian(double h) {
+    Matrix result = mass_ * (4.0 / (h * h));
+    const PerStrut compression = bogie_.compressions(state_);
+    for (std::size_t i = 0; i < kStruts; ++i) {
+      const Tangent tangent = law_.tangent(i, state_.getTime(), compression[i]);
+      const Vector direction = toEigen(bogie_.direction(state_, i));
+      result += (tangent.stiffness + tangent.damping / h) * direction * direction.transpose();
+    }
+    return result;
+  }
+
+  const HalfBogie& bogie_;
+  TrialLaw& law_;
+  State& state_;
+  Matrix mass_;
+  Vector acceleration_;
+};
+
+// Step to a time; `accepted` is called after each step that the integrator takes on the way.
+void stepTo(
+    SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
+  while (integrator.getTime() < time) {
+    if (integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation) {
+      throw std::runtime_error(fmt::format("the integrator ends at {:.6g} s", integrator.getTime()));
+    }
+    accepted();
+  }
+}
+
+bool exceeds(const State& state, double bound) {
+  return !(std::abs(state.getU()[0]) <= bound && std::abs(state.getU()[1]) <= bound &&
+           std::abs(state.getU()[2]) <= bound);
+}
+
+}  // namespace
+
+std::int64_t Scene::steps() const { return std::llround(duration * 1e9) / step; }
+
+History runVariableStep(const Scene& scene, const std::vector<Component>& components, const VariableStep& options,
+                        StepCount* count) {
+  TrialLaw law(components);
+  const HalfBogie bogie(scene.parameters, scene.track, law);
+  State start = startOf(scene, bogie);
+  law.rest(0.0, bogie.compressions(start));
+  SimTK::RungeKuttaMersonIntegrator integrator(bogie.system());
+  prepare(integrator, options);
+  integrator.initialize(start);
+  History history;
+  for (std::int64_t n = 0; n <= scene.steps(); ++n) {
+    const double time = scene.time(n);
+    PerStrut force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState()));
+    stepTo(integrator, time,
+           [&] { force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState())); });
+    history.add(bogie, integrator.getState(), force);
+  }
+  if (count != nullptr) {
+    *count = {integrator.getNumStepsTaken(), integrator.getNumStepsAttempted() - integrator.getNumStepsTaken()};
+  }
+  return history;
+}
+
+History runImplicit(const Scene& scene, const std::vector<Component>& components, int* iterations) {
+  TrialLaw law(components);
+  const HalfBogie bogie(scene.parameters, scene.track, law);
+  State state = startOf(scene, bogie);
+  law.rest(0.0, bogie.compressions(state));
+  Newmark newmark(bogie, law, state);
+  History history;
+  history.add(bogie, state, law.accept(0.0, bogie.compressions(state)));
+  int sum = 0;
+  for (std::int64_t n = 1; n <= scene.steps(); ++n) {
+    sum += newmark.step(scene.time(n));
+    history.add(bogie, state, law.accept(state.getTime(), bogie.compressions(state)));
+  }
+  if (iterations != nullptr) {
+    *iterations = sum;
+  }
+  return history;
+}
+
+History runExchange(const Scene& scene, ForceExchange& exchange, int delay, double stop_at) {
+  HeldLaw law;
+  const HalfBogie bogie(scene.parameters, scene.track, law);
+  const State start = startOf(scene, bogie);
+  exchange.send(0, bogie.compressions(start));
+  law.held = exchange.receive(0);
+  SimTK::RungeKuttaMersonIntegrator integrator(bogie.system());
+  prepare(integrator, {1e-8, scene.time(1)});
+  integrator.initialize(start);
+  History history;
+  history.add(bogie, start, law.held);
+  for (std::int64_t n = 1; n <= scene.steps() && !exceeds(integrator.getState(), stop_at); ++n) {
+    stepTo(integrator, scene.time(n));
+    exchange.send(n * scene.step, bogie.compressions(integrator.getState()));
+    if (n >= delay) {
+      law.held = exchange.receive((n - delay) * scene.step);
+      integrator.reinitialize(Stage::Dynamics, false);  // what it has computed with the forces before is of no use
+    }
+    history.add(bogie, integrator.getState(), law.held);
+  }
+  return history;
+}
+
+}  // namespace rubber_suspension::vehicle

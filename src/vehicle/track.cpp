@@ -1,0 +1,38 @@
+// The track below the vehicle.
+#include "track.h"
+
+namespace rubber_suspension::vehicle {
+namespace {
+
+constexpr int kCubic = 3;
+constexpr std::size_t kFewest = 4;
+
+double sinceStart(const Log& log, std::size_t i) { return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]); }
+
+}  // namespace
+
+Track::Track(const Log& log) {
+  checkLog(log);
+  if (log.size() < kFewest) {
+    throw LogError(log.name + ": too short for a track; accepted: at least four samples");
+  }
+  SimTK::Vector time(static_cast<int>(log.size()));
+  SimTK::Vector height(static_cast<int>(log.size()));
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    time[static_cast<int>(i)] = sinceStart(log, i);
+    height[static_cast<int>(i)] = log.displacement[i];
+  }
+  spline_ = SimTK::SplineFitter<double>::fitForSmoothingParameter(kCubic, time, height, 0.0).getSpline();
+  duration_ = sinceStart(log, log.size() - 1);
+  first_ = log.displacement.front();
+  last_ = log.displacement.back();
+}
+
+double Track::height(double time) const {
+  if (time <= 0.0) {
+    return first_;
+  }
+  return time >= duration_ ? last_ : spline_.calcValue(time);
+}
+
+}  // namespace rubber_suspension::vehicle

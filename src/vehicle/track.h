@@ -1,0 +1,32 @@
+// The track below the vehicle: heights over time, smooth between the samples of a log.
+#pragma once
+
+#include <Simbody.h>
+
+#include "rubber_suspension/io/log.h"
+
+namespace rubber_suspension::vehicle {
+
+/// Vertical irregularity as a wheel meets it. A cubic spline goes through the samples, since an integrator of higher
+/// order needs a smooth input; before the first and after the last sample the track is level.
+class Track {
+ public:
+  /// A level track at height 0.
+  Track() = default;
+
+  /// From the displacement [m] of a log. Throws LogError as checkLog does, and for less than four samples.
+  explicit Track(const Log& log);
+
+  /// Height at a time from the start of the log [s], [m].
+  double height(double time) const;
+
+  double duration() const { return duration_; }  ///< [s]
+
+ private:
+  SimTK::Spline spline_;
+  double duration_ = 0.0;
+  double first_ = 0.0;
+  double last_ = 0.0;
+};
+
+}  // namespace rubber_suspension::vehicle
