@@ -1,15 +1,55 @@
-// reference: prints the reference page of the component file.
+// reference: prints the reference pages of docs/.
 #include "rubber_suspension/io/reference.h"
 
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <sstream>
+
 #include "command.h"
+#include "rubber_suspension/diagnosis/effect_reference.h"
+#include "rubber_suspension/ros_interface/command_reference.h"
+#include "rubber_suspension/ros_interface/node_interface.h"
+
+namespace {
+
+std::vector<std::string> commandNames() {
+  std::istringstream words(RUBBER_SUSPENSION_COMMANDS);
+  std::vector<std::string> names;
+  for (std::string name; words >> name;) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+using Page = std::function<std::string()>;
+
+const std::map<std::string, Page>& pages() {
+  static const std::map<std::string, Page> table = {
+      {"parameters", [] { return rubber_suspension::parameterReference(); }},
+      {"topics", [] { return rubber_suspension::topicReference(); }},
+      {"effects", [] { return rubber_suspension::effectReference(); }},
+      {"commands", [] { return rubber_suspension::commandReference(commandNames()); }},
+  };
+  return table;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace rubber_suspension;
-  return runCommand(argc, argv, "reference", "Prints all models, keys and elements of the component file as Markdown.",
-                    [](CLI::App&) -> CommandBody {
-                      return [] {
-                        std::cout << parameterReference();
-                        return kSuccess;
-                      };
-                    });
+  return runCommand(
+      argc, argv, "reference",
+      "Prints a reference page as Markdown: of the component file, the node, the effects or the commands.",
+      [](CLI::App& app) -> CommandBody {
+        const auto page = std::make_shared<std::string>("parameters");
+        app.add_option("page", *page, "what to print")
+            ->check(CLI::IsMember({"parameters", "topics", "effects", "commands"}))
+            ->capture_default_str();
+        return [page] {
+          std::cout << pages().at(*page)();
+          return static_cast<int>(kSuccess);
+        };
+      });
 }

@@ -1,0 +1,12 @@
+// The reference page of the effects that a diagnosis may name, written from the list that it searches.
+#pragma once
+
+#include <string>
+
+namespace rubber_suspension {
+
+/// Markdown: every candidate effect, whether it belongs to the rubber or to the rig, its signature, and the elements
+/// that its entries in a component file are made of.
+std::string effectReference();
+
+}  // namespace rubber_suspension

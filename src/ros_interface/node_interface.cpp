@@ -1,0 +1,104 @@
+// What the node `simulate` can be asked over ROS, in one table.
+#include "rubber_suspension/ros_interface/node_interface.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <fmt/format.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/DisplacementArray.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/ForceArray.h>
+#include <rubber_suspension/Gap.h>
+#include <rubber_suspension/GapShare.h>
+#include <rubber_suspension/MeasuredForce.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include "rubber_suspension/ros_interface/node_settings.h"
+
+namespace rubber_suspension {
+namespace {
+
+using Kind = InterfaceEntry::Kind;
+
+template <class Message>
+InterfaceEntry topic(const std::string& name, Kind kind, const std::string& documentation) {
+  return {name, ros::message_traits::DataType<Message>::value(), kind, documentation};
+}
+
+template <class Service>
+InterfaceEntry service(const std::string& name, const std::string& documentation) {
+  return {name, ros::service_traits::DataType<Service>::value(), Kind::service, documentation};
+}
+
+std::string direction(Kind kind) { return kind == Kind::subscribed ? "in" : "out"; }
+
+std::string topicTable() {
+  std::string text = "| topic | direction | type | |\n|---|---|---|---|\n";
+  for (const InterfaceEntry& entry : nodeInterface()) {
+    if (entry.kind != Kind::service) {
+      text += fmt::format("| `{}` | {} | `{}` | {} |\n", entry.name, direction(entry.kind), entry.type,
+                          entry.documentation);
+    }
+  }
+  return text;
+}
+
+std::string serviceTable() {
+  std::string text = "| service | type | |\n|---|---|---|\n";
+  for (const InterfaceEntry& entry : nodeInterface()) {
+    if (entry.kind == Kind::service) {
+      text += fmt::format("| `{}` | `{}` | {} |\n", entry.name, entry.type, entry.documentation);
+    }
+  }
+  return text;
+}
+
+// The text of the .msg file itself; what follows a line of equals signs are the messages that it contains.
+template <class Message>
+std::string definition() {
+  std::string text = ros::message_traits::Definition<Message>::value();
+  text = text.substr(0, text.find("\n====="));
+  while (!text.empty() && text.back() == '\n') {
+    text.pop_back();
+  }
+  return fmt::format("\n### {}\n\n```\n{}\n```\n", ros::message_traits::DataType<Message>::value(), text);
+}
+
+}  // namespace
+
+const std::vector<InterfaceEntry>& nodeInterface() {
+  static const std::vector<InterfaceEntry> table = {
+      topic<Displacement>("COMPONENT/displacement", Kind::subscribed, "each accepted one is answered by one force"),
+      topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement"),
+      topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
+                           "optional: with the force of the real component the node watches the gap"),
+      topic<Gap>("COMPONENT/gap", Kind::published, "once per second, with a measured force: level, where and trend"),
+      topic<DisplacementArray>("displacements", Kind::subscribed, "all components in one message"),
+      topic<ForceArray>("forces", Kind::published, "the answer to it"),
+      topic<diagnostic_msgs::DiagnosticArray>("/diagnostics", Kind::published,
+                                              "once per second: rate, drops, rejects, latency and gap per component"),
+      service<std_srvs::Trigger>("~reset", "all components become new specimens at rest"),
+      service<std_srvs::Trigger>("~save_state", "write the state of all components to ~state_file"),
+      service<std_srvs::Trigger>("~load_state", "go on from the state in ~state_file"),
+      service<std_srvs::Trigger>("~reload", "read the component file again; components that are the same go on"),
+      service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement, and stays as it was"),
+      service<std_srvs::Trigger>("COMPONENT/reset", "one component becomes a new specimen at rest"),
+      service<std_srvs::SetBool>("COMPONENT/set_enabled", "as ~set_enabled, for one component"),
+  };
+  return table;
+}
+
+std::string topicReference() {
+  std::string text =
+      "# Reference of the node `simulate`\n\n"
+      "Written by the command `reference` from the table that a test holds a running node to. `COMPONENT` stands for\n"
+      "the name of each component, `~` for the name of the node.\n\n"
+      "## Topics\n\n" +
+      topicTable() + "\n## Services\n\n" + serviceTable() + "\n## Private parameters\n\n```\n" +
+      describeNodeSettings() + "```\n\n## Messages\n";
+  text += definition<Displacement>() + definition<Force>() + definition<MeasuredForce>() + definition<Gap>() +
+          definition<GapShare>() + definition<DisplacementArray>() + definition<ForceArray>();
+  return text;
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,20 @@
+// The page of effects in docs/ is the one that the code prints, and names elements that a component file accepts.
+#include "rubber_suspension/diagnosis/effect_reference.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace rubber_suspension {
+namespace {
+
+TEST(EffectReference, IsThePageInDocs) {
+  std::ostringstream page;
+  page << std::ifstream(TEST_DIR "/../docs/effects.md").rdbuf();
+  EXPECT_EQ(page.str(), effectReference())
+      << "after a change of a candidate: rosrun rubber_suspension reference effects > docs/effects.md";
+}
+
+}  // namespace
+}  // namespace rubber_suspension
