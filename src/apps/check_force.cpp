@@ -13,6 +13,7 @@
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/ros_interface/command_line.h"
 #include "rubber_suspension/ros_interface/force_check.h"
+#include "rubber_suspension/ros_interface/loopback.h"
 
 using namespace rubber_suspension;
 
@@ -84,6 +85,14 @@ void reset(ros::NodeHandle& handle, const std::string& service) {
   }
 }
 
+// A bench that is kept to the loopback interface gets a test that is.
+void noteOpenness() {
+  const std::string refusal = keepSlaveApiToLoopback();
+  if (!refusal.empty()) {
+    std::cerr << "check_force: note: " << refusal << '\n';
+  }
+}
+
 ForceReference referenceFor(const Options& options, const Log& log) {
   if (options.config.empty()) {
     return measuredReference(log);
@@ -98,6 +107,7 @@ std::vector<TestCase> check(RosCommandLine& line, const Options& options) {
   const ForceReference reference = referenceFor(options, log);
   line.initialise("check_force");
   ros::NodeHandle handle;
+  noteOpenness();
   LogPlayer player(handle, options.play);
   player.connect();
   if (!options.reset.empty()) {

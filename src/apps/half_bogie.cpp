@@ -7,6 +7,7 @@
 #include "command.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/ros_interface/command_line.h"
+#include "rubber_suspension/ros_interface/loopback.h"
 #include "topic_exchange.h"
 #include "vehicle/simulation.h"
 #include "vehicle/stability.h"
@@ -55,7 +56,12 @@ History runLoop(RosCommandLine& line, const Options& options, const Scene& scene
   }
   if (options.loop == "topics") {
     line.initialise("half_bogie");
-    TopicExchange exchange(ros::NodeHandle(), options.reset);
+    const ros::NodeHandle handle;
+    const std::string refusal = keepSlaveApiToLoopback();
+    if (!refusal.empty()) {
+      std::cerr << "half_bogie: note: " << refusal << '\n';
+    }
+    TopicExchange exchange(handle, options.reset);
     return runExchange(scene, exchange, options.delay);
   }
   LibraryExchange exchange(components);
