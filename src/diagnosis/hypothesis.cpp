@@ -311,8 +311,8 @@ double Fitter::cost(const Point& point, const std::vector<Atom>& atoms) const {
 }
 
 BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
-                           Point& point) const {
-  BlockGrams blocks = linearise(point, atoms, trends);
+                           const std::vector<bool>& first_active, Point& point) const {
+  BlockGrams blocks = linearise(point, atoms, trends, first_active);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   double least = cost(point, atoms);
@@ -365,14 +365,15 @@ BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool 
 
 Point Fitter::scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const {
   Point point = start;
-  descend(atoms, iterations, false, true, point);
+  descend(atoms, iterations, false, true, {}, point);
   return point;
 }
 
-Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends) const {
+Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends,
+                const std::vector<bool>& active) const {
   Fit result;
   result.point = start;
-  const BlockGrams blocks = descend(atoms, iterations, trends, false, result.point);
+  const BlockGrams blocks = descend(atoms, iterations, trends, false, active, result.point);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   for (Eigen::Index j = 0; j < unknowns; ++j) {

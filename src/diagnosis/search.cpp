@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kBaseIterations = 10;
 constexpr int kSingleIterations = 6;
-constexpr int kPairIterations = 5;
+constexpr int kFurtherIterations = 4;
 constexpr int kAloneIterations = 4;
 constexpr std::size_t kPairsFitted = 8;
 constexpr std::size_t kAdditionsFitted = 3;
@@ -30,33 +30,61 @@ Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>
   return trial;
 }
 
-// Fit from several starts of the own parameters, nothing added; the best counts.
-void fitTrial(const Fitter& fitter, const std::vector<Candidate>& candidates,
-              const std::vector<Eigen::VectorXd>& starts, int iterations, Trial& trial) {
-  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trial.atoms.size()));
-  const auto tryFrom = [&](const Point& start) {
-    Fit fit = fitter.fit(trial.atoms, start, iterations, hasTrends(candidates, trial.members));
-    if (trial.fit.block_errors.empty() || fit.score() < trial.fit.score()) {
-      trial.fit = std::move(fit);
-    }
-  };
-  for (const Eigen::VectorXd& start : starts) {
-    tryFrom({start, nothing});
-  }
-  if (std::any_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return !atom.additive; })) {
-    tryFrom(fitter.scalesAlone(trial.atoms, fitter.configured(trial.atoms.size()), kAloneIterations));
+bool allAdditive(const Trial& trial) {
+  return std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return atom.additive; });
+}
+
+double furthestMove(const Eigen::VectorXd& own) { return own.size() > 0 ? own.cwiseAbs().maxCoeff() : 0.0; }
+
+constexpr double kFar = 0.2;  // a logarithm of an own parameter: far enough for a second start from the configured ones
+
+void keepBetter(Fit fit, Trial& trial) {
+  if (trial.fit.block_errors.empty() || fit.score() < trial.fit.score()) {
+    trial.fit = std::move(fit);
   }
 }
 
-// Where to start the own parameters: where another fit arrived, and if that is far from the configured ones, from
-// those.
-std::vector<Eigen::VectorXd> startsAbout(const Trial& other) {
-  constexpr double kFar = 0.2;  // a logarithm
-  std::vector<Eigen::VectorXd> starts = {other.fit.point.own};
-  if (starts[0].size() > 0 && starts[0].cwiseAbs().maxCoeff() > kFar) {
-    starts.emplace_back(Eigen::VectorXd::Zero(starts[0].size()));
+// A single effect, from where the own parameters alone arrived, from the configured ones, and where the effect changes
+// what the others do, from where it gets with these kept.
+void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& re_estimated,
+               Trial& trial) {
+  const bool trends = hasTrends(candidates, trial.members);
+  const Point configured = fitter.configured(trial.atoms.size());
+  Point start = configured;
+  start.own = re_estimated.fit.point.own;
+  keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
+  if (furthestMove(start.own) > kFar) {
+    keepBetter(fitter.fit(trial.atoms, configured, kSingleIterations, trends), trial);
   }
-  return starts;
+  if (!allAdditive(trial)) {
+    start = fitter.scalesAlone(trial.atoms, configured, kAloneIterations);
+    keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
+  }
+}
+
+// Several effects, from where some of them arrived.
+void fitFurther(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& from, Trial& trial) {
+  const bool trends = hasTrends(candidates, trial.members);
+  Point start = fitter.configured(trial.atoms.size());
+  std::vector<bool> active(trial.atoms.size(), true);
+  start.own = from.fit.point.own;
+  std::size_t place = 0;
+  std::size_t place_from = 0;
+  for (const int member : trial.members) {
+    const bool known = std::find(from.members.begin(), from.members.end(), member) != from.members.end();
+    for (const Atom& atom : candidates[static_cast<std::size_t>(member)].atoms) {
+      if (known) {
+        const double scale = from.fit.point.scales[static_cast<Eigen::Index>(place_from++)];
+        start.scales[static_cast<Eigen::Index>(place)] = scale;
+        active[place] = atom.additive || scale != 0.0;
+      }
+      ++place;
+    }
+  }
+  keepBetter(fitter.fit(trial.atoms, start, kFurtherIterations, trends, active), trial);
+  if (furthestMove(start.own) > kFar && allAdditive(trial)) {
+    keepBetter(fitter.fit(trial.atoms, fitter.configured(trial.atoms.size()), kFurtherIterations, trends), trial);
+  }
 }
 
 // The best fit among those of the members alone.
@@ -338,12 +366,11 @@ class Searcher {
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
       result_.singles.push_back(makeTrial(result_.candidates, {c}));
     }
-    const std::vector<Eigen::VectorXd> starts = startsAbout(result_.re_estimated);
     parallelFor(result_.singles.size() + 1, threads_, [&](std::size_t i) {
       if (i == result_.singles.size()) {
         result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations);
       } else {
-        fitTrial(fitter_, result_.candidates, starts, kSingleIterations, result_.singles[i]);
+        fitSingle(fitter_, result_.candidates, result_.re_estimated, result_.singles[i]);
       }
     });
     ranked_ = result_.singles;
@@ -371,14 +398,6 @@ class Searcher {
            hasTrends(result_.candidates, single->members);
   }
 
-  void fitSeveral(std::vector<Trial>& trials) const {
-    parallelFor(trials.size(), threads_, [&](std::size_t i) {
-      fitTrial(fitter_, result_.candidates, startsAbout(bestMember(result_, trials[i].members)), kPairIterations,
-               trials[i]);
-    });
-    sortByScore(trials);
-  }
-
   void fitPairs(const std::vector<Screened>& screened) {
     std::vector<Screened> additions[2];
     parallelFor(2, threads_, [&](std::size_t i) {
@@ -388,14 +407,20 @@ class Searcher {
     for (const auto& about_a_single : additions) {
       choose(result_.candidates, about_a_single, kAdditionsFitted, result_.pairs);
     }
-    fitSeveral(result_.pairs);
+    parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
+      Trial& pair = result_.pairs[i];
+      fitFurther(fitter_, result_.candidates, bestMember(result_, pair.members), pair);
+    });
+    sortByScore(result_.pairs);
   }
 
   void fitTriples() {
     const Trial& pair = result_.pairs.front();
     const Screen screen(fitter_, result_.candidates, pair);
     choose(result_.candidates, screen.additions(pair.members), kAdditionsFitted, result_.triples);
-    fitSeveral(result_.triples);
+    parallelFor(result_.triples.size(), threads_,
+                [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
+    sortByScore(result_.triples);
   }
 
   const Fitter& fitter_;

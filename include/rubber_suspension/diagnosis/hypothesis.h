@@ -76,7 +76,9 @@ class Fitter {
 
   /// Fit by Gauss-Newton steps within the bounds, from a start. `trends`: a slow trend per log, which no model run
   /// reproduces, is free too (drift of the load cell that is not a ramp).
-  Fit fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends = false) const;
+  /// `active`: atoms that may move in the first step; all where it is empty.
+  Fit fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends = false,
+          const std::vector<bool>& active = {}) const;
 
   /// Where the scales arrive from a start while the own parameters stay as they are.
   Point scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const;
@@ -104,7 +106,8 @@ class Fitter {
   using Columns = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
 
   /// Gauss-Newton steps from `point`, to where they end; normal equations there.
-  BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed, Point& point) const;
+  BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
+                     const std::vector<bool>& first_active, Point& point) const;
   double cost(const Point& point, const std::vector<Atom>& atoms) const;
   std::vector<Eigen::VectorXd> ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
                                          const std::vector<Eigen::VectorXd>& base) const;

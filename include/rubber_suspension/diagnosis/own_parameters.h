@@ -31,8 +31,8 @@ class OwnParameters {
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
-  /// The bound on |logarithm| of a parameter: a factor of 3 on what was specified, beyond which it is another component,
-  /// and of 10 on values of single elements, which stand for each other.
+  /// The bound on |logarithm| of a parameter: a factor of 3 on what was specified, beyond which it is another
+  /// component, and of 10 on values of single elements, which stand for each other.
   double bound(Eigen::Index parameter) const;
 
   /// The component with these logarithms of ratios. Throws std::invalid_argument where there is none.
