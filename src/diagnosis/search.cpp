@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -14,10 +15,10 @@ namespace {
 
 constexpr int kBaseIterations = 10;
 constexpr int kSingleIterations = 6;
-constexpr int kFurtherIterations = 4;
+constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
-constexpr std::size_t kPairsFitted = 8;
-constexpr std::size_t kAdditionsFitted = 3;
+constexpr std::size_t kPairsFitted = 6;
+constexpr std::size_t kAdditionsFitted = 2;
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 
 Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
@@ -83,7 +84,7 @@ void fitFurther(const Fitter& fitter, const std::vector<Candidate>& candidates, 
   }
   keepBetter(fitter.fit(trial.atoms, start, kFurtherIterations, trends, active), trial);
   if (furthestMove(start.own) > kFar && allAdditive(trial)) {
-    keepBetter(fitter.fit(trial.atoms, fitter.configured(trial.atoms.size()), kFurtherIterations, trends), trial);
+    keepBetter(fitter.fit(trial.atoms, fitter.configured(trial.atoms.size()), kSingleIterations, trends), trial);
   }
 }
 
@@ -138,8 +139,8 @@ std::vector<ElementDescription> bergFriction(const std::vector<ElementDescriptio
 }
 
 // What small reversals make of the force of Berg's friction, for each log. It forgets all but the last reversal, so one
-// that is missed, or taken where none was, shifts all that follows: the worst of some dead bands and draws of the
-// sensor's noise counts. Other laws of a model err by no more than the noise itself.
+// that is missed, or taken where none was, shifts all that follows: root mean square over some dead bands and draws of
+// the sensor's noise. Other laws of a model err by no more than the noise itself.
 std::vector<double> frictionNoise(const Fitter& fitter, const Point& point) {
   const auto elements = *fitter.elements(point, {});
   const auto& records = fitter.records();
@@ -151,16 +152,19 @@ std::vector<double> frictionNoise(const Fitter& fitter, const Point& point) {
   if (bergFriction(elements, noise, 1.0).empty()) {
     return result;
   }
+  constexpr std::array<double, 3> kVariants = {0.7, 1.0, 1.4};  // factors of the dead band
   const auto plain = simulate(bergFriction(elements, noise, 1.0), records);
   unsigned draw = 0;
-  for (const double factor : {0.7, 1.0, 1.4}) {
+  for (const double factor : kVariants) {
     ++draw;
     const auto noisy = simulate(bergFriction(elements, noise, factor), records,
                                 [draw](const Record& record) { return withNoiseDrawn(record, draw); });
     for (std::size_t r = 0; r < plain.size(); ++r) {
-      const double error = std::sqrt((noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()));
-      result[r] = std::max(result[r], error / records[r].force_deviation);
+      result[r] += (noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()) / kVariants.size();
     }
+  }
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    result[r] = std::sqrt(result[r]) / records[r].force_deviation;
   }
   return result;
 }

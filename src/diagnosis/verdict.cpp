@@ -48,9 +48,12 @@ class Decision {
  private:
   double excess(const Trial& trial) const { return rubber_suspension::excess(search_, trial); }
 
-  // Effects that these logs would hardly show are not to be named, however well they fit.
+  // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
   bool testable(const Trial& trial) const {
-    return std::all_of(trial.members.begin(), trial.members.end(), [&](int member) { return shows(search_, member); });
+    return std::all_of(trial.members.begin(), trial.members.end(), [&](int member) {
+      return shows(search_, member) ||
+             (trial.members.size() > 1 && excess(trial) < kContributes * without(trial, member));
+    });
   }
 
   Trial configuredTrial() const {
