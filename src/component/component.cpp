@@ -136,7 +136,9 @@ Component::Component(const std::vector<ElementDescription>& elements) {
 
 void Component::placeSpecimen(const std::shared_ptr<const ParallelElement>& law) {
   const auto addMaxwell = [this](const Maxwell& maxwell) {
-    maxwells_.push_back({maxwell.stiffness(), maxwell.relaxationTime()});
+    maxwell_stiffness_.push_back(maxwell.stiffness());
+    maxwell_rate_.push_back(maxwell.rate());
+    fastest_rate_ = std::max(fastest_rate_, maxwell.rate());
   };
   if (const auto* spring = dynamic_cast<const Spring*>(law.get())) {
     spring_stiffness_ += spring->stiffness();
@@ -161,8 +163,8 @@ void Component::placeAll(std::vector<Placed<Law>>& placed) {
 }
 
 void Component::reserveMemory() {
-  reserve(maxwells_.size());
-  bergs_offset_ = reserve(bergs_.size() * BergFriction::kMemorySize);
+  reserve(maxwell_stiffness_.size());
+  reserve(bergs_.size() * BergFriction::kMemorySize);
   placeAll(specimen_);
   placeAll(force_effects_);
   trial_size_ = memory_size_;
@@ -172,6 +174,7 @@ void Component::reserveMemory() {
   behind_mount_slot_ = reserve(mount_compliance_ > 0.0 ? 1 : 0);
   plain_ = specimen_.empty() && force_effects_.empty() && displacement_effects_.empty() && rig_.empty() &&
            mount_compliance_ == 0.0;
+  lean_ = plain_ && bergs_.size() <= 1;
 }
 
 std::size_t Component::reserve(std::size_t size) {
@@ -184,28 +187,45 @@ ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
   state.scratch_.resize(mount_compliance_ > 0.0 ? trial_size_ : 0);
-  state.maxwell_steps_.resize(maxwells_.size());
+  state.maxwell_decay_.resize(maxwell_stiffness_.size());
+  state.maxwell_gain_.resize(maxwell_stiffness_.size());
   rest(state, 0.0);
   return state;
 }
 
-void Component::prepare(ComponentState& state, double dt) const {
-  if (dt == state.prepared_dt_) {
-    return;
+template <class Relax>
+void Component::prepareMaxwells(ComponentState& state, double dt, Relax relax) const {
+  const std::size_t count = maxwell_stiffness_.size();
+  const double* stiffness = maxwell_stiffness_.data();
+  const double* rate = maxwell_rate_.data();
+  double* decay = state.maxwell_decay_.data();
+  double* gain = state.maxwell_gain_.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const MaxwellStep step(stiffness[i], relax(dt * rate[i]));
+    decay[i] = step.decay;
+    gain[i] = step.gain;
   }
-  for (std::size_t i = 0; i < maxwells_.size(); ++i) {
-    state.maxwell_steps_[i] = MaxwellStep(maxwells_[i].stiffness, maxwells_[i].relaxation_time, dt);
+}
+
+void Component::prepare(ComponentState& state, double dt) const {
+  // All steps small or not: a branch for each element would keep the loop from becoming vector instructions.
+  if (dt * fastest_rate_ <= Relaxation::kSmall) {
+    prepareMaxwells(state, dt, [](double x) { return Relaxation::small(x); });
+  } else {
+    prepareMaxwells(state, dt, [](double x) { return Relaxation::over(x); });
   }
   state.dashpot_gain_ = dashpot_damping_ / dt;
   state.prepared_dt_ = dt;
 }
 
 ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {
-  std::fill(memory, memory + maxwells_.size(), 0.0);
+  std::fill(memory, memory + maxwell_stiffness_.size(), 0.0);
   ComponentForce force;
   force.elastic = force.total = spring_stiffness_ * displacement;
-  for (std::size_t i = 0; i < bergs_.size(); ++i) {
-    add(force, Part::friction, bergs_[i].rest(displacement, memory + bergs_offset_ + i * BergFriction::kMemorySize));
+  double* berg_memory = memory + maxwell_stiffness_.size();
+  for (const BergFriction& berg : bergs_) {
+    add(force, Part::friction, berg.rest(displacement, berg_memory));
+    berg_memory += BergFriction::kMemorySize;
   }
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
@@ -221,14 +241,9 @@ ComponentForce Component::specimenRest(double displacement, bool as_new, double*
 }
 
 inline ComponentForce Component::plainStep(const ComponentState& state, const Motion& motion, double* memory) const {
-  double viscous = state.dashpot_gain_ * motion.increment;
-  double* maxwell_force = memory;
-  for (const MaxwellStep& coefficients : state.maxwell_steps_) {
-    *maxwell_force = coefficients.decay * *maxwell_force + coefficients.gain * motion.increment;
-    viscous += *maxwell_force++;
-  }
+  const double viscous = stepMaxwells(state, motion.increment, memory);
   double friction = 0.0;
-  double* berg_memory = memory + bergs_offset_;
+  double* berg_memory = memory + maxwell_stiffness_.size();
   for (const BergFriction& berg : bergs_) {
     friction += berg.advance(motion.displacement, berg_memory);
     berg_memory += BergFriction::kMemorySize;
@@ -299,14 +314,24 @@ ComponentForce Component::recover(ComponentState& state, double displacement) co
   return settle(state, displacement, false);
 }
 
-ComponentForce Component::step(ComponentState& state, double dt, double displacement) const {
-  prepare(state, dt);
+ComponentForce Component::fullStep(ComponentState& state, double dt, double displacement) const {
+  if (dt != state.prepared_dt_) {
+    prepare(state, dt);
+  }
+  if (goesOn(state, displacement)) {
+    return leanStep(state, displacement);
+  }
+  if (!plain_) {
+    return stepThroughEffects(state, dt, displacement);
+  }
+  const double increment = displacement - state.displacement_;
+  state.displacement_ = displacement;
+  return plainStep(state, {dt, displacement, increment}, state.memory_.data());
+}
+
+ComponentForce Component::stepThroughEffects(ComponentState& state, double dt, double displacement) const {
   double* memory = state.memory_.data();
   const Motion actuator{dt, displacement, displacement - state.displacement_};
-  if (plain_) {
-    state.displacement_ = displacement;
-    return plainStep(state, actuator, memory);
-  }
   Motion specimen = actuator;
   if (!displacement_effects_.empty()) {
     for (const auto& effect : displacement_effects_) {
@@ -346,9 +371,9 @@ std::optional<std::complex<double>> Component::specimenStiffness(double omega) c
     return std::nullopt;
   }
   std::complex<double> sum(spring_stiffness_, omega * dashpot_damping_);
-  for (const auto& maxwell : maxwells_) {
-    const std::complex<double> iwt(0.0, omega * maxwell.relaxation_time);
-    sum += maxwell.stiffness * iwt / (1.0 + iwt);
+  for (std::size_t i = 0; i < maxwell_stiffness_.size(); ++i) {
+    const std::complex<double> iwt(0.0, omega / maxwell_rate_[i]);
+    sum += maxwell_stiffness_[i] * iwt / (1.0 + iwt);
   }
   for (const auto& element : specimen_) {
     const auto stiffness = element.law->complexStiffness(omega);

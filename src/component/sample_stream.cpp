@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace rubber_suspension {
 namespace {
@@ -12,6 +13,24 @@ constexpr double kLongestGap = 9e9;  // [s], what fits into signed nanoseconds
 // later - earlier [ns]; both may lie anywhere, so the difference may be more than a signed number holds.
 std::uint64_t between(std::int64_t earlier, std::int64_t later) {
   return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
+}
+
+double secondsBetween(std::int64_t earlier, std::int64_t later) {
+  return static_cast<double>(between(earlier, later)) / static_cast<double>(SampleStream::kNanosecondsPerSecond);
+}
+
+// One added to an exponent of ones only, that of infinity and of what is not a number, carries into the sign bit. A sum
+// of bits has no branch, so that the loop becomes vector instructions.
+bool allFinite(const double* value, std::size_t count) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
+  constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52U;
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, value + i, sizeof bits);
+    seen |= (bits & ~kSign) + kOneInExponent;
+  }
+  return (seen & kSign) == 0;
 }
 
 }  // namespace
@@ -65,8 +84,7 @@ ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double
   if (!started_ || verdict == Verdict::restarted) {
     return component_.rest(state_, displacement);
   }
-  const double dt = static_cast<double>(between(last_stamp_, stamp)) / static_cast<double>(kNanosecondsPerSecond);
-  return component_.step(state_, dt, displacement);
+  return component_.step(state_, secondsBetween(last_stamp_, stamp), displacement);
 }
 
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
@@ -86,6 +104,56 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
   }
   count(result.verdict);
   return result;
+}
+
+// How many of the samples follow the last one at equal distance, all accepted by their stamps.
+std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
+  constexpr std::size_t kMost = 4096;  // after a run whose force is not finite, its samples are pushed anew
+  if (!started_ || judge(stamp[0], displacement[0]) != Verdict::accepted) {
+    return 0;
+  }
+  const std::uint64_t step = between(last_stamp_, stamp[0]);
+  std::size_t size = 1;
+  const std::size_t most = std::min(kMost, count);
+  while (size < most && between(stamp[size - 1], stamp[size]) == step && stamp[size] > stamp[size - 1]) {
+    ++size;
+  }
+  return size;
+}
+
+// False, and nothing has happened, where a displacement or a force is not finite.
+bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force) {
+  if (!allFinite(displacement, count)) {
+    return false;
+  }
+  before_.recall(state_);
+  component_.simulate(state_, secondsBetween(last_stamp_, stamp[0]), displacement, count, force);
+  if (!allFinite(force, count)) {
+    state_.recall(before_);
+    return false;
+  }
+  last_stamp_ = stamp[count - 1];
+  counters_.accepted += count;
+  return true;
+}
+
+std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count,
+                                  double* force) {
+  for (std::size_t i = 0; i < count;) {
+    const std::size_t run = evenRun(stamp + i, displacement + i, count - i);
+    if (run > 1 && pushRun(stamp + i, displacement + i, run, force + i)) {
+      i += run;
+      continue;
+    }
+    for (const std::size_t end = i + std::max<std::size_t>(run, 1); i < end; ++i) {
+      const StreamForce result = push(stamp[i], displacement[i]);
+      if (!isAccepted(result.verdict)) {
+        return i;
+      }
+      force[i] = result.force.total;
+    }
+  }
+  return count;
 }
 
 void SampleStream::reset() {

@@ -37,6 +37,25 @@ void BergFriction::turn(double displacement, double way_back, double* memory) co
   }
 }
 
+void BergFriction::addForces(const double* displacement, std::size_t count, double* memory, double* force) const {
+  for (std::size_t first = 0; first < count;) {
+    std::size_t end = first;
+    for (; end < count && goesOn(displacement[end], memory); ++end) {
+      memory[kExtremum] = displacement[end];
+    }
+    const double reference_displacement = memory[kReferenceDisplacement];
+    const double reference_force = memory[kReferenceForce];
+    for (std::size_t i = first; i < end; ++i) {
+      force[i] += branch(displacement[i], reference_displacement, reference_force);
+    }
+    if (end < count) {
+      force[end] += advance(displacement[end], memory);
+      ++end;
+    }
+    first = end;
+  }
+}
+
 double BergFriction::settledForce(double amplitude) const {
   const double z2 = displacement_;
   const double z0 = amplitude;

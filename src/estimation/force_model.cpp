@@ -204,13 +204,14 @@ void ForceModel::addElement(std::size_t position) {
 
 Eigen::VectorXd ForceModel::simulate(const std::vector<ElementDescription>& elements) const {
   const Component component(elements);
-  Eigen::VectorXd force(size_);
-  Eigen::Index row = 0;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(size_);
+  double* first = force.data();
   for (const Measurement& measurement : measurements_) {
+    const std::size_t size = measurement.stamp.size();
     SampleStream stream(component);
-    for (std::size_t i = 0; i < measurement.stamp.size(); ++i) {
-      force[row++] = stream.push(measurement.stamp[i], measurement.displacement[i]).force.total;
-    }
+    // A trial without a finite force, and all after it, counts as none at all.
+    stream.pushAll(measurement.stamp.data(), measurement.displacement.data(), size, first);
+    first += size;
   }
   return force;
 }

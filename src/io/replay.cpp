@@ -85,17 +85,18 @@ std::vector<double> simulateLog(const Component& component, const Log& log, Stre
   checkLog(log);
   SampleStream stream(component);
   Progress progress("simulating " + log.name, log.size());
-  std::vector<double> force;
-  force.reserve(log.size());
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    const StreamForce result = stream.push(log.stamp[i], log.displacement[i]);
+  std::vector<double> force(log.size());
+  constexpr std::size_t kPortion = 10000;  // samples between two looks at the progress
+  for (std::size_t first = 0; first < log.size(); first += kPortion) {
+    const std::size_t size = std::min(kPortion, log.size() - first);
+    const std::size_t accepted =
+        stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, size, force.data() + first);
     // The log is checked, so every sample is accepted but one whose force is too large for a double.
-    if (!isAccepted(result.verdict)) {
-      throw LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name, i + 1,
-                                 log.displacement[i]));
+    if (accepted < size) {
+      throw LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name,
+                                 first + accepted + 1, log.displacement[first + accepted]));
     }
-    force.push_back(result.force.total);
-    progress.advance();
+    progress.advance(size);
   }
   if (counters != nullptr) {
     *counters = stream.counters();

@@ -351,7 +351,7 @@ TEST(Tangent, OfLinearElementsInClosedForm) {
   ComponentState state = component.makeState();
   ComponentState trial = component.makeState();
   walk(component, state, 8, 20);
-  const MaxwellStep step(1.3e6, 1.0 / (2.0 * M_PI * 1.43), kDt);
+  const MaxwellStep step(1.3e6, Relaxation::over(kDt * 2.0 * M_PI * 1.43));
   const Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
   // 1e-16 of some kN over 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);

@@ -38,7 +38,7 @@ TEST(Maxwell, RampIsExactAtAnyStep) {
 
 TEST(Maxwell, StepCoefficientsKeepTheirDigitsAtAnyRatio) {
   for (const double ratio : {1e-15, 1e-9, 1e-3, 1.0, 50.0, 1e3, 1e12}) {
-    const MaxwellStep step(3.0, 1.0, ratio);
+    const MaxwellStep step(3.0, Relaxation::over(ratio));
     const double gain = ratio < 1e-5 ? 3.0 * (1.0 - 0.5 * ratio) : 3.0 * -std::expm1(-ratio) / ratio;
     EXPECT_NEAR(step.gain / gain, 1.0, 1e-10) << ratio;  // the series errs by ratio^2/6
     EXPECT_NEAR(step.decay, std::exp(-ratio), 1e-15) << ratio;

@@ -39,7 +39,8 @@ class ComponentState {
   // Coefficients of dashpot and Maxwell elements for the step length last used; derived, not saved.
   double prepared_dt_ = -1.0;
   double dashpot_gain_ = 0.0;  // c/dt [N/m]
-  std::vector<MaxwellStep> maxwell_steps_;
+  std::vector<double> maxwell_decay_;
+  std::vector<double> maxwell_gain_;
 };
 
 /// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
@@ -71,7 +72,14 @@ class Component {
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
   /// The force is not a number, from there on, where the specimen has given way behind a series mount: where its
   /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the mount can hold.
-  ComponentForce step(ComponentState& state, double dt, double displacement) const;
+  ComponentForce step(ComponentState& state, double dt, double displacement) const {
+    return dt == state.prepared_dt_ && goesOn(state, displacement) ? leanStep(state, displacement)
+                                                                   : fullStep(state, dt, displacement);
+  }
+
+  /// As many steps of dt [s] as there are displacements [m]; the total forces [N] go to `force`. The same bits as
+  /// step() after step(), several times as fast. Allocates nothing.
+  void simulate(ComponentState& state, double dt, const double* displacement, std::size_t count, double* force) const;
 
   /// Linearise the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two trial
   /// steps 10 nm to either side (relative error about 1e-7 for friction that turns within 0.1 mm, 1e-9 for linear
@@ -100,14 +108,51 @@ class Component {
   void placeAll(std::vector<Placed<Law>>& placed);
   std::size_t reserve(std::size_t size);
   void reserveMemory();
+  template <class Relax>
+  void prepareMaxwells(ComponentState& state, double dt, Relax relax) const;
   void prepare(ComponentState& state, double dt) const;
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
+  void simulateBlock(ComponentState& state, const double* displacement, std::size_t count, double* force) const;
+  ComponentForce fullStep(ComponentState& state, double dt, double displacement) const;
+  ComponentForce stepThroughEffects(ComponentState& state, double dt, double displacement) const;
   ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;
   ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
   double behindMount(ComponentState& state, const Motion& motion) const;
   std::optional<std::complex<double>> specimenStiffness(double omega) const;
+
+  /// True where the step is that of springs, dashpots, Maxwell elements and friction that does not turn.
+  bool goesOn(const ComponentState& state, double displacement) const {
+    return lean_ &&
+           (bergs_.empty() || bergs_.front().goesOn(displacement, state.memory_.data() + maxwell_stiffness_.size()));
+  }
+
+  /// That step, for coefficients that are prepared. It calls nothing, so that all numbers stay in registers.
+  ComponentForce leanStep(ComponentState& state, double displacement) const {
+    const double increment = displacement - state.displacement_;
+    state.displacement_ = displacement;
+    double* memory = state.memory_.data();
+    const double viscous = stepMaxwells(state, increment, memory);
+    const double friction =
+        bergs_.empty() ? 0.0 : bergs_.front().follow(displacement, memory + maxwell_stiffness_.size());
+    const double elastic = spring_stiffness_ * displacement;
+    return {elastic + viscous + friction, elastic, viscous, friction};
+  }
+
+  /// Advances all Maxwell elements; returns their force and that of the dashpots [N].
+  double stepMaxwells(const ComponentState& state, double increment, double* __restrict memory) const {
+    const double* __restrict decay = state.maxwell_decay_.data();
+    const double* __restrict gain = state.maxwell_gain_.data();
+    const std::size_t count = maxwell_stiffness_.size();
+    double sum = state.dashpot_gain_ * increment;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double force = decay[i] * memory[i] + gain[i] * increment;
+      memory[i] = force;
+      sum += force;
+    }
+    return sum;
+  }
 
   std::vector<ElementDescription> descriptions_;
   std::size_t memory_size_ = 0;
@@ -117,13 +162,10 @@ class Component {
   // step of the series solve changes), then displacement effects, rig, and the two displacements below.
   double spring_stiffness_ = 0.0;
   double dashpot_damping_ = 0.0;
-  struct MaxwellParameters {
-    double stiffness;
-    double relaxation_time;
-  };
-  std::vector<MaxwellParameters> maxwells_;
+  std::vector<double> maxwell_stiffness_;  // [N/m]
+  std::vector<double> maxwell_rate_;       // 1/tau [1/s]
+  double fastest_rate_ = 0.0;              // the largest of these
   std::vector<BergFriction> bergs_;
-  std::size_t bergs_offset_ = 0;
 
   std::vector<Placed<ParallelElement>> specimen_;
   std::vector<Placed<ParallelElement>> rig_;
@@ -131,6 +173,7 @@ class Component {
   std::vector<Placed<ForceEffect>> force_effects_;
   double mount_compliance_ = 0.0;        // sum of 1/K_s of all series mounts [m/N]
   bool plain_ = true;                    // nothing but springs, dashpots, Maxwell elements and Berg friction
+  bool lean_ = true;                     // the same with one element of friction at most
   std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes
   std::size_t behind_effects_slot_ = 0;  // memory: displacement behind the displacement effects
   std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount

@@ -50,6 +50,10 @@ class SampleStream {
   /// rest at its displacement. A dropped sample leaves the state as it was. Allocates nothing.
   StreamForce push(std::int64_t stamp, double displacement);
 
+  /// push() one sample after the other, up to the first that is dropped; returns how many were accepted. Their forces
+  /// [N], the same to the last bit, go to `force`. Several times as fast where samples are evenly spaced.
+  std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
+
   /// Back to a new specimen at rest; the next sample starts anew. Counters stay.
   void reset();
 
@@ -65,6 +69,8 @@ class SampleStream {
   Verdict judge(std::int64_t stamp, double displacement) const;
   ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
   void count(Verdict verdict);
+  std::size_t evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const;
+  bool pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
   const Component& component_;
   std::uint64_t max_gap_;  // [ns]

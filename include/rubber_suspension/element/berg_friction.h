@@ -51,6 +51,20 @@ class BergFriction final : public ParallelElement {
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
+  /// True where the motion to a displacement [m] goes on in the direction of the branch.
+  bool goesOn(double displacement, const double* memory) const {
+    return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
+  }
+
+  /// advance() where the motion goes on.
+  double follow(double displacement, double* memory) const {
+    memory[kExtremum] = displacement;
+    return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
+  }
+
+  /// Advance to one displacement [m] after the other; adds each force [N] to what stands in `force`.
+  void addForces(const double* displacement, std::size_t count, double* memory, double* force) const;
+
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
   double settledForce(double amplitude) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension {
 
@@ -12,13 +13,8 @@ struct MaxwellStep {
   double decay;  ///< e = exp(-dt/tau) [-]
   double gain;   ///< k tau (1 - e)/dt [N/m], tends to k as dt tends to 0
 
-  MaxwellStep() = default;
-  MaxwellStep(double stiffness, double relaxation_time, double dt) {
-    const double ratio = dt / relaxation_time;
-    const double one_minus_decay = -std::expm1(-ratio);
-    decay = 1.0 - one_minus_decay;
-    gain = stiffness * (one_minus_decay / ratio);
-  }
+  MaxwellStep(double stiffness, const Relaxation& relaxation)
+      : decay(relaxation.decay), gain(stiffness * relaxation.mean) {}
 };
 
 /// dF/dt = k dz/dt - F/tau with tau = 1/(2 pi f_b), f_b the break frequency.
@@ -28,15 +24,16 @@ struct MaxwellStep {
 class Maxwell final : public ParallelElement {
  public:
   Maxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */)
-      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * M_PI * break_frequency)) {}
+      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * M_PI * break_frequency)), rate_(1.0 / relaxation_time_) {}
 
   double stiffness() const { return stiffness_; }
   double relaxationTime() const { return relaxation_time_; }  ///< tau [s]
+  double rate() const { return rate_; }                       ///< 1/tau [1/s]
 
   std::size_t memorySize() const override { return 1; }
   double rest(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override {
-    const MaxwellStep coefficients(stiffness_, relaxation_time_, motion.dt);
+    const MaxwellStep coefficients(stiffness_, Relaxation::over(motion.dt * rate_));
     return memory[0] = coefficients.decay * memory[0] + coefficients.gain * motion.increment;
   }
   Part part() const override { return Part::viscous; }
@@ -48,6 +45,7 @@ class Maxwell final : public ParallelElement {
  private:
   double stiffness_;
   double relaxation_time_;
+  double rate_;
 };
 
 ElementType maxwellType();
