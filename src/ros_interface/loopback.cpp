@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <vector>
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::array<char, 3> kLoopback = {'l', 'o', '\0'};
 
-bool listensOn(int file, int port) {
+bool listensOn(int file, std::uint32_t port) {
   int listens = 0;
   socklen_t size = sizeof(listens);
   if (getsockopt(file, SOL_SOCKET, SO_ACCEPTCONN, &listens, &size) != 0 || listens == 0) {
@@ -36,7 +37,7 @@ bool listensOn(int file, int port) {
 }
 
 // roscpp does not hand out its sockets, so they are looked for among all files of this process.
-std::vector<int> listenersOf(int port) {
+std::vector<int> listenersOf(std::uint32_t port) {
   std::vector<int> listeners;
   std::error_code gone;  // a file may be closed while the folder is read
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", gone)) {
@@ -68,7 +69,7 @@ std::string keepSlaveApiToLoopback() {
   return listeners.empty() ? "the slave API listens on all interfaces: its socket was not found" : std::string();
 }
 
-std::string interfaceOf(int port) {
+std::string interfaceOf(std::uint32_t port) {
   std::array<char, IFNAMSIZ> name{};
   for (const int listener : listenersOf(port)) {
     socklen_t size = name.size();

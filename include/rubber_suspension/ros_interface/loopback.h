@@ -1,6 +1,7 @@
 // Keeps a node that is told to stay on the loopback interface there with its slave API, too.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace rubber_suspension {
@@ -14,6 +15,6 @@ bool isKeptToLoopback();
 std::string keepSlaveApiToLoopback();
 
 /// The interface that this process listens on for a TCP port; empty for all of them, or where it does not listen.
-std::string interfaceOf(int port);
+std::string interfaceOf(std::uint32_t port);
 
 }  // namespace rubber_suspension
