@@ -43,40 +43,48 @@ std::vector<double> breakFrequencies(const Specification& specification, double 
   return frequencies;
 }
 
-// Eq. 18: shares alpha^(n_M - i)/sum of alpha^(j - 1); scaled by the largest so that none overflows.
-std::vector<double> shares(double log_alpha, std::size_t count) {
-  std::vector<double> result(count);
-  const double largest = std::max(0.0, log_alpha * static_cast<double>(count - 1));
+// Eq. 18: shares alpha^(n_M - i)/sum of alpha^(j - 1), `visit` gets each with the index of its element. Powers of what
+// is at most 1, from the element with the largest share on, so that none overflows.
+template <class Visit>
+void forEachShare(double alpha, std::size_t count, Visit visit) {
+  const bool rising = alpha < 1.0;  // the last element has the largest share
+  const double ratio = rising ? alpha : 1.0 / alpha;
   double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    result[i] = std::exp(log_alpha * static_cast<double>(count - 1 - i) - largest);
-    sum += result[i];
+  double power = 1.0;
+  for (std::size_t i = 0; i < count; ++i, power *= ratio) {
+    sum += power;
   }
-  for (double& share : result) {
-    share /= sum;
+  power = 1.0;
+  for (std::size_t i = 0; i < count; ++i, power *= ratio) {
+    visit(rising ? count - 1 - i : i, power / sum);
   }
-  return result;
 }
 
-// K* of all Maxwell elements over the sum of their stiffnesses.
-Complex relativeStiffness(double log_alpha, const std::vector<double>& break_frequencies, double frequency) {
-  const std::vector<double> share = shares(log_alpha, break_frequencies.size());
+// K* over k of each Maxwell element at a frequency.
+std::vector<Complex> relativeStiffnesses(const std::vector<double>& break_frequencies, double frequency) {
+  std::vector<Complex> stiffness(break_frequencies.size());
+  std::transform(break_frequencies.begin(), break_frequencies.end(), stiffness.begin(), [&](double break_frequency) {
+    const double ratio = frequency / break_frequency;
+    const double storage = ratio * ratio / (1.0 + ratio * ratio);
+    return Complex(storage, ratio / (1.0 + ratio * ratio));
+  });
+  return stiffness;
+}
+
+// K* of all Maxwell elements over the sum of their stiffnesses, from those of each.
+Complex relativeStiffness(double alpha, const std::vector<Complex>& of_each) {
   Complex sum = 0.0;
-  for (std::size_t i = 0; i < share.size(); ++i) {
-    const Complex ratio(0.0, frequency / break_frequencies[i]);
-    sum += share[i] * ratio / (1.0 + ratio);
-  }
+  forEachShare(alpha, of_each.size(), [&](std::size_t i, double share) { sum += share * of_each[i]; });
   return sum;
 }
 
-// ln(alpha) at which an increasing function of it vanishes.
+// alpha at which an increasing function of it vanishes.
 template <class Function>
-double solveLogAlpha(Function function) {
+double solveAlpha(Function function) {
   boost::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::bracket_and_solve_root([&](double alpha) { return function(std::log(alpha)); }, 1.0, 8.0,
-                                                 true, boost::math::tools::eps_tolerance<double>(50), iterations);
-  return std::log(0.5 * (bracket.first + bracket.second));
+  const auto bracket = boost::math::tools::bracket_and_solve_root(
+      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
 }
 
 // A frequency within the elements' break frequencies: then alpha can weight them to act like one element there.
@@ -89,28 +97,26 @@ bool embraces(const std::vector<double>& break_frequencies, double frequency) {
 struct Solution {
   double high_frequency;
   double maximum_stiffness;
-  double log_alpha;
+  double alpha;
 };
 
 // |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one.
-double logAlphaForStiffness(const Specification& specification, double high_frequency) {
+double alphaForStiffness(const Specification& specification, double high_frequency) {
   const double k_st = specification.at("static_stiffness");
   const double added = specification.at("maximum_stiffness") - k_st;
-  const std::vector<double> break_frequencies = breakFrequencies(specification, high_frequency);
-  return solveLogAlpha([&](double log_alpha) {
-    return std::abs(k_st +
-                    added * relativeStiffness(log_alpha, break_frequencies, specification.at("nominal_frequency"))) -
-           specification.at("dynamic_stiffness");
-  });
+  const double target = specification.at("dynamic_stiffness");
+  const std::vector<Complex> of_each =
+      relativeStiffnesses(breakFrequencies(specification, high_frequency), specification.at("nominal_frequency"));
+  return solveAlpha([&](double alpha) { return std::abs(k_st + added * relativeStiffness(alpha, of_each)) - target; });
 }
 
 // Loss angle at f_n of the model with this high frequency that meets K_n and K_max.
 double angleForBand(const Specification& specification, double high_frequency) {
   const double k_st = specification.at("static_stiffness");
-  const double log_alpha = logAlphaForStiffness(specification, high_frequency);
-  const std::vector<double> break_frequencies = breakFrequencies(specification, high_frequency);
-  return std::arg(k_st + (specification.at("maximum_stiffness") - k_st) *
-                             relativeStiffness(log_alpha, break_frequencies, specification.at("nominal_frequency")));
+  const double alpha = alphaForStiffness(specification, high_frequency);
+  const std::vector<Complex> of_each =
+      relativeStiffnesses(breakFrequencies(specification, high_frequency), specification.at("nominal_frequency"));
+  return std::arg(k_st + (specification.at("maximum_stiffness") - k_st) * relativeStiffness(alpha, of_each));
 }
 
 // The working point has to lie in the band that a user gives. A low frequency from Eq. 22 is but a means to place the
@@ -156,17 +162,17 @@ std::optional<double> highFrequencyForAngle(const Specification& specification) 
 Solution solveForMaximum(const Specification& specification) {
   const double f_n = specification.at("nominal_frequency");
   const double high_frequency = specification.at("high_frequency");
-  const std::vector<double> break_frequencies = breakFrequencies(specification, high_frequency);
+  const std::vector<Complex> of_each = relativeStiffnesses(breakFrequencies(specification, high_frequency), f_n);
   // Loss over storage of the elements is the mean of f_b/f_n weighted by their storage; it falls with alpha.
   const double ratio = breakFrequencyForLossAngle(specification) / f_n;
-  const double log_alpha = solveLogAlpha([&](double trial) {
-    const Complex relative = relativeStiffness(trial, break_frequencies, f_n);
+  const double alpha = solveAlpha([&](double trial) {
+    const Complex relative = relativeStiffness(trial, of_each);
     return ratio - relative.imag() / relative.real();
   });
   const Complex dynamic = std::polar(specification.at("dynamic_stiffness"), lossAngle(specification));
   const double k_st = specification.at("static_stiffness");
-  const double added = (dynamic.real() - k_st) / relativeStiffness(log_alpha, break_frequencies, f_n).real();
-  return {high_frequency, k_st + added, log_alpha};
+  const double added = (dynamic.real() - k_st) / relativeStiffness(alpha, of_each).real();
+  return {high_frequency, k_st + added, alpha};
 }
 
 Solution solve(const Specification& specification) {
@@ -175,7 +181,7 @@ Solution solve(const Specification& specification) {
   }
   const double high_frequency = specification.has("high_frequency") ? specification.at("high_frequency")
                                                                     : highFrequencyForAngle(specification).value();
-  return {high_frequency, specification.at("maximum_stiffness"), logAlphaForStiffness(specification, high_frequency)};
+  return {high_frequency, specification.at("maximum_stiffness"), alphaForStiffness(specification, high_frequency)};
 }
 
 std::optional<Obstacle> orderObstacle(const Specification& specification) {
@@ -249,13 +255,15 @@ std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specif
   const Solution solution = solve(specification);
   const double k_st = specification.at("static_stiffness");
   const std::vector<double> break_frequencies = breakFrequencies(specification, solution.high_frequency);
-  const std::vector<double> share = shares(solution.log_alpha, break_frequencies.size());
-  std::vector<ElementDescription> elements = {{"spring", {{"stiffness", {k_st}}}}};
-  for (std::size_t i = 0; i < share.size(); ++i) {
-    elements.push_back({"maxwell",
-                        {{"stiffness", {share[i] * (solution.maximum_stiffness - k_st)}},
-                         {"break_frequency", {break_frequencies[i]}}}});
-  }
+  std::vector<ElementDescription> elements(1 + break_frequencies.size());
+  elements[0].type = "spring";
+  elements[0].values["stiffness"] = {k_st};
+  forEachShare(solution.alpha, break_frequencies.size(), [&](std::size_t i, double share) {
+    ElementDescription& element = elements[1 + i];
+    element.type = "maxwell";
+    element.values["stiffness"] = {share * (solution.maximum_stiffness - k_st)};
+    element.values["break_frequency"] = {break_frequencies[i]};
+  });
   return elements;
 }
 

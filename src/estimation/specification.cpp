@@ -102,7 +102,7 @@ const std::vector<NamedModel>& models() {
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
 
-const ParameterInfo* findParameter(const std::string& name) {
+const ParameterInfo* findParameter(std::string_view name) {
   const auto& table = specificationParameters();
   const auto found =
       std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
@@ -128,10 +128,21 @@ std::vector<std::string> acceptedKeys(const ModelInfo& info) {
   return keys;
 }
 
+bool contains(const std::vector<std::string>& keys, const std::string& key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+bool isAccepted(const ModelInfo& info, const std::string& key) {
+  const auto has = [&](const std::vector<std::string>& group) { return contains(group, key); };
+  return contains(info.required, key) || contains(info.optional, key) ||
+         std::any_of(info.one_of.begin(), info.one_of.end(), has) ||
+         std::any_of(info.two_of.begin(), info.two_of.end(), has);
+}
+
 void checkKeys(const NamedModel& model, const Specification& specification) {
-  const std::vector<std::string> accepted = acceptedKeys(model.info);
   for (const auto& [key, value] : specification.values()) {
-    if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
+    if (!isAccepted(model.info, key)) {
+      const std::vector<std::string> accepted = acceptedKeys(model.info);
       const std::string what = findParameter(key) == nullptr ? "unknown key" : "not an input of model " + model.name;
       throw std::invalid_argument(
           fmt::format("{}: {}; accepted: {}", key, what, accepted.empty() ? "no specification" : join(accepted)));
@@ -154,10 +165,10 @@ void checkRange(const std::string& key, double value) {
 
 void checkGroup(const NamedModel& model, const Specification& specification, const std::vector<std::string>& group,
                 std::size_t needed) {
-  std::vector<std::string> given;
-  std::copy_if(group.begin(), group.end(), std::back_inserter(given),
-               [&](const std::string& key) { return specification.has(key); });
-  if (given.size() != needed) {
+  const auto isGiven = [&](const std::string& key) { return specification.has(key); };
+  if (static_cast<std::size_t>(std::count_if(group.begin(), group.end(), isGiven)) != needed) {
+    std::vector<std::string> given;
+    std::copy_if(group.begin(), group.end(), std::back_inserter(given), isGiven);
     throw std::invalid_argument(fmt::format("{}: {}; accepted by model {}: exactly {} of {}",
                                             join(given.empty() ? group : given), given.empty() ? "missing" : "given",
                                             model.name, needed == 1 ? "one" : "two", join(group)));
