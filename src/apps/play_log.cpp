@@ -11,6 +11,8 @@
 
 #include "command.h"
 #include "log_options.h"
+#include "rubber_suspension/io/figure.h"
+#include "rubber_suspension/io/replay.h"
 #include "rubber_suspension/ros_interface/bench_player.h"
 #include "rubber_suspension/ros_interface/command_line.h"
 #include "rubber_suspension/ros_interface/loopback.h"
@@ -29,6 +31,7 @@ struct Options {
   std::string output;
   std::string gap_output;
   std::string bag;
+  std::string plot;
   std::string reset;
   std::size_t passes = 1;
   std::size_t step = 0;
@@ -39,6 +42,7 @@ void addRecordOptions(CLI::App& app, Options& options) {
   app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N");
   app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force");
   app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap");
+  app.add_option("--plot", options.plot, "figure of forces over time and displacement to draw, .svg or .png");
   app.add_option("--folder", options.folder,
                  "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component");
 }
@@ -93,8 +97,8 @@ void checkCounts(const Options& options) {
     throw UsageError(fmt::format("--log: {} logs for {} components; accepted: one for all, or one each",
                                  options.logs.size(), options.components.size()));
   }
-  if (options.components.size() > 1 && !(options.output + options.gap_output + options.bag).empty()) {
-    throw UsageError("--output, --gap and --bag go with one component; accepted with several: --folder");
+  if (options.components.size() > 1 && !(options.output + options.gap_output + options.bag + options.plot).empty()) {
+    throw UsageError("--output, --gap, --bag and --plot go with one component; accepted with several: --folder");
   }
 }
 
@@ -179,12 +183,17 @@ int play(RosCommandLine& line, Options& options) {
   const PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
   options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
+  const Log first_log = tracks.front().log;
   BenchPlayer player(handle, options.play, std::move(tracks));
   player.connect();
   if (!options.reset.empty()) {
     reset(handle, options.reset);
   }
-  return report(player.play(options.passes), options.passes == 0);
+  const std::vector<BenchCount> counts = player.play(options.passes);
+  if (!options.plot.empty() && counts.front().complete) {
+    drawFigure(replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
+  }
+  return report(counts, options.passes == 0);
 }
 
 }  // namespace

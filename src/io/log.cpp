@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "log_columns.h"
 #include "rubber_suspension/io/units.h"
@@ -48,15 +49,22 @@ void setColumn(LogFormat& format, const std::string& entry) {
 }
 
 void setUnits(LogFormat& format, const std::string& units) {
-  const std::size_t comma = units.find(',');
-  format.displacement_unit = units.substr(0, comma);
-  format.force_unit = comma == std::string::npos ? "" : units.substr(comma + 1);
+  std::istringstream rest(units);
+  const std::array<std::pair<std::string*, const char*>, 3> quantities = {
+      {{&format.displacement_unit, "m"}, {&format.force_unit, "N"}, {&format.time_unit, "s"}}};
   try {
-    UnitConversion(format.displacement_unit, "m");
-    UnitConversion(format.force_unit.empty() ? "N" : format.force_unit, "N");
+    for (const auto& [unit, si] : quantities) {
+      std::getline(rest, *unit, ',');
+      UnitConversion(unit->empty() ? si : *unit, si);
+    }
+    if (std::string more; std::getline(rest, more)) {
+      throw std::invalid_argument("more than three");
+    }
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
-        fmt::format("--unit: '{}': {}; accepted: units of displacement and force, as in mm,kN", units, error.what()));
+        fmt::format("--unit: '{}': {}; accepted: units of displacement, force and time, as in mm,kN,ms, of which the "
+                    "later ones may be left out",
+                    units, error.what()));
   }
 }
 

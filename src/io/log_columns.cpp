@@ -94,13 +94,31 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+// The unit that a name of a file's own ends in, `D_mm`, `D [mm]` or `D (mm)`, if it is one of the quantity; else empty.
+std::string unitInName(const std::string& name, const std::vector<std::string>& units) {
+  for (const std::string& unit : units) {
+    if (endsWith(name, "_" + unit)) {
+      return unit;
+    }
+  }
+  const std::size_t open = name.find_last_of("[(");
+  if (open == std::string::npos || !(endsWith(name, "]") || endsWith(name, ")"))) {
+    return {};
+  }
+  const std::string unit = trimmed(name.substr(open + 1, name.size() - open - 2));
+  try {
+    UnitConversion(unit, units.front());
+    return unit;
+  } catch (const std::invalid_argument&) {  // something else is in brackets
+    return {};
+  }
+}
+
 Column mappedColumn(const std::vector<std::string>& header, const std::string& name, const std::string& unit,
                     const std::vector<std::string>& units) {
   Column column = requireColumn(header, name);
-  std::string used = unit;
-  for (const std::string& candidate : units) {
-    used = used.empty() && endsWith(name, "_" + candidate) ? candidate : used;
-  }
+  const std::string used = unit.empty() ? unitInName(name, units) : unit;
+  column.assumed_unit = used.empty() ? units.front() : "";
   column.conversion = UnitConversion(used.empty() ? units.front() : used, units.front());
   return column;
 }
@@ -132,7 +150,9 @@ Columns findColumns(const std::vector<std::string>& header, const LogFormat& for
   Columns columns;
   columns.count = header.size();
   if (!format.rate) {
-    columns.time = mappedColumn(header, format.time_column.empty() ? "time_s" : format.time_column, "", kTimeUnits);
+    const bool by_rule = format.time_column.empty();
+    columns.time =
+        mappedColumn(header, by_rule ? "time_s" : format.time_column, by_rule ? "" : format.time_unit, kTimeUnits);
   }
   columns.displacement =
       findQuantity(header, "displacement", format.displacement_column, format.displacement_unit, kDisplacementUnits);
@@ -157,6 +177,12 @@ std::vector<std::string> notesOnIgnored(const std::vector<std::string>& header, 
       notes.push_back(fmt::format("column {} is ignored", quoted(header[i])));
     }
   }
+  for (const Column* column : {&columns.time, &columns.displacement, &columns.force}) {
+    if (!column->assumed_unit.empty()) {
+      notes.push_back(fmt::format("column {} is taken to be in {}; another unit by --unit", quoted(column->name),
+                                  column->assumed_unit));
+    }
+  }
   noteUnusedUnit(notes, columns.displacement, "displacement", format.displacement_unit);
   noteUnusedUnit(notes, columns.force, "force", format.force_unit);
   return notes;
@@ -165,7 +191,8 @@ std::vector<std::string> notesOnIgnored(const std::vector<std::string>& header, 
 std::int64_t toStamp(long double time, const Column& column) {
   const long double seconds_per_unit = column.conversion(1.0);
   // A division, for 1 ms is a whole part of a second and not 0.001 in binary.
-  const long double seconds = time / std::round(1.0L / seconds_per_unit);
+  const long double seconds =
+      seconds_per_unit < 1.0L ? time / std::round(1.0L / seconds_per_unit) : time * seconds_per_unit;
   if (!(std::abs(seconds) <= kMaximumTime)) {
     throw std::runtime_error(fmt::format("{}: {:g} s is out of range; accepted: at most {:g} s", column.name,
                                          static_cast<double>(seconds), kMaximumTime));

@@ -18,6 +18,7 @@ struct Column {
   std::size_t index = kNone;
   std::string name;
   UnitConversion conversion{"1", "1"};
+  std::string assumed_unit;  ///< of a column whose unit neither its name nor the user told; else empty
 
   bool found() const { return index != kNone; }
 };

@@ -39,6 +39,7 @@ BenchPlayer::BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& optio
     counts_.emplace_back();
     counts_.back().component = track.component;
   }
+  last_forces_.resize(tracks_.size());
   period_ = loopPeriod(tracks_);
 }
 
@@ -56,6 +57,10 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
     starts_[track] = players_[track]->start() + std::chrono::duration_cast<LogPlayer::Steady::duration>(period);
   }
   recorders_[track]->add(log, result);
+  last_forces_[track].clear();
+  for (const ComponentForce& force : result.force) {
+    last_forces_[track].push_back(force.total);
+  }
   BenchCount& count = counts_[track];
   // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.
   count.samples += ros::ok() ? result.sent : result.answered();

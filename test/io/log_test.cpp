@@ -124,10 +124,31 @@ TEST(ReadCsvLog, AUnitServesColumnsWithoutOneAndIsNotedWhereUnused) {
   EXPECT_THAT(bare.notes, ElementsAre("unit 'N' is not used: column 'force_kN' names its own"));
 }
 
+TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
+  const std::vector<std::string> columns = {"time=T [ms]", "displacement=D (mm)", "force=F [kN]"};
+  const Log brackets = readText("T [ms],D (mm),F [kN]\n0,1,2\n4.5,2,3\n", makeLogFormat(columns, "", 0));
+  EXPECT_EQ(brackets.stamp, (std::vector<std::int64_t>{0, 4500000}));
+  EXPECT_DOUBLE_EQ(brackets.displacement[0], 1e-3);
+  EXPECT_DOUBLE_EQ(brackets.force[0], 2e3);
+  EXPECT_TRUE(brackets.notes.empty());
+  const std::vector<std::string> bare = {"time=T", "displacement=D"};
+  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", makeLogFormat(bare, "mm,kN,ms", 0)).stamp[1], 4500000);
+  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", makeLogFormat(bare, "mm,,min", 0)).stamp[1], 90000000000);
+}
+
+TEST(LogFormat, SaysWhichUnitsItAssumes) {
+  const Log log = readText("T (DAQ),D\n0,1\n4.5,2\n", makeLogFormat({"time=T (DAQ)", "displacement=D"}, "", 0));
+  EXPECT_EQ(log.stamp[1], 4500000000);
+  EXPECT_THAT(log.notes, ElementsAre("column 'T (DAQ)' is taken to be in s; another unit by --unit",
+                                     "column 'D' is taken to be in m; another unit by --unit"));
+}
+
 TEST(MakeLogFormat, RefusesWhatItCannotUse) {
   EXPECT_THROW(makeLogFormat({"displacement"}, "", 0), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({"speed=v"}, "", 0), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({}, "mm,mm", 0), std::invalid_argument);
+  EXPECT_THROW(makeLogFormat({}, "mm,kN,Hz", 0), std::invalid_argument);
+  EXPECT_THROW(makeLogFormat({}, "mm,kN,s,s", 0), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({}, "furlongs per fortnight,kN", 0), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({}, "", -1), std::invalid_argument);
   EXPECT_THROW(makeLogFormat({}, "", std::nan("")), std::invalid_argument);

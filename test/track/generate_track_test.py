@@ -44,6 +44,16 @@ class Track(unittest.TestCase):
         self.assertLess(abs(numpy.mean(variances) - expected), tolerance)
         self.assertLess(tolerance, 0.3 * expected)  # else the test would hold nothing
 
+    def test_measured_density_is_the_expected_one(self):
+        # Each value is a mean of 16 periodograms, each of which spreads as much as its mean; over all lines of the band
+        # the ratio comes close to 1. Neighbouring lines of a Hann window share 1.5 lines.
+        given = options("--duration", "600", "--rate", "200")
+        frequency, density = generate_track.measured_density(generate_track.generate(given), given.rate)
+        # Away from the edges of the band, where the window lets the zero beyond them in.
+        band = (frequency > 1.5 * given.speed / given.longest) & (frequency < 0.9 * given.speed / given.shortest)
+        ratio = density[band] / generate_track.expected_density(given, frequency[band])
+        self.assertLess(abs(numpy.mean(ratio) - 1), 5 / math.sqrt(16 * numpy.count_nonzero(band) / 1.5))
+
     def test_vehicle_answers_as_its_equations_of_motion_say(self):
         # One sine of the track, integrated in time until transients are gone, against the transfer function.
         box = generate_track.AxleBox()

@@ -38,10 +38,11 @@ struct LogFormat {
   std::string temperature_column;   ///< empty: temperature_degC
   std::string displacement_unit;    ///< of that column, or one named `displacement`; empty: by its name, else m
   std::string force_unit;           ///< likewise; empty: N
+  std::string time_unit;            ///< of a time column of another name; empty: by its name, else s
   std::optional<double> rate;       ///< sampling rate [Hz] of a log without time column; the first sample is at 0 s
 };
 
-/// The format that options of a command describe: `--columns displacement=D force=F`, `--unit mm,kN`, `--rate 1000`
+/// The format that options of a command describe: `--columns displacement=D force=F`, `--unit mm,kN,ms`, `--rate 1000`
 /// (rate 0: not given). Throws std::invalid_argument that names option, value and what is accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 

@@ -52,6 +52,9 @@ class BenchPlayer {
   /// or recorder throws.
   std::vector<BenchCount> play(std::size_t passes);
 
+  /// The forces of a component in its last pass, of every sample of its log, answered or not [N].
+  const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
+
  private:
   void playPass(std::size_t pass, bool more_follow);
   void playTrack(std::size_t track, std::size_t pass, bool more_follow);
@@ -61,6 +64,7 @@ class BenchPlayer {
   std::vector<std::unique_ptr<LogPlayer>> players_;
   std::vector<std::unique_ptr<PlayRecorder>> recorders_;
   std::vector<BenchCount> counts_;
+  std::vector<std::vector<double>> last_forces_;
   std::int64_t period_ = 0;
   std::vector<LogPlayer::Steady::time_point> starts_;  // of each component's next pass
 };
