@@ -105,7 +105,7 @@ std::string unitInName(const std::string& name, const std::vector<std::string>& 
   if (open == std::string::npos || !(endsWith(name, "]") || endsWith(name, ")"))) {
     return {};
   }
-  const std::string unit = trimmed(name.substr(open + 1, name.size() - open - 2));
+  std::string unit = trimmed(name.substr(open + 1, name.size() - open - 2));
   try {
     UnitConversion(unit, units.front());
     return unit;

@@ -128,6 +128,9 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   }
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
+  if (!std::isfinite(offset_)) {  // the library turns Hz into s
+    throw std::invalid_argument(fmt::format("unit '{}' is the reciprocal of one that converts to {}", from, to));
+  }
   scale_ = cv_convert_double(converter.get(), 1.0) - offset_;
   const double reciprocal = std::round(1.0 / scale_);
   const bool whole = std::abs(reciprocal * scale_ - 1.0) < 4.0 * std::numeric_limits<double>::epsilon();
