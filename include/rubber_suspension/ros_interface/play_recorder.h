@@ -13,11 +13,11 @@ namespace rubber_suspension {
 /// Files to write; empty: not wanted.
 struct RecordPaths {
   std::string forces;  ///< CSV: time_s,displacement_m,force_N
-  std::string gaps;    ///< CSV: a row per message of <component>/gap
+  std::string gaps;    ///< CSV: a row per message of COMPONENT/gap
   std::string bag;
 };
 
-/// The paths FOLDER/<component>_force.csv, FOLDER/<component>_gap.csv and FOLDER/<component>.bag. A component may lie
+/// The paths FOLDER/COMPONENT_force.csv, FOLDER/COMPONENT_gap.csv and FOLDER/COMPONENT.bag. A component may lie
 /// in a ROS namespace: a slash in its name becomes an underscore.
 RecordPaths recordPathsIn(const std::string& folder, const std::string& component);
 
