@@ -405,7 +405,9 @@ class Diagnoser {
           std::min(1.0, closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor));
       candidate.interval = closedInterval(before_, errors[c], result_.gap.noise_floor, options_);
       candidate.visible_share = s.visible_share[c];
-      candidate.testable = s.testable[c];
+      const auto& named = verdict_.effects;
+      candidate.testable =
+          shows(s, static_cast<int>(c)) || std::find(named.begin(), named.end(), static_cast<int>(c)) != named.end();
       candidate.add = entriesOf(s.singles[c]);
       candidate.parameters = parametersOf(candidate.add);
       result_.candidates.push_back(std::move(candidate));

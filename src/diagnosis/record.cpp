@@ -76,11 +76,11 @@ void setTimeBase(const Log& log, Record& record) {
 }
 
 // Weights of a low-pass filter of zero phase: passes `frequency` and stops kStop times that, by a sinc in a Kaiser
-// window (60 dB: Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
+// window (Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
 constexpr double kStop = 1.6;
 
 Eigen::VectorXd lowPass(double dt, double frequency) {
-  constexpr double kAttenuation = 60.0;  // [dB]
+  constexpr double kAttenuation = 90.0;  // [dB], so that what is passed is true to 3e-5
   constexpr double kShape = 0.1102 * (kAttenuation - 8.7);
   const double width = (kStop - 1.0) * frequency * dt;
   const double middle = 0.5 * (kStop + 1.0) * frequency * dt;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <random>
 
 #include "rig.h"
 #include "rubber_suspension/io/replay.h"
@@ -73,6 +74,49 @@ TEST(Diagnosis, NamesDryFriction) {
   const Diagnosis result = diagnoseRig(friction);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "friction");
+}
+
+void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, deviation);
+  for (double& value : values) {
+    value += normal(generator);
+  }
+}
+
+// With a mount in series a linear component is again linear: own parameters far from the configured ones would do as
+// well, but a mount does it with them where they are.
+TEST(Diagnosis, FindsAMountThatReEstimationHides) {
+  const auto onMount = [](const std::string& name, unsigned seed) {
+    constexpr double kMount = 6e6;  // [N/m]
+    Log log = runRig(name, seed, nothing, 0.0);
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      log.displacement[i] += log.force[i] / kMount;
+    }
+    addNoise(log.force, 5.0, seed);
+    return log;
+  };
+  const Diagnosis result = diagnose(rigComponent(), {onMount("one", 1), onMount("two", 2)}, {onMount("unseen", 3)});
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
+}
+
+TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
+  const auto withMass = [](const std::string& name, unsigned seed) {
+    constexpr double kMass = 150.0;  // [kg]
+    constexpr double kStep = 0.004;  // [s], of the rig
+    Log log = runRig(name, seed, nothing, 0.0);
+    const std::vector<double> z = log.displacement;
+    for (std::size_t i = 1; i + 1 < z.size(); ++i) {
+      log.force[i] += kMass * (z[i - 1] - 2.0 * z[i] + z[i + 1]) / (kStep * kStep);
+    }
+    addNoise(log.displacement, 3e-6, seed);  // second differences make this 70 N
+    addNoise(log.force, 20.0, seed + 10);
+    return log;
+  };
+  const Diagnosis result = diagnose(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "inertia") << result.sentence;
 }
 
 TEST(Diagnosis, RefusesMainsHum) {

@@ -59,6 +59,27 @@ TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
   EXPECT_LT(record.highest_frequency, 15.0);              // 6.3 Hz is the fastest sine, the sweep spreads it
 }
 
+TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
+  const Log clean = runRig("log", 1, [](double, double, double) { return 0.0; });
+  Log noisy = clean;
+  std::mt19937 generator(5);
+  std::normal_distribution<double> noise(0.0, 1e-6);
+  for (double& z : noisy.displacement) {
+    z += noise(generator);
+  }
+  const Record record = makeRecord(noisy);
+  ASSERT_GT(record.passed_frequency, 0.0);
+  const Eigen::Map<const Eigen::VectorXd> z(clean.displacement.data(), record.size());
+  constexpr Eigen::Index kEnds = 250;  // where the filter sees a mirrored displacement
+  const Eigen::Index inner = record.size() - 2 * kEnds;
+  const Eigen::VectorXd error = (record.displacement - z).segment(kEnds, inner);
+  const double left = std::sqrt(error.squaredNorm() / static_cast<double>(inner));
+  // Noise below the edge of the filter stays: of its power the part up to 1.3 times the passed frequency.
+  const double expected = 1e-6 * std::sqrt(1.3 * record.passed_frequency * 2.0 * record.dt);
+  EXPECT_LT(left, 1.3 * expected);
+  EXPECT_LT(left, 0.7e-6);
+}
+
 TEST(Record, ResamplesAnUnevenTimeBaseAndSaysSo) {
   Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   for (std::size_t i = 0; i < log.size(); i += 2) {

@@ -28,7 +28,7 @@ struct CandidateResult {
   double gap = 0.0;                  ///< held out, with this effect alone added
   double closed = 0.0;               ///< fraction of the closable gap
   std::array<double, 2> interval{};  ///< 95 % interval of `closed`
-  bool testable = false;             ///< a typical size of it would be visible in these logs after re-estimation
+  bool testable = false;             ///< a typical size of it would be visible in these logs, or what was fitted is
   double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
   std::vector<ElementDescription> add;
