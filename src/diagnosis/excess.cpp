@@ -43,9 +43,12 @@ double enough(const Search& search) {
   return std::max(kWithinNoise * search.noise, kRestOfEffects * excess(search, search.re_estimated));
 }
 
-const Trial* bestSingle(const Search& search) {
+const Trial* bestSingle(const Search& search, bool trends) {
   const Trial* best = nullptr;
   for (const Trial& trial : search.singles) {
+    if (!trends && hasTrends(search.candidates, trial.members)) {
+      continue;
+    }
     if (shows(search, trial.members.front()) && (best == nullptr || excess(search, trial) < excess(search, *best))) {
       best = &trial;
     }

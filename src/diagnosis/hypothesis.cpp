@@ -16,9 +16,10 @@ namespace {
 
 constexpr double kOwnStep = 1e-4;     // of a logarithm, for difference quotients
 constexpr double kAtomStep = 0.02;    // of the typical scale
-constexpr int kTrendsPerLog = 18;     // the zero, a ramp and sixteen half cosines
+constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
 constexpr double kBlockLength = 1.5;  // [s]
 constexpr double kEnoughGain = 1e-3;  // of the gap, to go on
+constexpr double kLongestStep = 0.4;  // of a logarithm: the model is far from linear beyond
 constexpr double kOwnPrice = 5.0;     // times the noise of the force, between hypotheses
 constexpr double kOwnTether = 2.0;    // the same within a fit, where it must not keep parameters from what logs tell
 constexpr double kLeastNoise = 1e-3;  // of the force's deviation: no model is better than that
@@ -320,10 +321,9 @@ BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool 
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const Eigen::MatrixXd total = blocks.sum();
     stepBounds(point, atoms, unknowns, lower, upper);
-    if (own_fixed) {
-      lower.head(own_.size()).setZero();
-      upper.head(own_.size()).setZero();
-    }
+    const double longest = own_fixed ? 0.0 : kLongestStep;
+    lower.head(own_.size()) = lower.head(own_.size()).cwiseMax(-longest);
+    upper.head(own_.size()) = upper.head(own_.size()).cwiseMin(longest);
     const Eigen::VectorXd step =
         boundedLeastSquares(total.topLeftCorner(unknowns, unknowns), total.col(unknowns).head(unknowns), lower, upper);
     if (!step.allFinite()) {

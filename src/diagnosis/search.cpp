@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr int kBaseIterations = 10;
+constexpr int kBaseIterations = 14;
 constexpr int kSingleIterations = 6;
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;

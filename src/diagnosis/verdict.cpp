@@ -26,7 +26,8 @@ constexpr double kSetProbability = 0.9;
 
 class Decision {
  public:
-  Decision(const Search& search, std::size_t most_effects) : search_(search), most_effects_(most_effects) {
+  Decision(const Search& search, std::size_t most_effects, bool trends)
+      : search_(search), most_effects_(most_effects), trends_(trends) {
     verdict_.model = search.re_estimated;
     verdict_.probabilities.assign(search.candidates.size(), 0.0);
     base_ = excess(search.re_estimated);
@@ -47,6 +48,8 @@ class Decision {
 
  private:
   double excess(const Trial& trial) const { return rubber_suspension::excess(search_, trial); }
+
+  bool allowed(const Trial& trial) const { return trends_ || !hasTrends(search_.candidates, trial.members); }
 
   // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
   bool testable(const Trial& trial) const {
@@ -83,7 +86,7 @@ class Decision {
   void rank() {
     std::vector<double> excesses;
     for (const Trial& trial : search_.singles) {
-      excesses.push_back(excess(trial));
+      excesses.push_back(allowed(trial) ? excess(trial) : std::numeric_limits<double>::infinity());
     }
     const std::vector<double> weights = probabilities(excesses, base_, 1.0);
     std::copy(weights.begin(), weights.end() - 1, verdict_.probabilities.begin());
@@ -93,7 +96,7 @@ class Decision {
   const Trial* best(const std::vector<Trial>& trials) const {
     const Trial* found = nullptr;
     for (const Trial& trial : trials) {
-      if (testable(trial) && (found == nullptr || excess(trial) < excess(*found))) {
+      if (allowed(trial) && testable(trial) && (found == nullptr || excess(trial) < excess(*found))) {
         found = &trial;
       }
     }
@@ -105,7 +108,7 @@ class Decision {
       verdict_.kind = VerdictKind::unknown;
       return;
     }
-    const Trial* chosen = bestSingle(search_);
+    const Trial* chosen = bestSingle(search_, trends_);
     if (chosen == nullptr) {
       verdict_.kind = VerdictKind::unknown;
       return;
@@ -172,7 +175,8 @@ class Decision {
         const bool twice =
             c != effect && std::find(trial.members.begin(), trial.members.end(), c) != trial.members.end();
         const Trial* other = twice ? nullptr : find(members);
-        excesses.push_back(other != nullptr ? excess(*other) : std::numeric_limits<double>::infinity());
+        const bool counts = other != nullptr && allowed(*other);
+        excesses.push_back(counts ? excess(*other) : std::numeric_limits<double>::infinity());
       }
       const double absent = std::min(without(trial, effect), base_);
       std::vector<double> weights = probabilities(excesses, absent, 0.0);
@@ -204,6 +208,7 @@ class Decision {
 
   const Search& search_;
   std::size_t most_effects_;
+  bool trends_;
   Verdict verdict_;
   double base_ = 0.0;
 };
@@ -215,6 +220,8 @@ std::string toString(VerdictKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-Verdict decide(const Search& search, std::size_t most_effects) { return Decision(search, most_effects).decide(); }
+Verdict decide(const Search& search, std::size_t most_effects, bool trends) {
+  return Decision(search, most_effects, trends).decide();
+}
 
 }  // namespace rubber_suspension

@@ -18,8 +18,9 @@ double insignificant(const Search& search);
 /// An excess below this calls for no further effect.
 double enough(const Search& search);
 
-/// The single effect of the least excess; none where there is none.
-const Trial* bestSingle(const Search& search);
+/// The single effect of the least excess, among those without a free trend if `trends` is false; none where there is
+/// none.
+const Trial* bestSingle(const Search& search, bool trends = true);
 
 /// True if the fits to these logs may be relied on to show an effect: a typical size of it would stand out, or what was
 /// fitted does.

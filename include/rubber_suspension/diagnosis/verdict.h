@@ -21,7 +21,8 @@ struct Verdict {
   std::vector<std::vector<int>> confounded;  ///< for each effect named, the set that holds it at 90 %
 };
 
-/// `most_effects`: how many effects may be named at once; with 0 a gap is parameter_error or unknown.
-Verdict decide(const Search& search, std::size_t most_effects = 3);
+/// `most_effects`: how many effects may be named at once; with 0 a gap is parameter_error or unknown. `trends`: whether
+/// an effect that frees a slow trend per log may be named.
+Verdict decide(const Search& search, std::size_t most_effects = 3, bool trends = true);
 
 }  // namespace rubber_suspension
