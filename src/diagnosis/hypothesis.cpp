@@ -64,9 +64,7 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
     const Eigen::VectorXd& z = drive ? other : records[r].displacement;
     Eigen::VectorXd force(z.size());
     force[0] = (r == 0 ? component.rest(state, z[0]) : component.recover(state, z[0])).total;
-    for (Eigen::Index i = 1; i < z.size(); ++i) {
-      force[i] = component.step(state, records[r].dt, z[i]).total;
-    }
+    component.simulate(state, records[r].dt, z.data() + 1, static_cast<std::size_t>(z.size() - 1), force.data() + 1);
     forces.push_back(std::move(force));
   }
   return forces;
