@@ -17,7 +17,7 @@ constexpr double kRestOfEffects = 0.16;      // what may remain of a gap without
 constexpr double kTrendPrice = 0.1;          // of the gap, on a free trend per log, which follows whatever is slow
 constexpr double kShows = 0.67;              // of the gap: an effect that leaves less does show
 constexpr double kMovedFar = 0.14;           // logarithm of an own parameter: beyond what a specification errs by
-constexpr double kHides = 0.5;               // part of what re-estimation leaves that a hidden effect may leave
+constexpr double kHides = 0.3;               // part of what re-estimation leaves that a hidden effect may leave
 
 double furthestMove(const Trial& trial) {
   return trial.fit.point.own.size() > 0 ? trial.fit.point.own.cwiseAbs().maxCoeff() : 0.0;
@@ -73,10 +73,21 @@ bool closedByOwnParameters(const Search& search) {
          left < 0.4 * configured;
 }
 
-bool hidesAnEffect(const Search& search) {
-  const Trial* single = bestSingle(search);
-  return single != nullptr && furthestMove(search.re_estimated) > kMovedFar && furthestMove(*single) < kMovedFar &&
-         excess(search, *single) < kHides * excess(search, search.re_estimated);
+const Trial* hiddenEffect(const Search& search) {
+  const double re_estimated = excess(search, search.re_estimated);
+  if (furthestMove(search.re_estimated) <= kMovedFar) {
+    return nullptr;
+  }
+  const Trial* best = nullptr;
+  for (const Trial& trial : search.singles) {
+    const bool simple = trial.atoms.size() == 1 && !hasTrends(search.candidates, trial.members);
+    const double left = excess(search, trial);
+    if (simple && furthestMove(trial) < kMovedFar && left < kHides * re_estimated &&
+        (best == nullptr || left < excess(search, *best))) {
+      best = &trial;
+    }
+  }
+  return best;
 }
 
 }  // namespace rubber_suspension

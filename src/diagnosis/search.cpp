@@ -393,7 +393,7 @@ class Searcher {
   }
 
   bool restIsLeft() const {
-    if (closedByOwnParameters(result_) && !hidesAnEffect(result_)) {
+    if (closedByOwnParameters(result_)) {
       return false;
     }
     const Trial* single = bestSingle(result_);

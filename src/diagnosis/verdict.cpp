@@ -38,8 +38,12 @@ class Decision {
     if (rubber_suspension::excess(search_, search_.configured_gap) < insignificant(search_)) {
       verdict_.kind = VerdictKind::none;
       verdict_.model = configuredTrial();
-    } else if (closedByOwnParameters(search_) && !(most_effects_ > 0 && hidesAnEffect(search_))) {
+    } else if (closedByOwnParameters(search_)) {
+      const Trial* hidden = most_effects_ > 0 ? hiddenEffect(search_) : nullptr;
       verdict_.kind = VerdictKind::parameter_error;
+      if (hidden != nullptr) {
+        name(*hidden);
+      }
     } else {
       name();
     }
@@ -123,15 +127,19 @@ class Decision {
         chosen = trial;
       }
     }
-    const double closed = 1.0 - excess(*chosen) / base_;
-    if (closed < kUnknown) {
+    if (1.0 - excess(*chosen) / base_ < kUnknown) {
       verdict_.kind = VerdictKind::unknown;
       return;
     }
-    verdict_.model = *chosen;
-    orderEffects(*chosen);
-    findSets(*chosen);
-    const bool rest = excess(*chosen) > enough(search_) && closed < kPartly;
+    name(*chosen);
+  }
+
+  void name(const Trial& chosen) {
+    verdict_.model = chosen;
+    orderEffects(chosen);
+    findSets(chosen);
+    const double closed = 1.0 - excess(chosen) / base_;
+    const bool rest = excess(chosen) > enough(search_) && closed < kPartly;
     const bool ambiguous = std::any_of(verdict_.confounded.begin(), verdict_.confounded.end(),
                                        [](const std::vector<int>& set) { return set.size() > 1; });
     verdict_.kind = rest ? VerdictKind::partly : ambiguous ? VerdictKind::confounded : VerdictKind::named;

@@ -29,8 +29,8 @@ bool shows(const Search& search, int candidate);
 /// True if re-estimated own parameters leave next to nothing of the gap.
 bool closedByOwnParameters(const Search& search);
 
-/// True if re-estimation may hide an effect: one alone explains as much with own parameters close to the configured
-/// ones, where re-estimation has to move them far.
-bool hidesAnEffect(const Search& search);
+/// The effect that re-estimation may hide, if any: one number more explains as much, with own parameters close to the
+/// configured ones, as re-estimation does that has to move several far. Effects of more numbers are no simpler.
+const Trial* hiddenEffect(const Search& search);
 
 }  // namespace rubber_suspension
