@@ -3,6 +3,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -70,10 +71,8 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
 
 TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
   open("keeping/left_secondary");
-  ASSERT_TRUE(ros::service::waitForService("/keeping/simulate/reset", ros::Duration(kPatience)));
-  std_srvs::Trigger reset;  // of what an earlier run of this test may have left
-  ASSERT_TRUE(ros::service::call("/keeping/simulate/reset", reset));
   ask(0, 100);
+  ASSERT_TRUE(ros::service::waitForService("/keeping/simulate/save_state", ros::Duration(kPatience)));
   std_srvs::Trigger save;
   ASSERT_TRUE(ros::service::call("/keeping/simulate/save_state", save));
   ASSERT_TRUE(save.response.success) << save.response.message;
@@ -86,6 +85,7 @@ TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
   for (std::size_t i = 0; i < 100; ++i) {
     EXPECT_EQ(bench_->forces[i].force, without_interruption[i].force) << "sample " << i;
   }
+  EXPECT_TRUE(std::filesystem::remove(ros::param::param<std::string>("/keeping/simulate/state_file", "")));
 }
 
 }  // namespace
