@@ -58,8 +58,9 @@ HalfBogie::HalfBogie(const VehicleParameters& parameters, const Track& track, St
                                    SimTK::Body::Rigid(solid(parameters.body_mass, parameters.body_mass)), upwards());
   frame_ = frame.getMobilizedBodyIndex();
   body_ = body.getMobilizedBodyIndex();
-  SimTK::Force::TwoPointLinearDamper(forces_, frame, Vec3(0.0), body, Vec3(0.0), parameters.secondary_damping);
-  SimTK::Force::Custom(forces_, new StrutForces(*this, law));  // the subsystem owns it
+  const SimTK::Force::TwoPointLinearDamper damper(forces_, frame, Vec3(0.0), body, Vec3(0.0),
+                                                  parameters.secondary_damping);
+  const SimTK::Force::Custom struts(forces_, new StrutForces(*this, law));  // the subsystem owns it
   system_.realizeTopology();
 }
 
