@@ -247,9 +247,6 @@ Admission admit(const Record& record, bool hold_out, double noise) {
 // Noise floor of a hold-out log: the larger one of what the augmented model leaves above the band, and of what the
 // noise of the displacement, which was smoothed for the fits, causes by Berg's friction.
 double noiseOf(const Record& record, const Eigen::VectorXd& simulated, std::vector<ElementDescription> elements) {
-  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-  const double white = std::min(whiteNoiseAbove(record.force - simulated, record.dt, edge),
-                                whiteNoiseAbove(record.force, record.dt, edge));
   elements.erase(std::remove_if(elements.begin(), elements.end(),
                                 [](const ElementDescription& element) { return element.type != "friction"; }),
                  elements.end());
@@ -259,7 +256,7 @@ double noiseOf(const Record& record, const Eigen::VectorXd& simulated, std::vect
     const Forces smoothed = simulate(elements, {record});
     caused = std::sqrt((recorded[0] - smoothed[0]).squaredNorm() / static_cast<double>(record.size()));
   }
-  return std::max(white, caused) / record.force_deviation;
+  return std::max(whiteNoiseFloor(record, record.force - simulated), caused / record.force_deviation);
 }
 
 class Diagnoser {

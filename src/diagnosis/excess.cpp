@@ -19,10 +19,6 @@ constexpr double kShows = 0.67;              // of the gap: an effect that leave
 constexpr double kMovedFar = 0.14;           // logarithm of an own parameter: beyond what a specification errs by
 constexpr double kHides = 0.3;               // part of what re-estimation leaves that a hidden effect may leave
 
-double furthestMove(const Trial& trial) {
-  return trial.fit.point.own.size() > 0 ? trial.fit.point.own.cwiseAbs().maxCoeff() : 0.0;
-}
-
 }  // namespace
 
 double excess(const Search& search, double error) {
@@ -75,14 +71,14 @@ bool closedByOwnParameters(const Search& search) {
 
 const Trial* hiddenEffect(const Search& search) {
   const double re_estimated = excess(search, search.re_estimated);
-  if (furthestMove(search.re_estimated) <= kMovedFar) {
+  if (search.re_estimated.fit.point.furthestMove() <= kMovedFar) {
     return nullptr;
   }
   const Trial* best = nullptr;
   for (const Trial& trial : search.singles) {
     const bool simple = trial.atoms.size() == 1 && !hasTrends(search.candidates, trial.members);
     const double left = excess(search, trial);
-    if (simple && furthestMove(trial) < kMovedFar && left < kHides * re_estimated &&
+    if (simple && trial.fit.point.furthestMove() < kMovedFar && left < kHides * re_estimated &&
         (best == nullptr || left < excess(search, *best))) {
       best = &trial;
     }

@@ -84,9 +84,7 @@ Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_
   for (const Record& record : records_) {
     const double samples = static_cast<double>(record.size()) * static_cast<double>(records_.size());
     weights_.push_back(1.0 / (record.force_deviation * std::sqrt(samples)));
-    const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-    const double noise = whiteNoiseAbove(record.force, record.dt, edge) / record.force_deviation;
-    force_noise_ += std::max(noise, kLeastNoise) / static_cast<double>(records_.size());
+    force_noise_ += std::max(whiteNoiseFloor(record, record.force), kLeastNoise) / static_cast<double>(records_.size());
   }
 }
 

@@ -75,11 +75,10 @@ ordered_json trialsJson(const Search& search) {
     for (const int member : trial.members) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
-    const double moved = trial.fit.point.own.size() > 0 ? trial.fit.point.own.cwiseAbs().maxCoeff() : 0.0;
     result.push_back({{"effects", effects},
                       {"held_out", number(trial.fit.held_out)},
                       {"in_sample", number(trial.fit.gap)},
-                      {"own_moved_by", number(std::exp(moved))},
+                      {"own_moved_by", number(std::exp(trial.fit.point.furthestMove()))},
                       {"departure", number(trial.fit.departure)}});
   };
   add(search.re_estimated);

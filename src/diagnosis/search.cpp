@@ -35,8 +35,6 @@ bool allAdditive(const Trial& trial) {
   return std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return atom.additive; });
 }
 
-double furthestMove(const Eigen::VectorXd& own) { return own.size() > 0 ? own.cwiseAbs().maxCoeff() : 0.0; }
-
 constexpr double kFar = 0.2;  // a logarithm of an own parameter: far enough for a second start from the configured ones
 
 void keepBetter(Fit fit, Trial& trial) {
@@ -54,7 +52,7 @@ void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, c
   Point start = configured;
   start.own = re_estimated.fit.point.own;
   keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
-  if (furthestMove(start.own) > kFar) {
+  if (start.furthestMove() > kFar) {
     keepBetter(fitter.fit(trial.atoms, configured, kSingleIterations, trends), trial);
   }
   if (!allAdditive(trial)) {
@@ -83,7 +81,7 @@ void fitFurther(const Fitter& fitter, const std::vector<Candidate>& candidates, 
     }
   }
   keepBetter(fitter.fit(trial.atoms, start, kFurtherIterations, trends, active), trial);
-  if (furthestMove(start.own) > kFar && allAdditive(trial)) {
+  if (start.furthestMove() > kFar && allAdditive(trial)) {
     keepBetter(fitter.fit(trial.atoms, fitter.configured(trial.atoms.size()), kSingleIterations, trends), trial);
   }
 }
@@ -178,11 +176,7 @@ void estimateNoise(const Fitter& fitter, const Fit& best, const std::vector<Atom
   bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
     const Record& record = fitter.records()[r];
-    const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-    // A model that makes more noise than was measured (a mass, of a noisy displacement) must not raise the floor.
-    const double white = std::min(whiteNoiseAbove(record.force - forces[r], record.dt, edge),
-                                  whiteNoiseAbove(record.force, record.dt, edge)) /
-                         record.force_deviation;
+    const double white = whiteNoiseFloor(record, record.force - forces[r]);
     by_displacement = by_displacement || caused[r] > white;
     result.record_noise.push_back(std::max(white, caused[r]));
     sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());

@@ -25,6 +25,9 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
 struct Point {
   Eigen::VectorXd own;
   Eigen::VectorXd scales;
+
+  /// Largest magnitude among the logarithms: how far an own parameter is from its configured value.
+  double furthestMove() const { return own.size() > 0 ? own.cwiseAbs().maxCoeff() : 0.0; }
 };
 
 /// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
