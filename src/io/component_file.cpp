@@ -432,6 +432,8 @@ std::string specificationYaml(const Specification& specification) {
 
 }  // namespace
 
+ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(oneLine(message)) {}
+
 std::vector<ElementDescription> ComponentDescription::allElements() const {
   std::vector<ElementDescription> all = model == Model::elements ? elements : estimate(model, specification);
   all.insert(all.end(), add.begin(), add.end());

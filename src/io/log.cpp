@@ -13,6 +13,7 @@
 
 #include "log_columns.h"
 #include "rubber_suspension/io/units.h"
+#include "text.h"
 
 namespace rubber_suspension {
 namespace {
@@ -69,6 +70,8 @@ void setUnits(LogFormat& format, const std::string& units) {
 }
 
 }  // namespace
+
+LogError::LogError(const std::string& message) : std::runtime_error(oneLine(message)) {}
 
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate) {
   LogFormat format;

@@ -13,12 +13,15 @@
 
 namespace rubber_suspension {
 
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return text;
+}
+
 std::string quoted(const std::string& text) {
   constexpr std::size_t kLongest = 60;
-  std::string shown = text.substr(0, kLongest);
-  std::replace_if(
-      shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return fmt::format("'{}{}'", shown, text.size() > kLongest ? "..." : "");
+  return fmt::format("'{}{}'", oneLine(text.substr(0, kLongest)), text.size() > kLongest ? "..." : "");
 }
 
 std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }

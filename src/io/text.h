@@ -21,6 +21,9 @@ inline std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// The text with a blank for each control character: an error is one line, whatever the file that it quotes holds.
+std::string oneLine(std::string text);
+
 /// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, no control characters.
 std::string quoted(const std::string& text);
 

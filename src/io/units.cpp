@@ -49,7 +49,7 @@ ut_system* unitSystem() {
 UnitPointer parseUnit(const std::string& text) {
   UnitPointer unit(ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free);
   if (!unit) {
-    throw std::invalid_argument(fmt::format("unit '{}' is unknown", text));
+    throw std::invalid_argument(fmt::format("unit {} is unknown", quoted(text)));
   }
   return unit;
 }
@@ -124,12 +124,13 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   const UnitPointer target = parseUnit(to);
   if (ut_are_convertible(source.get(), target.get()) == 0 ||
       containsAngle(source.get()) != containsAngle(target.get())) {
-    throw std::invalid_argument(fmt::format("unit '{}' cannot be converted to {}", from, to == "1" ? "a number" : to));
+    throw std::invalid_argument(
+        fmt::format("unit {} cannot be converted to {}", quoted(from), to == "1" ? "a number" : to));
   }
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
   if (!std::isfinite(offset_)) {  // the library turns Hz into s
-    throw std::invalid_argument(fmt::format("unit '{}' is the reciprocal of one that converts to {}", from, to));
+    throw std::invalid_argument(fmt::format("unit {} is the reciprocal of one that converts to {}", quoted(from), to));
   }
   scale_ = cv_convert_double(converter.get(), 1.0) - offset_;
   const double reciprocal = std::round(1.0 / scale_);

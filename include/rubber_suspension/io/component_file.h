@@ -29,7 +29,7 @@ struct ComponentDescription {
 /// A file that was refused. what() is one line: file:line, component, key, value and what would be accepted.
 class ComponentFileError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ComponentFileError(const std::string& message);
 };
 
 /// Bounds on a component file; one beyond them is refused.

@@ -27,7 +27,7 @@ struct Log {
 /// A log that was refused. what() is one line: file:line and reason.
 class LogError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit LogError(const std::string& message);
 };
 
 /// How to find time, displacement and force in a file whose columns do not follow the rule of names.
