@@ -3,16 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
+#include "support/reference_page.h"
 
 namespace rubber_suspension {
 namespace {
 
 TEST(EffectReference, IsThePageInDocs) {
-  std::ostringstream page;
-  page << std::ifstream(TEST_DIR "/../docs/effects.md").rdbuf();
-  EXPECT_EQ(page.str(), effectReference())
+  EXPECT_EQ(pageInDocs("effects"), effectReference())
       << "after a change of a candidate: rosrun rubber_suspension reference effects > docs/effects.md";
 }
 

@@ -3,16 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
+#include "support/reference_page.h"
 
 namespace rubber_suspension {
 namespace {
 
 TEST(ParameterReference, IsThePageInDocs) {
-  std::ostringstream page;
-  page << std::ifstream(TEST_DIR "/../docs/parameters.md").rdbuf();
-  EXPECT_EQ(page.str(), parameterReference())
+  EXPECT_EQ(pageInDocs("parameters"), parameterReference())
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
 }
 

@@ -4,16 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
+#include "support/reference_page.h"
 
 namespace rubber_suspension {
 namespace {
 
 TEST(TopicReference, IsThePageInDocs) {
-  std::ostringstream page;
-  page << std::ifstream(TEST_DIR "/../docs/topics.md").rdbuf();
-  EXPECT_EQ(page.str(), topicReference())
+  EXPECT_EQ(pageInDocs("topics"), topicReference())
       << "after a change of a topic, message or parameter: rosrun rubber_suspension reference topics > docs/topics.md";
 }
 

@@ -4,7 +4,7 @@
 
 #include "apps/topic_exchange.h"
 #include "bench.h"
-#include "rubber_suspension/io/component_file.h"
+#include "vehicle/components.h"
 #include "vehicle/simulation.h"
 
 namespace rubber_suspension::vehicle {
@@ -13,14 +13,7 @@ namespace {
 constexpr std::int64_t kStep = 500000;  // [ns]
 
 std::vector<Component> loadedComponents(const std::vector<ElementDescription>& further = {}) {
-  const auto file = loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
-  std::vector<Component> components;
-  for (const std::string& name : strutNames()) {
-    auto elements = selectComponent(file, name).allElements();
-    elements.insert(elements.end(), further.begin(), further.end());
-    components.emplace_back(elements);
-  }
-  return components;
+  return loadStruts(ros::NodeHandle("~").param<std::string>("config_file", ""), further);
 }
 
 class VehicleLoop : public testing::TestWithParam<int> {

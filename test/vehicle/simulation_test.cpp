@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "rubber_suspension/io/component_file.h"
+#include "vehicle/components.h"
 #include "vehicle/stability.h"
 
 namespace rubber_suspension::vehicle {
@@ -14,14 +14,7 @@ namespace {
 const std::string kConfig = TEST_DIR "/../config/half_bogie.yaml";
 
 std::vector<Component> loadedComponents(const std::vector<ElementDescription>& further = {}) {
-  const auto file = loadComponentFile(kConfig);
-  std::vector<Component> components;
-  for (const std::string& name : strutNames()) {
-    auto elements = selectComponent(file, name).allElements();
-    elements.insert(elements.end(), further.begin(), further.end());
-    components.emplace_back(elements);
-  }
-  return components;
+  return loadStruts(kConfig, further);
 }
 
 // Somewhat more than a second of a track of some sines that start softly.

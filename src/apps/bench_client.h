@@ -1,0 +1,33 @@
+// What commands that speak to a running node share.
+#pragma once
+
+#include <fmt/format.h>
+#include <ros/node_handle.h>
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
+
+#include <iostream>
+#include <string>
+
+#include "rubber_suspension/ros_interface/log_player.h"
+#include "rubber_suspension/ros_interface/loopback.h"
+
+namespace rubber_suspension {
+
+/// A node that is kept to the loopback interface gets a client that is; where that is refused, say so.
+inline void noteOpenness(const std::string& command) {
+  const std::string refusal = keepSlaveApiToLoopback();
+  if (!refusal.empty()) {
+    std::cerr << command << ": note: " << refusal << '\n';
+  }
+}
+
+/// Call a service that makes the specimen new, unless its name is empty. Throws PlayError.
+inline void resetSpecimen(const ros::NodeHandle& handle, const std::string& service) {
+  std_srvs::Trigger trigger;
+  if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {
+    throw PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
+  }
+}
+
+}  // namespace rubber_suspension
