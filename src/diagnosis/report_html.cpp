@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "report_figures.h"
@@ -18,8 +19,10 @@ h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; }
 th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid var(--line); vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
+td.n { white-space: nowrap; }
 .bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
 .note { opacity: .75; font-size: .92rem; }
+figure { margin: 1.5rem 0; break-inside: avoid; }
 svg { max-width: 100%; height: auto; }
 pre { overflow-x: auto; background: #8882; padding: .8rem; font-size: .85rem; }
 )";
@@ -57,6 +60,9 @@ std::string join(const std::vector<std::string>& parts) {
 
 std::string percent(double value) { return fmt::format("{:.1f} %", 100.0 * value); }
 
+// In whole per cent, without a minus before 0.
+std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
+
 std::string gapTable(const Diagnosis& d) {
   const double widest = std::max({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented, 1e-12});
   std::string rows;
@@ -86,9 +92,9 @@ std::string candidateTable(const Diagnosis& d) {
   for (const CandidateResult& c : d.candidates) {
     rows += fmt::format(
         "<tr><td><b>{}</b><br><span class=note>{}</span></td><td class=n>{:.0f} %</td><td class=n>{}</td>"
-        "<td class=n>{:.0f} % [{:.0f}, {:.0f}]</td><td>{}</td><td class=note>{}</td></tr>\n",
-        c.effect, escape(c.documentation), 100.0 * c.probability, percent(c.gap), 100.0 * c.closed,
-        100.0 * c.interval[0], 100.0 * c.interval[1],
+        "<td class=n>{} % [{}, {}]</td><td>{}</td><td class=note>{}</td></tr>\n",
+        c.effect, escape(c.documentation), 100.0 * c.probability, percent(c.gap), wholePercent(c.closed),
+        wholePercent(c.interval[0]), wholePercent(c.interval[1]),
         c.testable ? "yes" : fmt::format("no: {:.0f} % visible", 100.0 * c.visible_share), parametersText(c));
   }
   return "<table><tr><th>effect</th><th class=n>probability</th><th class=n>gap with it alone</th>"
@@ -204,8 +210,8 @@ std::string toHtml(const Diagnosis& d) {
       "of "
       "the measured force, on data that took no part in the fit.</p>\n" +
       gapTable(d);
-  html += fmt::format("<p>Closed: {:.0f} % of the closable gap, 95 % interval {:.0f} to {:.0f} %.</p>\n",
-                      100.0 * d.closed, 100.0 * d.closed_interval[0], 100.0 * d.closed_interval[1]);
+  html += fmt::format("<p>Closed: {} % of the closable gap, 95 % interval {} to {} %.</p>\n", wholePercent(d.closed),
+                      wholePercent(d.closed_interval[0]), wholePercent(d.closed_interval[1]));
   html += "<p class=note>Errors of the characteristics on the same data:</p>\n" + errorTable(d);
   html += "<h2>Which</h2>\n" + candidateTable(d) +
           fmt::format(
