@@ -29,14 +29,15 @@ int convert(const Options& options) {
 
 int main(int argc, char** argv) {
   return runCommand(argc, argv, "bag_to_csv",
-                    "Write one component's displacement and, if recorded, measured force of a bag as a CSV log.",
+                    "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
                     [](CLI::App& app) {
                       const auto options = std::make_shared<Options>();
                       app.add_option("--component", options->component,
                                      "name of the component; may be left out where "
-                                     "the bag has only one");
-                      app.add_option("--log", options->input, "bag")->required();
-                      app.add_option("--output", options->output, "CSV file to write")->required();
+                                     "the bag has only one")
+                          ->type_name("NAME");
+                      app.add_option("--log", options->input, "bag to read")->required()->type_name("FILE");
+                      app.add_option("--output", options->output, "CSV file to write")->required()->type_name("FILE");
                       return [options] { return convert(*options); };
                     });
 }

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "../benchmark/cases.h"
+#include "../benchmark/ratio_figure.h"
 #include "command.h"
+#include "plot_option.h"
 
 namespace {
 
@@ -15,6 +17,7 @@ struct Options {
   std::size_t samples = 0;
   double log_duration = 20.0;
   int pairs = 0;
+  std::string plot;
 };
 
 std::vector<Case> allCases(const BenchmarkSize& size) {
@@ -46,6 +49,9 @@ int run(const Options& options) {
     }
   }
   std::cout << markdown(results);
+  if (!options.plot.empty()) {
+    drawFigure(ratioFigure(results), options.plot);
+  }
   return accurate ? kSuccess : kFailed;
 }
 
@@ -60,13 +66,19 @@ int main(int argc, char** argv) {
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
-        app.add_option("--samples", options->samples, "of the logs that are simulated")
+        app.add_option("--samples", options->samples,
+                       "samples of the logs that are simulated; if absent 100000, with --quick 20000")
+            ->type_name("COUNT")
             ->check(CLI::Range(10, 10000000));
-        app.add_option("--log-duration", options->log_duration, "of the two logs that are diagnosed [s]")
+        app.add_option("--log-duration", options->log_duration, "length of the two logs that are diagnosed")
+            ->type_name("SECONDS")
             ->check(CLI::Range(1.0, 3600.0))
             ->capture_default_str();
-        app.add_option("--pairs", options->pairs, "runs of plain loop and library by turns, per row")
+        app.add_option("--pairs", options->pairs,
+                       "runs of plain loop and library by turns, per row; if absent 101, with --quick 15")
+            ->type_name("COUNT")
             ->check(CLI::Range(1, 100000));
+        addPlotOption(app, options->plot, "the ratios");
         return [options] { return run(*options); };
       });
 }

@@ -9,11 +9,13 @@
 #include <thread>
 
 #include "command.h"
+#include "plot_option.h"
 #include "rubber_suspension/ros_interface/benchmark_node.h"
 #include "rubber_suspension/ros_interface/child_process.h"
 #include "rubber_suspension/ros_interface/command_line.h"
 #include "rubber_suspension/ros_interface/echo_node.h"
 #include "rubber_suspension/ros_interface/latency_benchmark.h"
+#include "rubber_suspension/ros_interface/latency_figures.h"
 #include "rubber_suspension/ros_interface/soak.h"
 
 using namespace rubber_suspension;
@@ -24,6 +26,7 @@ struct Options {
   BenchmarkOptions benchmark;
   int echo = 0;
   std::uint64_t soak = 0;
+  std::string plot;
 };
 
 int serveEcho(RosCommandLine& line, int components) {
@@ -56,8 +59,12 @@ void waitForMaster() {
 
 void tell(const std::string& what) { std::cerr << "benchmark_latency: " << what << '\n'; }
 
-int measureLatency(const BenchmarkOptions& options) {
-  printMarkdown(benchmarkLatency(options, [](const std::string& what) { tell("measuring " + what); }), std::cout);
+int measureLatency(const Options& options) {
+  const auto rows = benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
+  printMarkdown(rows, std::cout);
+  if (!options.plot.empty()) {
+    drawFigure(latencyFigure(rows), options.plot);
+  }
   return kSuccess;
 }
 
@@ -67,6 +74,9 @@ int measureSoak(const Options& options) {
   soak_options.components = options.benchmark.components.front();
   const SoakResult result = soak(soak_options, tell);
   printMarkdown(result, std::cout);
+  if (!options.plot.empty()) {
+    drawFigure(soakFigure(result), options.plot);
+  }
   if (!result.exact()) {
     throw std::runtime_error("not every sample had exactly one force");
   }
@@ -78,47 +88,57 @@ int measure(RosCommandLine& line, const Options& options) {
   line.initialise("benchmark_latency");
   waitForMaster();
   const ros::NodeHandle keeps_ros_running;
-  return options.soak > 0 ? measureSoak(options) : measureLatency(options.benchmark);
+  return options.soak > 0 ? measureSoak(options) : measureLatency(options);
 }
 
 void addOptions(CLI::App& app, Options& options) {
   BenchmarkOptions& benchmark = options.benchmark;
   app.add_option("--components", benchmark.components, "numbers of components, one row each")
+      ->type_name("COUNT")
       ->check(CLI::Range(1, 500))
       ->capture_default_str();
-  app.add_option("--rate", benchmark.rate, "samples per second of each component [Hz]")
+  app.add_option("--rate", benchmark.rate, "samples per second of each component")
+      ->type_name("HZ")
       ->check(CLI::Range(1.0, 1e5))
       ->capture_default_str();
-  app.add_option("--total-rate", benchmark.total_rate, "samples per second of all components, at most [Hz]")
+  app.add_option("--total-rate", benchmark.total_rate, "samples per second of all components, at most")
+      ->type_name("HZ")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
-  app.add_option("--duration", benchmark.duration, "of each run [s]")
+  app.add_option("--duration", benchmark.duration, "length of each run")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   app.add_option("--pairs", benchmark.pairs, "runs of the echo node, the node and the echo node again, per row")
+      ->type_name("COUNT")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--soak", options.soak,
                  "send so many samples to as many components as --components names first, as fast as the node answers, "
                  "and tell its memory in place of the latency")
+      ->type_name("COUNT")
       ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{100000000000}));
-  app.add_option("--echo", options.echo, "be the echo node of so many components")->check(CLI::Range(1, 500));
+  addPlotOption(app, options.plot, "latencies, or of memory over the samples of --soak,");
+  // For the command itself, which starts its echo node so.
+  app.add_option("--echo", options.echo, "be the echo node of so many components")
+      ->check(CLI::Range(1, 500))
+      ->group("");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "benchmark_latency",
-                    "Round trips through the node `simulate` against those through an empty echo node, in alternating "
-                    "runs with a master of their own; prints a Markdown table. Ratios are medians over the pairs of "
-                    "runs, with quartiles in brackets; those of the echo node to itself tell what the machine does to "
-                    "such a ratio.",
-                    [&](CLI::App& app) {
-                      const auto options = std::make_shared<Options>();
-                      addOptions(app, *options);
-                      return [&line, options] {
-                        return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);
-                      };
-                    });
+  return runCommand(
+      line.argc(), line.argv(), "benchmark_latency",
+      "Measures round trips through the node `simulate` against those through an empty echo node, in "
+      "alternating runs with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of "
+      "runs, with quartiles in brackets; those of the echo node to itself tell what the machine does to "
+      "such a ratio.",
+      [&](CLI::App& app) {
+        const auto options = std::make_shared<Options>();
+        addOptions(app, *options);
+        return
+            [&line, options] { return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options); };
+      });
 }

@@ -1,19 +1,18 @@
 // The test node `check_force`: plays a log through a bench and passes if its forces agree with a reference.
 #include <fmt/format.h>
 #include <ros/node_handle.h>
-#include <ros/service.h>
-#include <std_srvs/Trigger.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 
+#include "bench_client.h"
 #include "command.h"
 #include "log_options.h"
+#include "plot_option.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/ros_interface/command_line.h"
 #include "rubber_suspension/ros_interface/force_check.h"
-#include "rubber_suspension/ros_interface/loopback.h"
 
 using namespace rubber_suspension;
 
@@ -29,6 +28,7 @@ struct Options {
   double skip = 0.0;
   std::string reset;
   std::string report;
+  std::string plot;
   bool text = false;
 };
 
@@ -56,41 +56,30 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--config-component", options.config_component, "its name in that file, if another")
       ->type_name("NAME");
-  app.add_option("--skip", options.skip, "start of the log that is played and not compared [s]")
+  app.add_option("--skip", options.skip, "start of the log that is played and not compared")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");
   app.add_option("--speed", options.play.rate, "multiple of the log's own speed; 0: as fast as the bench answers")
+      ->type_name("FACTOR")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
+      ->type_name("COUNT")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer [s]")
+  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
-  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the bench [s]")
+  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the bench")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
   app.add_option("--reset", options.reset, "service (std_srvs/Trigger) to call before the first sample")
       ->type_name("SERVICE");
-  app.add_option("--gtest_output", options.report, "report to write, xml:FILE; rostest gives it")
-      ->type_name("xml:FILE");
+  addPlotOption(app, options.plot, "forces over time and displacement, and of their difference,");
+  app.add_option("--gtest_output", options.report, "report to write; rostest gives it")->type_name("xml:FILE");
   app.add_flag("--text", options.text, "accepted and of no effect; rostest --text gives it");
-}
-
-void reset(ros::NodeHandle& handle, const std::string& service) {
-  std_srvs::Trigger trigger;
-  if (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success) {
-    throw PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
-  }
-}
-
-// A bench that is kept to the loopback interface gets a test that is.
-void noteOpenness() {
-  const std::string refusal = keepSlaveApiToLoopback();
-  if (!refusal.empty()) {
-    std::cerr << "check_force: note: " << refusal << '\n';
-  }
 }
 
 ForceReference referenceFor(const Options& options, const Log& log) {
@@ -102,30 +91,34 @@ ForceReference referenceFor(const Options& options, const Log& log) {
   return simulatedReference(selectComponent(components, name).makeComponent(), log, options.config);
 }
 
-std::vector<TestCase> check(RosCommandLine& line, const Options& options) {
+struct Outcome {
+  std::vector<TestCase> cases;
+  Figure figure;  ///< without axes where there was nothing to compare
+};
+
+Outcome check(RosCommandLine& line, const Options& options) {
   const Log log = options.log_options.read("check_force", options.log, options.play.component);
   const ForceReference reference = referenceFor(options, log);
   line.initialise("check_force");
   ros::NodeHandle handle;
-  noteOpenness();
+  noteOpenness("check_force");
   LogPlayer player(handle, options.play);
   player.connect();
-  if (!options.reset.empty()) {
-    reset(handle, options.reset);
-  }
+  resetSpecimen(handle, options.reset);
   const PlayResult result = player.play(log);
-  return {checkAnswers(options.play.component, log, result),
-          checkForces(log, reference, result, options.tolerance, options.skip)};
+  const std::string& component = options.play.component;
+  return {{checkAnswers(component, log, result), checkForces(log, reference, result, options.tolerance, options.skip)},
+          result.answered() < log.size() ? Figure() : forceFigure(component, log, reference, result)};
 }
 
 // Whatever keeps the check from being made is a failure of it, and belongs into the report.
-std::vector<TestCase> checkOrFail(RosCommandLine& line, const Options& options) {
+Outcome checkOrFail(RosCommandLine& line, const Options& options) {
   try {
     return check(line, options);
   } catch (const UsageError&) {
     throw;
   } catch (const std::exception& error) {
-    return {{"forces", false, error.what(), 0.0}};
+    return {{{"forces", false, error.what(), 0.0}}, {}};
   }
 }
 
@@ -139,12 +132,15 @@ std::string reportPath(const Options& options) {
 
 int run(RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
-  const std::vector<TestCase> cases = checkOrFail(line, options);
+  const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {
-    writeTestReport(path, "check_force", cases);
+    writeTestReport(path, "check_force", outcome.cases);
+  }
+  if (!options.plot.empty() && !outcome.figure.axes.empty()) {
+    drawFigure(outcome.figure, options.plot);
   }
   int status = kSuccess;
-  for (const TestCase& test : cases) {
+  for (const TestCase& test : outcome.cases) {
     if (test.passed) {
       std::cout << fmt::format("{}: passed: {}\n", test.name, test.message);
     } else {
@@ -159,13 +155,14 @@ int run(RosCommandLine& line, const Options& options) {
 
 int main(int argc, char** argv) {
   RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "check_force",
-                    "Test node for rostest: plays a log through a bench and passes if its forces agree with the force "
-                    "measured in the log, or with that of a component file.",
-                    [&](CLI::App& app) -> CommandBody {
-                      const auto options = std::make_shared<Options>();
-                      addOptions(app, *options);
-                      options->log_options.addTo(app);
-                      return [&line, options] { return run(line, *options); };
-                    });
+  return runCommand(
+      line.argc(), line.argv(), "check_force",
+      "Plays a log through a bench and passes if its forces agree with the force measured in the log, or with "
+      "that of a component file; a test node for rostest.",
+      [&](CLI::App& app) -> CommandBody {
+        const auto options = std::make_shared<Options>();
+        addOptions(app, *options);
+        options->log_options.addTo(app);
+        return [&line, options] { return run(line, *options); };
+      });
 }

@@ -6,8 +6,11 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
+
+#include "help_format.h"
 
 namespace rubber_suspension {
 
@@ -36,6 +39,7 @@ inline int runCommand(int argc, char** argv, const std::string& name, const std:
                       const std::function<CommandBody(CLI::App&)>& define) {
   try {
     CLI::App app(description, name);
+    app.formatter(std::make_shared<HelpFormat>());
     app.add_flag_callback(
         "--version", [] { throw VersionRequest(); }, "Print the version and exit");
     const CommandBody body = define(app);

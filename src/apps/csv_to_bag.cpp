@@ -30,15 +30,16 @@ int convert(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(argc, argv, "csv_to_bag",
-                    "Write a CSV or MATLAB log as a bag with the topics <component>/displacement and "
-                    "<component>/measured_force.",
-                    [](CLI::App& app) {
-                      const auto options = std::make_shared<Options>();
-                      app.add_option("--component", options->component, "name of the component")->required();
-                      app.add_option("--log", options->input, "CSV or .mat file")->required();
-                      app.add_option("--output", options->output, "bag to write")->required();
-                      options->log_options.addTo(app);
-                      return [options] { return convert(*options); };
-                    });
+  return runCommand(
+      argc, argv, "csv_to_bag",
+      "Writes a CSV or MATLAB log as a bag with the topics <component>/displacement and "
+      "<component>/measured_force.",
+      [](CLI::App& app) {
+        const auto options = std::make_shared<Options>();
+        app.add_option("--component", options->component, "name of the component")->required()->type_name("NAME");
+        app.add_option("--log", options->input, "log to read: .csv or .mat")->required()->type_name("FILE");
+        app.add_option("--output", options->output, "bag to write")->required()->type_name("FILE");
+        options->log_options.addTo(app);
+        return [options] { return convert(*options); };
+      });
 }

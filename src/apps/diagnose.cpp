@@ -7,7 +7,9 @@
 
 #include "command.h"
 #include "log_options.h"
+#include "plot_option.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/diagnosis/overview_figure.h"
 
 namespace {
 
@@ -19,6 +21,7 @@ struct Options {
   std::vector<std::string> logs;
   std::vector<std::string> hold_out;
   std::string output;
+  std::string plot;
   int threads = 2;
   LogOptions log_options;
 };
@@ -49,6 +52,9 @@ int run(const Options& options) {
   const Diagnosis diagnosis = diagnose(component, logs, hold_out, settings);
   showStage("writing the report", 0.95);
   writeReport(diagnosis, options.output);
+  if (!options.plot.empty()) {
+    drawFigure(overviewFigure(diagnosis), options.plot);
+  }
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
@@ -63,13 +69,21 @@ int main(int argc, char** argv) {
       argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
-        app.add_option("--config", options->config, "component file")->required();
-        app.add_option("--component", options->component,
-                       "name of the component; may be left out if there is one only");
-        app.add_option("--log", options->logs, "measured logs of one specimen in the order of recording")->required();
-        app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen");
-        app.add_option("--output", options->output, "folder of the report")->required();
+        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
+        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
+            ->type_name("NAME");
+        app.add_option("--log", options->logs,
+                       "measured logs of one specimen in the order of recording: .csv, .bag or .mat")
+            ->required()
+            ->type_name("FILE");
+        app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen")
+            ->type_name("FILE");
+        app.add_option("--output", options->output, "folder of the report; made if missing")
+            ->required()
+            ->type_name("FOLDER");
+        addPlotOption(app, options->plot, "loops, residuals and the gap over frequency, amplitude and time");
         app.add_option("--threads", options->threads, "number of threads")
+            ->type_name("COUNT")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         options->log_options.addTo(app);

@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "log_options.h"
+#include "plot_option.h"
 #include "rubber_suspension/command/data_sheet.h"
 #include "rubber_suspension/command/identify.h"
 #include "rubber_suspension/io/units.h"
@@ -124,32 +125,40 @@ int estimateComponents(const Options& options) {
 
 CommandBody define(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("--config", options->config, "component file (YAML)");
-  app.add_option(
-         "--data-sheet", options->data_sheet,
-         "data sheet (YAML) in place of --config: prints the component file that follows from it, from hardness "
-         "and shape, a dynamic-to-static ratio, or loss angles at two frequencies")
+  app.add_option("--config", options->config, "component file")->type_name("FILE");
+  app.add_option("--data-sheet", options->data_sheet,
+                 "data sheet in place of --config: prints the component file that follows from it, from hardness "
+                 "and shape, a dynamic-to-static ratio, or loss angles at two frequencies")
       ->type_name("FILE");
-  app.add_option("--component", options->component, "name of one component; all if absent");
+  app.add_option("--component", options->component, "name of one component; all if absent")->type_name("NAME");
   app.add_flag("--json", options->json, "print JSON, in SI units");
-  app.add_option("--plot", options->plot, "draw stiffness and loss angle to FILE.svg or FILE.png");
+  addPlotOption(app, options->plot, "stiffness and loss angle");
   app.add_option("--frequencies", options->frequency_range, "ends of the range of frequencies, such as 0.5 20")
-      ->expected(2);
+      ->expected(2)
+      ->type_name("HZ");
   app.add_option("--amplitudes", options->amplitude_range, "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
-      ->expected(2);
-  app.add_option("--frequency", options->frequency, "frequency at which the amplitude varies [Hz]");
-  app.add_option("--amplitude", options->amplitude, "amplitude at which the frequency varies [m], or '2 mm'");
-  app.add_option("--product", options->product, "constant product of amplitude and frequency [m Hz], or '8 mm Hz'");
-  app.add_option("--points", options->points, "points of each range")->check(CLI::Range(2, 10000));
+      ->expected(2)
+      ->type_name("METRES");
+  app.add_option("--frequency", options->frequency, "frequency at which the amplitude varies")->type_name("HZ");
+  app.add_option("--amplitude", options->amplitude, "amplitude at which the frequency varies, such as '2 mm'")
+      ->type_name("METRES");
+  app.add_option("--product", options->product, "constant product of amplitude and frequency, such as '8 mm Hz'")
+      ->type_name("PRODUCT");
+  app.add_option("--points", options->points, "points of each range")
+      ->type_name("COUNT")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
   app.add_option(
          "--from-log", options->logs,
          "measured log with force (.csv, .mat or .bag): find the parameters from it; may be given several times")
-      ->type_name("LOG");
+      ->type_name("FILE");
   app.add_option("--hold", options->identification.held,
                  "parameter to keep with --from-log, such as friction.displacement")
       ->type_name("ELEMENT.PARAMETER");
   app.add_option("--starts", options->identification.starts, "starts of the search with --from-log")
-      ->check(CLI::Range(1, 1000));
+      ->type_name("COUNT")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   app.add_option("--output", options->output, "component file to write with the parameters found by --from-log")
       ->type_name("FILE");
   options->log_options.addTo(app);
@@ -172,7 +181,9 @@ CommandBody define(CLI::App& app) {
 }  // namespace rubber_suspension
 
 int main(int argc, char** argv) {
-  return rubber_suspension::runCommand(argc, argv, "estimate",
-                                       "Estimates the parameters of rubber components from their specifications.",
-                                       rubber_suspension::define);
+  return rubber_suspension::runCommand(
+      argc, argv, "estimate",
+      "Estimates the parameters of rubber components from their specifications, from measured logs or from data "
+      "sheets, and prints them with stiffness and loss angle over frequency and amplitude.",
+      rubber_suspension::define);
 }

@@ -4,11 +4,12 @@
 #include <chrono>
 #include <memory>
 
+#include "bench_client.h"
 #include "command.h"
-#include "rubber_suspension/io/component_file.h"
+#include "plot_option.h"
 #include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/loopback.h"
 #include "topic_exchange.h"
+#include "vehicle/components.h"
 #include "vehicle/simulation.h"
 #include "vehicle/stability.h"
 
@@ -30,17 +31,6 @@ struct Options {
   bool stability = false;
 };
 
-std::vector<Component> loadComponents(const std::string& path, const std::vector<ElementDescription>& further = {}) {
-  const auto file = loadComponentFile(path);
-  std::vector<Component> components;
-  for (const std::string& name : strutNames()) {
-    std::vector<ElementDescription> elements = selectComponent(file, name).allElements();
-    elements.insert(elements.end(), further.begin(), further.end());
-    components.emplace_back(elements);
-  }
-  return components;
-}
-
 std::string percentages(const PerStrut& values) {
   std::string text;
   for (std::size_t i = 0; i < kStruts; ++i) {
@@ -57,10 +47,7 @@ History runLoop(RosCommandLine& line, const Options& options, const Scene& scene
   if (options.loop == "topics") {
     line.initialise("half_bogie");
     const ros::NodeHandle handle;
-    const std::string refusal = keepSlaveApiToLoopback();
-    if (!refusal.empty()) {
-      std::cerr << "half_bogie: note: " << refusal << '\n';
-    }
+    noteOpenness("half_bogie");
     TopicExchange exchange(handle, options.reset);
     return runExchange(scene, exchange, options.delay);
   }
@@ -69,7 +56,7 @@ History runLoop(RosCommandLine& line, const Options& options, const Scene& scene
 }
 
 int runTrack(RosCommandLine& line, const Options& options) {
-  const std::vector<Component> components = loadComponents(options.config);
+  const std::vector<Component> components = loadStruts(options.config);
   Scene scene;
   scene.parameters.speed = options.speed;
   scene.track = Track(readLog(options.track));
@@ -85,7 +72,7 @@ int runTrack(RosCommandLine& line, const Options& options) {
   if (options.loop != "implicit") {
     const double delay = loopDelay(options.step, options.delay);
     const History delayed =
-        runVariableStep(scene, loadComponents(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
+        runVariableStep(scene, loadStruts(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
     std::cout << fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
                              percentages(displacementDifference(history, delayed)));
   }
@@ -121,7 +108,7 @@ Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<Co
 }
 
 int runStability(const Options& options) {
-  const std::vector<Component> components = loadComponents(options.config);
+  const std::vector<Component> components = loadStruts(options.config);
   VehicleParameters parameters;
   parameters.speed = options.speed;
   const DelayMargin margin = delayMargin(parameters, components);
@@ -156,15 +143,23 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--loop", options.loop,
                  "who answers displacements with forces: library and topics at fixed steps, implicit with iterations")
+      ->type_name("NAME")
       ->check(CLI::IsMember({"library", "topics", "implicit"}))
       ->capture_default_str();
-  app.add_option("--step", options.step, "of the loop [s]")->check(CLI::Range(1e-6, 0.1))->capture_default_str();
+  app.add_option("--step", options.step, "step of the loop")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-6, 0.1))
+      ->capture_default_str();
   app.add_option("--delay", options.delay, "steps that pass before a force acts; 0 waits for each answer")
+      ->type_name("COUNT")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  app.add_option("--speed", options.speed, "of the vehicle [m/s]")->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--speed", options.speed, "speed of the vehicle")
+      ->type_name("M/S")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
   app.add_option("--output", options.output, "CSV to write: positions, displacements and forces")->type_name("FILE");
-  app.add_option("--plot", options.plot, "figure to draw, .svg or .png")->type_name("FILE");
+  addPlotOption(app, options.plot, "displacements over time, or of growth over the step,");
   app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
       ->type_name("SERVICE");
   app.add_flag("--stability", options.stability, "print up to which step a loop is stable, in place of a run");

@@ -2,20 +2,18 @@
 #include <fmt/format.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>
-#include <ros/service.h>
-#include <std_srvs/Trigger.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
+#include "bench_client.h"
 #include "command.h"
 #include "log_options.h"
-#include "rubber_suspension/io/figure.h"
+#include "plot_option.h"
 #include "rubber_suspension/io/replay.h"
 #include "rubber_suspension/ros_interface/bench_player.h"
 #include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/loopback.h"
 #include "rubber_suspension/ros_interface/play_control.h"
 
 using namespace rubber_suspension;
@@ -39,57 +37,63 @@ struct Options {
 };
 
 void addRecordOptions(CLI::App& app, Options& options) {
-  app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N");
-  app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force");
-  app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap");
-  app.add_option("--plot", options.plot, "figure of forces over time and displacement to draw, .svg or .png");
+  app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N")
+      ->type_name("FILE");
+  app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force")
+      ->type_name("FILE");
+  app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap")->type_name("FILE");
+  addPlotOption(app, options.plot, "forces over time and displacement");
   app.add_option("--folder", options.folder,
-                 "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component");
+                 "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component")
+      ->type_name("FOLDER");
 }
 
 void addPlayOptions(CLI::App& app, Options& options) {
   app.add_option("--rate", options.play.rate, "multiple of the log's own speed; 0: as fast as the node answers")
+      ->type_name("FACTOR")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--loop", options.passes,
                  "times to play the logs, 0: until interrupted; time goes on and the specimen stays the same")
+      ->type_name("COUNT")
       ->capture_default_str();
   app.add_option("--step", options.step,
-                 "step by step: samples of each component per call of the service ~step; ~pause with false lets go");
+                 "step by step: samples of each component per call of the service ~step; ~pause with false lets go")
+      ->type_name("COUNT");
   app.add_flag("--paused", options.paused, "begin held, until the service ~pause is called with false");
   app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
+      ->type_name("COUNT")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   app.add_option("--listeners", options.play.listeners,
                  "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+      ->type_name("COUNT")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100}))
       ->capture_default_str();
-  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer [s]")
+  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
-  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the node [s]")
+  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the node")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
   app.add_option("--reset", options.reset,
-                 "service that makes the specimen new before the first sample, such as "
-                 "/simulate/reset");
+                 "service that makes the specimen new before the first sample, such as /simulate/reset")
+      ->type_name("SERVICE");
 }
 
 void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--component", options.components, "names of the components, one or several")->required();
+  app.add_option("--component", options.components, "names of the components, one or several")
+      ->required()
+      ->type_name("NAME");
   app.add_option("--log", options.logs,
                  "logs to play: .csv, .mat, or .bag with the node's topics; one per component, or one for all")
-      ->required();
+      ->required()
+      ->type_name("FILE");
   options.log_options.addTo(app, "--sampling-rate");
   addRecordOptions(app, options);
   addPlayOptions(app, options);
-}
-
-void reset(ros::NodeHandle& handle, const std::string& service) {
-  std_srvs::Trigger trigger;
-  if (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success) {
-    throw PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
-  }
 }
 
 void checkCounts(const Options& options) {
@@ -175,10 +179,7 @@ int play(RosCommandLine& line, Options& options) {
   makeFolder(options.folder);
   line.initialise("play_log");
   ros::NodeHandle handle;
-  const std::string refusal = keepSlaveApiToLoopback();
-  if (!refusal.empty()) {
-    std::cerr << "play_log: note: " << refusal << '\n';
-  }
+  noteOpenness("play_log");
   PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
   const PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
@@ -186,9 +187,7 @@ int play(RosCommandLine& line, Options& options) {
   const Log first_log = tracks.front().log;
   BenchPlayer player(handle, options.play, std::move(tracks));
   player.connect();
-  if (!options.reset.empty()) {
-    reset(handle, options.reset);
-  }
+  resetSpecimen(handle, options.reset);
   const std::vector<BenchCount> counts = player.play(options.passes);
   if (!options.plot.empty() && counts.front().complete) {
     drawFigure(replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
@@ -201,7 +200,7 @@ int play(RosCommandLine& line, Options& options) {
 int main(int argc, char** argv) {
   RosCommandLine line(argc, argv);
   return runCommand(line.argc(), line.argv(), "play_log",
-                    "Play logs through a running node and record the forces. The node answers on "
+                    "Plays logs through a running node and records the forces. The node answers on "
                     "<component>/force; see launch/replay.launch and launch/bench.launch.",
                     [&](CLI::App& app) {
                       const auto options = std::make_shared<Options>();

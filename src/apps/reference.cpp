@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
       "Prints a reference page as Markdown: of the component file, the node, the effects or the commands.",
       [](CLI::App& app) -> CommandBody {
         const auto page = std::make_shared<std::string>("parameters");
-        app.add_option("page", *page, "what to print")
+        app.add_option("page", *page, "page to print")
             ->check(CLI::IsMember({"parameters", "topics", "effects", "commands"}))
             ->capture_default_str();
         return [page] {

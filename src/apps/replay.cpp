@@ -6,8 +6,8 @@
 
 #include "command.h"
 #include "log_options.h"
+#include "plot_option.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/figure.h"
 
 namespace {
 
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
         app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
             ->required()
             ->type_name("FILE");
-        app.add_option("--plot", options->plot, "figure to draw, .svg or .png")->type_name("FILE");
+        addPlotOption(app, options->plot, "forces over time and displacement");
         options->log_options.addTo(app);
         return [options] { return run(*options); };
       });

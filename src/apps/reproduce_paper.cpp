@@ -9,7 +9,7 @@ namespace {
 
 CommandBody define(CLI::App& app) {
   auto folder = std::make_shared<std::string>();
-  app.add_option("--output", *folder, "folder for the figures; made if missing")->required();
+  app.add_option("--output", *folder, "folder for the figures; made if missing")->required()->type_name("FOLDER");
   return [folder] {
     for (const std::string& path : writePaperFigures(paperFigures(), *folder)) {
       std::cout << path << '\n';

@@ -21,8 +21,9 @@ int serve(RosCommandLine& line) {
 
 int main(int argc, char** argv) {
   RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "simulate",
-                    "Publish <component>/force for every sample on <component>/displacement.\nPrivate parameters:\n" +
-                        describeNodeSettings(),
-                    [&](CLI::App&) { return [&] { return serve(line); }; });
+  return runCommand(
+      line.argc(), line.argv(), "simulate",
+      "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
+          describeNodeSettings(),
+      [&](CLI::App&) { return [&] { return serve(line); }; });
 }

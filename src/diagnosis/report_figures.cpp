@@ -208,11 +208,11 @@ Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorX
 
 Figure residualOverTime(const Diagnosis& diagnosis) {
   Figure figure;
-  figure.title = "Gap over time, the logs one after the other";
+  figure.title = "Gap in each second, the logs one after the other";
   figure.columns = 1;
   Axes axes;
   axes.x_label = "time [s]";
-  axes.y_label = "RMS residual in 1 s / force deviation [-]";
+  axes.y_label = "RMS residual / deviation [-]";
   axes.log_y = true;
   axes.curves.push_back(levelOverTime(diagnosis, diagnosis.force_configured, "as configured", 0));
   axes.curves.push_back(levelOverTime(diagnosis, diagnosis.force_re_estimated, "re-estimated", 1));

@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 extern char** environ;
 
@@ -31,7 +33,7 @@ static void to_json(json& out, const HeatMap& map) {
 
 static void to_json(json& out, const Axes& axes) {
   out = {{"title", axes.title}, {"x_label", axes.x_label}, {"y_label", axes.y_label}, {"log_x", axes.log_x},
-         {"log_y", axes.log_y}, {"curves", axes.curves},   {"maps", axes.maps}};
+         {"log_y", axes.log_y}, {"rows", axes.rows},       {"curves", axes.curves},   {"maps", axes.maps}};
 }
 
 static void to_json(json& out, const Figure& figure) {
@@ -153,9 +155,28 @@ json request(const std::vector<Figure>& figures, const json& path) {
 
 }  // namespace
 
-void drawFigure(const Figure& figure, const std::string& path) {
+void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>& values, double offset, int colour) {
+  Curve lines{"", {}, {}, "-", colour};
+  Curve markers{label, {}, {}, "o", colour};
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double y = static_cast<double>(row) + offset;
+    const double gap = std::numeric_limits<double>::quiet_NaN();  // between the lines of two rows
+    lines.x.insert(lines.x.end(), {values[row].lower, values[row].upper, gap});
+    lines.y.insert(lines.y.end(), {y, y, gap});
+    markers.x.push_back(values[row].median);
+    markers.y.push_back(y);
+  }
+  axes.curves.push_back(std::move(lines));
+  axes.curves.push_back(std::move(markers));
+}
+
+bool isFigurePath(const std::string& path) {
   const std::string extension = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  if (extension != ".svg" && extension != ".png") {
+  return extension == ".svg" || extension == ".png";
+}
+
+void drawFigure(const Figure& figure, const std::string& path) {
+  if (!isFigurePath(path)) {
     throw FigureError(fmt::format("{}: accepted: a name that ends in .svg or .png", path));
   }
   runScript(request({figure}, path));

@@ -36,23 +36,24 @@ std::vector<double> secondsOf(const Log& log) {
 }
 
 Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const Log& log,
-               const std::vector<double>& force) {
+               const std::vector<double>& force, const ForceLabels& labels) {
   Axes axes;
   axes.x_label = x_label;
   axes.y_label = "force [kN]";
   if (!log.force.empty()) {
-    axes.curves.push_back({"measured", x, thinned(log.force, 1e-3), "-", 0});
+    axes.curves.push_back({labels.log, x, thinned(log.force, 1e-3), "-", 0});
   }
-  axes.curves.push_back({"simulated", x, thinned(force, 1e-3), "-", 1});
+  axes.curves.push_back({labels.force, x, thinned(force, 1e-3), "-", 1});
   return axes;
 }
 
-Axes gapAxes(const std::vector<double>& seconds, const Log& log, const std::vector<double>& force) {
+Axes gapAxes(const std::vector<double>& seconds, const Log& log, const std::vector<double>& force,
+             const ForceLabels& labels) {
   std::vector<double> gap(log.size());
   std::transform(log.force.begin(), log.force.end(), force.begin(), gap.begin(), std::minus<>());
   Axes axes;
   axes.x_label = "time [s]";
-  axes.y_label = "measured - simulated [kN]";
+  axes.y_label = labels.log + " - " + labels.force + " [kN]";
   axes.curves.push_back({"", seconds, thinned(gap, 1e-3), "-", 4});
   return axes;
 }
@@ -141,7 +142,8 @@ std::string summary(const std::string& component, const Log& log, const Replay& 
   return text;
 }
 
-Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force) {
+Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force,
+                    const ForceLabels& labels) {
   const std::vector<double> seconds = thinned(secondsOf(log), 1.0);
   const std::vector<double> millimetres = thinned(log.displacement, 1e3);
   Axes displacement;
@@ -150,9 +152,9 @@ Figure replayFigure(const std::string& component, const Log& log, const std::vec
   displacement.curves.push_back({"", seconds, millimetres, "-", 7});
   Figure figure;
   figure.title = fmt::format("{}, {}", component, log.name);
-  figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force),
-                 forceAxes("time [s]", seconds, log, force)};
-  figure.axes.push_back(log.force.empty() ? closeUpAxes(log, force) : gapAxes(seconds, log, force));
+  figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force, labels),
+                 forceAxes("time [s]", seconds, log, force, labels)};
+  figure.axes.push_back(log.force.empty() ? closeUpAxes(log, force) : gapAxes(seconds, log, force, labels));
   return figure;
 }
 

@@ -125,9 +125,7 @@ std::int64_t medianInterval(const Series& series) {
 
 // The measured force between the two stamps around the one asked for, taken as linear; none across missing samples.
 ForceAt forceInBetween(const Series& measured) {
-  constexpr std::int64_t kIntervals = 3;
-  constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max() / kIntervals;  // stamps span 136 years
-  const std::int64_t longest = kIntervals * std::min(medianInterval(measured), kLongest);
+  const std::int64_t longest = 3 * medianInterval(measured);
   return [&measured, longest, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
     while (j + 2 < measured.stamp.size() && measured.stamp[j + 1] < stamp) {
       ++j;

@@ -91,4 +91,11 @@ TestCase checkForces(const Log& log, const ForceReference& reference, const Play
   return test;
 }
 
+Figure forceFigure(const std::string& component, const Log& log, const ForceReference& reference,
+                   const PlayResult& result) {
+  Log with_reference = log;
+  with_reference.force = reference.force;
+  return replayFigure(component, with_reference, totals(result), {"reference", "bench"});
+}
+
 }  // namespace rubber_suspension

@@ -69,6 +69,32 @@ TEST(DrawSvg, SeveralFiguresForAPage) {
   EXPECT_EQ(drawSvg({exampleFigure()}), drawSvg({exampleFigure()}));  // reports can be compared
 }
 
+// Names in place of numbers, each of them in the picture; values lie below the middle of their row by the offset.
+TEST(DrawFigure, RowsOfNames) {
+  Axes axes;
+  axes.rows = {"first work", "second work"};
+  addSpreads(axes, "ratio", {{1.0, 0.9, 1.2}, {2.0, 1.5, 3.0}}, 0.1, 4);
+  ASSERT_EQ(axes.curves.size(), 2U);
+  const Curve& lines = axes.curves[0];
+  const Curve& markers = axes.curves[1];
+  EXPECT_EQ(markers.x, (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(markers.y, (std::vector<double>{0.1, 1.1}));
+  EXPECT_EQ(lines.x[3], 1.5);
+  EXPECT_EQ(lines.x[4], 3.0);
+  EXPECT_TRUE(std::isnan(lines.x[2]));  // no line from row to row
+  const std::string svg = drawSvg({{"", {axes}, 1}}).at(0);
+  EXPECT_THAT(svg, HasSubstr("first work"));
+  EXPECT_THAT(svg, HasSubstr("second work"));
+}
+
+TEST(DrawFigure, AcceptsTwoKindsOfFile) {
+  EXPECT_TRUE(isFigurePath("a.svg"));
+  EXPECT_TRUE(isFigurePath("/folder/a.png"));
+  EXPECT_FALSE(isFigurePath("a.pdf"));
+  EXPECT_FALSE(isFigurePath("svg"));
+  EXPECT_FALSE(isFigurePath(""));
+}
+
 TEST(DrawFigure, MuchDataPassesThrough) {
   Figure figure = exampleFigure();
   for (int i = 0; i < 20000; ++i) {  // more than a pipe holds

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Holds every command to one style of --help and --version, and the page that `reference commands` prints to all of them.
+"""Holds every command to one style of --help and --version, and the page docs/commands.md to what they print.
 
-Usage: commands.py FOLDER_OF_THE_COMMANDS VERSION COMMAND...; one line per violation, exit status 1 if there is any.
+Usage: commands.py FOLDER_OF_THE_COMMANDS VERSION PAGE COMMAND...; one line per violation, exit status 1 if there is any.
 """
 
 import pathlib
@@ -9,6 +9,10 @@ import re
 import subprocess
 import sys
 
+
+WIDTH = 100  # of a terminal, and of a page
+# Name, placeholder, and description with the lines that continue it.
+OPTION = re.compile(r"^  ((?:-\w,)?--[\w-]+)(?: (\S+))?[^\n]*?\s{2,}(\S[^\n]*(?:\n {28}[^\n]*)*)$", re.M)
 
 
 def run(program, *arguments):
@@ -22,17 +26,17 @@ def violations(folder, command, version):
     if answer.returncode != 0 or answer.stderr:
         yield f"--help ends with {answer.returncode} and says '{answer.stderr.strip()}' on stderr"
     first = text.split("\n\n")[0].split("\nUsage")[0].splitlines()[0] if text else ""
-    if not re.match(r"[A-Z].*[.:]$", first):
-        yield f"--help does not begin with a sentence: '{first}'"
+    if not re.match(r"[A-Z][a-z]+s ", first) or not re.split(r"\nUsage|\n\n", text)[0].endswith("."):
+        yield f"--help does not begin with a sentence that says what the command does: '{first}'"
+    for line in text.splitlines():
+        if len(line) > WIDTH and not line.startswith("Usage"):
+            yield f"--help has a line of {len(line)} characters, more than {WIDTH}: '{line[:40]}...'"
     if f"Usage: {command} " not in text:
         yield f"--help lacks 'Usage: {command}'"
     for option in ("--help", "--version"):
         if option not in text:
             yield f"--help does not name {option}"
-    for line in text.splitlines():
-        match = re.match(r"  (-\S.*?)(?:\s{2,}(\S.*))?$", line)
-        if match and match.group(2) and match.group(2).endswith("."):
-            yield f"--help ends the description of {match.group(1).split()[0]} with a full stop"
+    yield from option_violations(text)
     answer = run(program, "--version")
     if (answer.returncode, answer.stdout) != (0, f"{command} {version}\n"):
         yield f"--version prints '{answer.stdout.strip()}', not '{command} {version}'"
@@ -41,19 +45,45 @@ def violations(folder, command, version):
         yield f"a wrong option ends with {answer.returncode} and '{answer.stderr.strip()}', not with 2 and one line"
 
 
-def main(folder, version, commands):
+def option_violations(text):
+    """One style for the options: a placeholder that says what is wanted, a description without capital and full stop."""
+    for option, placeholder, description in OPTION.findall(text):
+        if placeholder in ("TEXT", "INT", "UINT", "FLOAT"):
+            yield f"--help does not say what {option} takes"
+        if description.endswith("."):
+            yield f"--help ends the description of {option} with a full stop"
+        if re.match(r"[A-Z][a-z]", description) and option not in ("-h,--help", "--version"):
+            yield f"--help begins the description of {option} with a capital letter"
+
+
+def sections(page):
+    """The text of each command in a reference page, by its name; what stands before them under ''."""
+    parts = re.split(r"^## (\w+)$", page, flags=re.M)
+    return dict(zip(["", *parts[1::2]], [part.strip() for part in parts[::2]]))
+
+
+def page_violations(page, printed, commands):
+    """A command that cannot be built here, for want of a library, may stand in the page nevertheless."""
+    page, printed = sections(page), sections(printed)
+    for name in ["", *commands]:
+        if name not in printed:
+            yield f"reference commands: {name} is missing"
+        elif page.get(name) != printed[name]:
+            yield (f"docs/commands.md: {name or 'the introduction'} differs from what is printed; "
+                   "after a change: rosrun rubber_suspension reference commands > docs/commands.md")
+
+
+def main(folder, version, page, commands):
     found = 0
     for command in commands:
         for violation in violations(folder, command, version):
             print(f"{command}: {violation}")
             found += 1
-    page = run(folder / "reference", "commands").stdout
-    for command in commands:
-        if f"\n## {command}\n" not in page:
-            print(f"reference commands: {command} is missing")
-            found += 1
+    for violation in page_violations(page.read_text(), run(folder / "reference", "commands").stdout, commands):
+        print(violation)
+        found += 1
     return found
 
 
 if __name__ == "__main__":
-    sys.exit(1 if main(pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]) else 0)
+    sys.exit(1 if main(pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3]), sys.argv[4:]) else 0)

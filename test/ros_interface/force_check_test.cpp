@@ -56,6 +56,17 @@ TEST(ForceCheck, LeavesOutTheStart) {
   EXPECT_THROW(compareForces(log, log.force, force, 0.999), std::invalid_argument);
 }
 
+// The last axes show the difference, in kN.
+TEST(ForceCheck, DrawsReferenceAndBench) {
+  const Log log = sineLog();
+  const Figure figure = forceFigure("mount", log, measuredReference(log), answered(log, kOffset));
+  ASSERT_EQ(figure.axes.size(), 4U);
+  EXPECT_EQ(figure.axes[1].curves[0].label, "reference");
+  EXPECT_EQ(figure.axes[1].curves[1].label, "bench");
+  EXPECT_EQ(figure.axes[3].y_label, "reference - bench [kN]");
+  EXPECT_NEAR(figure.axes[3].curves[0].y[500], -1e-3 * kOffset, 1e-9);
+}
+
 TEST(ForceCheck, PassesWithinTheToleranceAndFailsBeyond) {
   const Log log = sineLog();
   const double gap = kOffset / (2000.0 / std::sqrt(2.0));

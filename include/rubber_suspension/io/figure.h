@@ -30,6 +30,7 @@ struct Axes {
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
+  std::vector<std::string> rows;  ///< names of y = 0, 1, 2, ..., from the top down; none: y is a number
   std::vector<Curve> curves;
   std::vector<HeatMap> maps;  ///< none or one
 };
@@ -40,10 +41,24 @@ struct Figure {
   int columns = 2;  ///< of the grid of axes
 };
 
+/// A measured value with the quartiles of its repetitions.
+struct Spread {
+  double median = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// Add one value per row to axes with rows: a marker with a line from quartile to quartile, `offset` rows below the
+/// row's middle. The colour is an index into the palette.
+void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>& values, double offset, int colour);
+
 class FigureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// True for the names that drawFigure accepts: FILE.svg and FILE.png.
+bool isFigurePath(const std::string& path);
 
 /// Draw to FILE.svg or FILE.png, by the extension. Throws FigureError.
 void drawFigure(const Figure& figure, const std::string& path);

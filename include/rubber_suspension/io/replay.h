@@ -33,7 +33,14 @@ Replay replay(const Component& component, const Log& log);
 /// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
 std::string summary(const std::string& component, const Log& log, const Replay& replay);
 
+/// What a figure calls the force of the log and the other one.
+struct ForceLabels {
+  std::string log = "measured";
+  std::string force = "simulated";
+};
+
 /// Displacement and force over time, and force over displacement; long logs are thinned for the eye.
-Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force);
+Figure replayFigure(const std::string& component, const Log& log, const std::vector<double>& force,
+                    const ForceLabels& labels = {});
 
 }  // namespace rubber_suspension

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/io/figure.h"
 #include "rubber_suspension/io/log.h"
 #include "rubber_suspension/ros_interface/log_player.h"
 #include "rubber_suspension/ros_interface/test_report.h"
@@ -41,5 +42,9 @@ TestCase checkAnswers(const std::string& component, const Log& log, const PlayRe
 /// Whether the gap to the reference is no larger than `tolerance`. A force that is missing or not finite fails.
 TestCase checkForces(const Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
                      double skip);
+
+/// Forces of bench and reference over time and displacement, and their difference. Every sample has to have its force.
+Figure forceFigure(const std::string& component, const Log& log, const ForceReference& reference,
+                   const PlayResult& result);
 
 }  // namespace rubber_suspension
