@@ -1,165 +1,21 @@
-// Many components of one build at each tick. The laws are those of Component::step, written for eight lanes; that
-// pointers do not overlap is said by __restrict, without which the loops over the lanes are no vector instructions.
+// Many components of one build, eight side by side.
 #include "rubber_suspension/component/fleet.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "fleet_numbers.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell_bank.h"
 #include "rubber_suspension/element/spring.h"
+#define RUBBER_SUSPENSION_KERNELS "fleet_kernels.h"
+#include "instruction_sets.h"
 
 namespace rubber_suspension {
 namespace {
-
-constexpr std::size_t kLanes = 8;
-
-// Rows of a group. The friction's memory is in the order of BergFriction's; after it three rows per Maxwell element.
-enum Row : std::size_t {
-  kDisplacement,
-  kSpring,
-  kDashpot,
-  kMaximumForce,
-  kCompliance,
-  kReferenceDisplacement,
-  kReferenceForce,
-  kExtremum,
-  kDirection,
-  kFirstMaxwell
-};
-enum MaxwellRow : std::size_t { kDecay, kGain, kForce, kMaxwellRows };
-
-// A function of this kind is unfolded where it is called, so that it is compiled for the processor of its caller.
-#define RUBBER_SUSPENSION_UNFOLD [[gnu::always_inline]] inline
-
-// Sums of spring, dashpot and Maxwell forces.
-RUBBER_SUSPENSION_UNFOLD void stepLinear(double* __restrict group, std::size_t maxwells,
-                                         const double* __restrict displacement, double* __restrict elastic,
-                                         double* __restrict viscous) {
-  double increment[kLanes];
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    increment[i] = displacement[i] - group[kDisplacement * kLanes + i];
-    group[kDisplacement * kLanes + i] = displacement[i];
-    elastic[i] = group[kSpring * kLanes + i] * displacement[i];
-    viscous[i] = group[kDashpot * kLanes + i] * increment[i];
-  }
-  double* element = group + kFirstMaxwell * kLanes;
-  for (std::size_t k = 0; k < maxwells; ++k, element += kMaxwellRows * kLanes) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const double force =
-          element[kDecay * kLanes + i] * element[kForce * kLanes + i] + element[kGain * kLanes + i] * increment[i];
-      element[kForce * kLanes + i] = force;
-      viscous[i] += force;
-    }
-  }
-}
-
-// Moves the extremum of each lane along; false where one of them has not gone on along its branch.
-RUBBER_SUSPENSION_UNFOLD bool goOn(double* __restrict group, const double* displacement) {
-  double least = 1.0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const double beyond = (displacement[i] - group[kExtremum * kLanes + i]) * group[kDirection * kLanes + i];
-    least = std::min(least, beyond);
-  }
-  if (!(least > 0.0)) {
-    return false;
-  }
-  std::copy_n(displacement, kLanes, group + kExtremum * kLanes);
-  return true;
-}
-
-// Each lane by the law of one component: turns, pauses, what is not a number.
-void advanceOneByOne(double* group, const BergFriction* bergs, const double* displacement, double* friction) {
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    std::array<double, BergFriction::kMemorySize> memory{};
-    for (std::size_t k = 0; k < memory.size(); ++k) {
-      memory[k] = group[(kReferenceDisplacement + k) * kLanes + i];
-    }
-    friction[i] = bergs[i].advance(displacement[i], memory.data());
-    for (std::size_t k = 0; k < memory.size(); ++k) {
-      group[(kReferenceDisplacement + k) * kLanes + i] = memory[k];
-    }
-  }
-}
-
-// Both branches of Berg's law in one, as BergFriction has them.
-RUBBER_SUSPENSION_UNFOLD void follow(const double* __restrict group, const double* __restrict displacement,
-                                     double* __restrict friction) {
-  constexpr double kTiny = std::numeric_limits<double>::min();
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const double reference_force = group[kReferenceForce * kLanes + i];
-    const double way = displacement[i] - group[kReferenceDisplacement * kLanes + i];
-    const double left = std::copysign(group[kMaximumForce * kLanes + i], way) - reference_force;
-    const double reach = group[kCompliance * kLanes + i] * std::abs(left);
-    friction[i] = reference_force + std::abs(way) * left / (reach + std::abs(way) + kTiny);
-  }
-}
-
-RUBBER_SUSPENSION_UNFOLD void stepGroup(double* __restrict group, std::size_t maxwells, const BergFriction* bergs,
-                                        const double* __restrict displacement, double* __restrict force) {
-  double elastic[kLanes];
-  double viscous[kLanes];
-  double friction[kLanes] = {};
-  stepLinear(group, maxwells, displacement, elastic, viscous);
-  if (bergs != nullptr) {
-    if (goOn(group, displacement)) {
-      follow(group, displacement, friction);
-    } else {
-      advanceOneByOne(group, bergs, displacement, friction);
-    }
-  }
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    force[i] = elastic[i] + viscous[i] + friction[i];
-  }
-}
-
-// All groups at one tick.
-struct Tick {
-  double* numbers;
-  std::size_t rows;
-  std::size_t maxwells;
-  const BergFriction* bergs;  // of all lanes; none: nullptr
-  const double* displacement;
-  double* force;
-  std::size_t size;  // of the fleet
-};
-
-RUBBER_SUSPENSION_UNFOLD void stepGroups(const Tick& tick) {
-  double* group = tick.numbers;
-  const BergFriction* bergs = tick.bergs;
-  std::size_t first = 0;
-  for (; first + kLanes <= tick.size; first += kLanes) {
-    stepGroup(group, tick.maxwells, bergs, tick.displacement + first, tick.force + first);
-    group += tick.rows * kLanes;
-    bergs = bergs == nullptr ? nullptr : bergs + kLanes;
-  }
-  if (first < tick.size) {
-    double displacement[kLanes];
-    double force[kLanes];
-    const std::size_t rest = tick.size - first;
-    std::copy_n(tick.displacement + first, rest, displacement);
-    std::fill(displacement + rest, displacement + kLanes, displacement[rest - 1]);
-    stepGroup(group, tick.maxwells, bergs, displacement, force);
-    std::copy_n(force, rest, tick.force + first);
-  }
-}
-
-void stepGroupsAnywhere(const Tick& tick) { stepGroups(tick); }
-
-using StepGroups = void (*)(const Tick&);
-
-#ifdef __x86_64__
-__attribute__((target("avx2"))) void stepGroupsAvx2(const Tick& tick) { stepGroups(tick); }
-
-StepGroups fastest() { return __builtin_cpu_supports("avx2") != 0 ? stepGroupsAvx2 : stepGroupsAnywhere; }
-#else
-StepGroups fastest() { return stepGroupsAnywhere; }
-#endif
 
 [[noreturn]] void refuse(std::size_t index, const std::string& reason) {
   throw std::invalid_argument(fmt::format("component {} of the fleet: {}", index + 1, reason));
@@ -189,11 +45,11 @@ ComponentFleet::ComponentFleet(const std::vector<Component>& components) : size_
   laws_.resize((size_ + kLanes - 1) / kLanes * kLanes, laws_.back());
   maxwells_ = laws_.front().maxwells.size();
   rows_ = kFirstMaxwell + maxwells_ * kMaxwellRows;
-  numbers_.resize(rows_ * laws_.size());
+  numbers_.resize(rows_ * laws_.size() / kLanes);
   displacement_.resize(size_);
-  for (const Laws& laws : laws_) {
-    bergs_.insert(bergs_.end(), laws.bergs.begin(), laws.bergs.end());
-  }
+  turn_together_ = std::all_of(laws_.begin(), laws_.end(), [this](const Laws& laws) {
+    return laws.bergs.empty() || laws.bergs.front().deadBand() == laws_.front().bergs.front().deadBand();
+  });
   rest(0.0);
 }
 
@@ -223,19 +79,19 @@ ComponentFleet::Laws ComponentFleet::lawsOf(const Component& component) {
   return laws;
 }
 
-double& ComponentFleet::number(std::size_t lane, std::size_t row) {
-  return numbers_[(lane / kLanes * rows_ + row) * kLanes + lane % kLanes];
-}
+LaneRow* ComponentFleet::group(std::size_t first_lane) { return numbers_.data() + first_lane / kLanes * rows_; }
+
+double& ComponentFleet::number(std::size_t lane, std::size_t row) { return group(lane)[row].lane[lane % kLanes]; }
 
 void ComponentFleet::rest(double displacement) {
-  std::fill(numbers_.begin(), numbers_.end(), 0.0);
+  std::fill(numbers_.begin(), numbers_.end(), LaneRow{});
   for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
     number(lane, kDisplacement) = displacement;
     number(lane, kSpring) = laws_[lane].spring_stiffness;
-    if (!bergs_.empty()) {
-      const BergFriction& berg = bergs_[lane];
+    for (const BergFriction& berg : laws_[lane].bergs) {
       number(lane, kMaximumForce) = berg.maximumForce();
-      number(lane, kCompliance) = berg.displacement() / berg.maximumForce();
+      number(lane, kCompliance) = berg.compliance();
+      number(lane, kDeadBand) = berg.deadBand();
       std::array<double, BergFriction::kMemorySize> memory{};
       berg.rest(displacement, memory.data());
       for (std::size_t k = 0; k < memory.size(); ++k) {
@@ -244,6 +100,7 @@ void ComponentFleet::rest(double displacement) {
     }
   }
   prepared_dt_ = -1.0;
+  moved_together_ = true;
 }
 
 void ComponentFleet::prepare(double dt) {
@@ -259,18 +116,70 @@ void ComponentFleet::prepare(double dt) {
   prepared_dt_ = dt;
 }
 
-void ComponentFleet::step(double dt, const double* displacement, double* force) {
+bool ComponentFleet::frictional() const { return !laws_.empty() && !laws_.front().bergs.empty(); }
+
+FleetGroups ComponentFleet::groups(std::size_t first_lane, std::size_t lanes) {
+  return {group(first_lane), lanes / kLanes, rows_, maxwells_, frictional()};
+}
+
+void ComponentFleet::stepEach(double dt, const double* displacement, double* force) {
   if (dt != prepared_dt_) {
     prepare(dt);
   }
-  static const StepGroups kStepGroups = fastest();
-  kStepGroups(
-      {numbers_.data(), rows_, maxwells_, bergs_.empty() ? nullptr : bergs_.data(), displacement, force, size_});
+  const auto step_groups = RUBBER_SUSPENSION_KERNEL(stepGroups);
+  const std::size_t whole = size_ / kLanes * kLanes;
+  step_groups(groups(0, whole), displacement, force);
+  if (whole < size_) {
+    std::array<double, kLanes> numbers{};
+    std::copy(displacement + whole, displacement + size_, numbers.begin());
+    step_groups(groups(whole, kLanes), numbers.data(), numbers.data());
+    std::copy_n(numbers.begin(), size_ - whole, force + whole);
+  }
+}
+
+void ComponentFleet::step(double dt, const double* displacement, double* force) {
+  moved_together_ = false;
+  stepEach(dt, displacement, force);
 }
 
 void ComponentFleet::step(double dt, double displacement, double* force) {
   std::fill(displacement_.begin(), displacement_.end(), displacement);
-  step(dt, displacement_.data(), force);
+  stepEach(dt, displacement_.data(), force);
+}
+
+void ComponentFleet::simulate(double dt, const double* displacement, std::size_t count, double* force) {
+  if (size_ == 0) {
+    return;
+  }
+  if (!moved_together_ || !turn_together_ || maxwells_ > kMostMaxwells) {
+    for (std::size_t i = 0; i < count; ++i) {
+      step(dt, displacement[i], force + i * size_);
+    }
+    return;
+  }
+  if (dt != prepared_dt_) {
+    prepare(dt);
+  }
+  for (std::size_t first = 0; first < count; first += LogBlock::kMost) {
+    simulateBlock(displacement + first, std::min(LogBlock::kMost, count - first), force + first * size_);
+  }
+}
+
+void ComponentFleet::simulateBlock(const double* displacement, std::size_t count, double* force) {
+  LogBlock block(displacement, count, number(0, kDisplacement));
+  if (frictional()) {
+    block.findStretches(laws_.front().bergs.front(), group(0));
+  }
+  const auto simulate_groups = RUBBER_SUSPENSION_KERNEL(simulateGroups);
+  const std::size_t whole = size_ / kLanes * kLanes;
+  simulate_groups(groups(0, whole), block, force, size_);
+  if (whole < size_) {
+    std::array<double, LogBlock::kMost * kLanes> forces;
+    simulate_groups(groups(whole, kLanes), block, forces.data(), kLanes);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::copy_n(forces.begin() + i * kLanes, size_ - whole, force + whole + i * size_);
+    }
+  }
 }
 
 }  // namespace rubber_suspension

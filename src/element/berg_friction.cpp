@@ -37,23 +37,23 @@ void BergFriction::turn(double displacement, double way_back, double* memory) co
   }
 }
 
-void BergFriction::addForces(const double* displacement, std::size_t count, double* memory, double* force) const {
-  for (std::size_t first = 0; first < count;) {
-    std::size_t end = first;
-    for (; end < count && goesOn(displacement[end], memory); ++end) {
-      memory[kExtremum] = displacement[end];
-    }
-    const double reference_displacement = memory[kReferenceDisplacement];
-    const double reference_force = memory[kReferenceForce];
-    for (std::size_t i = first; i < end; ++i) {
-      force[i] += branch(displacement[i], reference_displacement, reference_force);
-    }
-    if (end < count) {
-      force[end] += advance(displacement[end], memory);
-      ++end;
-    }
-    first = end;
+std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_t count, double* memory) const {
+  std::size_t i = 0;
+  for (; i < count && memory[kDirection] == 0.0; ++i) {
+    turn(displacement[i], 0.0, memory);  // from rest it starts
   }
+  const double direction = memory[kDirection];
+  double extremum = memory[kExtremum];
+  for (; i < count; ++i) {
+    const double beyond = (displacement[i] - extremum) * direction;
+    if (beyond > 0.0) {
+      extremum = displacement[i];
+    } else if (-beyond > dead_band_) {
+      break;
+    }
+  }
+  memory[kExtremum] = extremum;
+  return i;
 }
 
 double BergFriction::settledForce(double amplitude) const {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -70,7 +71,16 @@ void expectSameBits(std::mt19937& random, const std::vector<Component>& componen
   }
 }
 
-TEST(Fleet, HasTheBitsOfEachComponentAlone) {
+/// All kinds of instructions that this processor has, one after the other.
+class Fleet : public testing::TestWithParam<Instructions> {
+ protected:
+  Fleet() { useAtMost(GetParam()); }
+  ~Fleet() override { useAtMost(Instructions::avx512); }
+};
+
+INSTANTIATE_TEST_SUITE_P(With, Fleet, testing::Values(Instructions::any, Instructions::avx2, Instructions::avx512));
+
+TEST_P(Fleet, HasTheBitsOfEachComponentAlone) {
   std::mt19937 random(1);
   for (const std::size_t size : {1, 7, 8, 9, 33}) {
     for (const int maxwells : {0, 1, 5, 12}) {
@@ -80,7 +90,7 @@ TEST(Fleet, HasTheBitsOfEachComponentAlone) {
   }
 }
 
-TEST(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
+TEST_P(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
   std::mt19937 random(2);
   const std::vector<Component> components = randomFleet(random, 19, 3, true);
   ComponentFleet one(components);
@@ -95,25 +105,109 @@ TEST(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
   }
 }
 
-TEST(Fleet, TakesLawsThatAreMadeOfMaxwellElements) {
+TEST_P(Fleet, TakesLawsThatAreMadeOfMaxwellElements) {
   std::mt19937 random(3);
   const Component component({spring(3e6), {"springpot", {{"stiffness", {1e6}}, {"order", {0.1}}}}});
   expectSameBits(random, {component, component, component});
 }
 
-TEST(Fleet, AllocatesNothing) {
+/// As randomFleet with friction of one dead band.
+std::vector<Component> fleetThatTurnsTogether(std::mt19937& random, std::size_t size, int maxwells, double dead_band) {
+  std::uniform_real_distribution<double> uniform(0.1, 1.0);
+  std::vector<Component> fleet;
+  for (const Component& component : randomFleet(random, size, maxwells, false)) {
+    std::vector<ElementDescription> laws = component.elements();
+    laws.push_back(friction(1e4 * uniform(random), 2e-3 * uniform(random), dead_band));
+    fleet.emplace_back(laws);
+  }
+  return fleet;
+}
+
+/// Sines with noise and pauses, so that some turns are one sample apart.
+std::vector<double> randomLog(std::mt19937& random, std::size_t samples) {
+  std::normal_distribution<double> noise(0.0, 1.0);
+  std::vector<double> log(samples, 1e-4);
+  for (std::size_t i = 1; i < samples; ++i) {
+    const double sine = 2e-3 * std::sin(0.02 * static_cast<double>(i));
+    log[i] = noise(random) < -1.5 ? log[i - 1] : sine + (i % 300 < 150 ? 1e-5 * noise(random) : 0.0);
+  }
+  return log;
+}
+
+/// A log in portions of different length, with a step of its own each.
+void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<Component>& components) {
+  const std::vector<double> log = randomLog(random, 1500);
+  const std::size_t size = components.size();
+  ComponentFleet fleet(components);
+  fleet.rest(log[0]);
+  std::vector<double> force(log.size() * size);
+  std::vector<double> dt;
+  while (dt.size() < log.size()) {
+    const std::size_t count = std::min<std::size_t>(log.size() - dt.size(), 1 + random() % 600);
+    const double step = random() % 2 == 0 ? 1e-3 : 2e-3;
+    fleet.simulate(step, log.data() + dt.size(), count, force.data() + dt.size() * size);
+    dt.resize(dt.size() + count, step);
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    ComponentState state = components[k].makeState();
+    components[k].rest(state, log[0]);
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      ASSERT_EQ(force[i * size + k], components[k].step(state, dt[i], log[i]).total) << "sample " << i << ", " << k;
+    }
+  }
+}
+
+TEST_P(Fleet, OnOneLogHasTheBitsOfEachComponentAlone) {
+  std::mt19937 random(5);
+  for (const std::size_t size : {1, 8, 19}) {
+    for (const int maxwells : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+      expectLogHasTheBitsOfEachAlone(random, fleetThatTurnsTogether(random, size, maxwells, 0.0));
+      expectLogHasTheBitsOfEachAlone(random, fleetThatTurnsTogether(random, size, maxwells, 5e-5));
+      expectLogHasTheBitsOfEachAlone(random, randomFleet(random, size, maxwells, true));
+      expectLogHasTheBitsOfEachAlone(random, randomFleet(random, size, maxwells, false));
+    }
+  }
+}
+
+TEST_P(Fleet, OnOneLogGoesOnFromWhereTheComponentsAre) {
+  std::mt19937 random(6);
+  const std::vector<Component> components = fleetThatTurnsTogether(random, 11, 3, 0.0);
+  const std::vector<double> log = randomLog(random, 200);
+  ComponentFleet at_once(components);
+  ComponentFleet one_by_one(components);
+  std::vector<double> force(log.size() * 11);
+  std::vector<double> expected(11);
+  for (int turn = 0; turn < 3; ++turn) {
+    std::vector<double> own(11);
+    std::generate(own.begin(), own.end(), [&] { return 1e-6 * static_cast<double>(random() % 1000); });
+    if (turn == 2) {  // each its own displacement: from here on they turn each for itself
+      at_once.step(1e-3, own.data(), force.data());
+      one_by_one.step(1e-3, own.data(), expected.data());
+    }
+    at_once.simulate(1e-3, log.data(), log.size(), force.data());
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      one_by_one.step(1e-3, log[i], expected.data());
+      ASSERT_TRUE(std::equal(expected.begin(), expected.end(), force.begin() + static_cast<long>(i) * 11)) << i;
+    }
+  }
+}
+
+TEST_P(Fleet, AllocatesNothing) {
   std::mt19937 random(4);
   ComponentFleet fleet(randomFleet(random, 20, 5, true));
   std::vector<double> force(20);
+  const std::vector<double> log(10, 1e-3);
+  std::vector<double> forces(200);
   fleet.step(1e-3, 1e-3, force.data());
   const AllocationCounter counter;
   for (int tick = 0; tick < 100; ++tick) {
     fleet.step(1e-3 + 1e-6 * tick, 1e-3 * std::sin(0.5 * tick), force.data());
+    fleet.simulate(1e-3, log.data(), log.size(), forces.data());
   }
   EXPECT_EQ(counter.count(), 0U);
 }
 
-TEST(Fleet, OfNobodyHasNothingToDo) {
+TEST_P(Fleet, OfNobodyHasNothingToDo) {
   ComponentFleet fleet({});
   fleet.step(1e-3, 1e-3, nullptr);
   EXPECT_EQ(fleet.size(), 0U);
@@ -128,7 +222,7 @@ std::string refusalOf(const std::vector<Component>& components) {
   return "accepted";
 }
 
-TEST(Fleet, RefusesWhatDoesNotFit) {
+TEST(FleetOfOneBuild, RefusesWhatDoesNotFit) {
   const Component one({spring(1e6), maxwell(1e6, 1.0)});
   EXPECT_THAT(refusalOf({one, Component({spring(1e6)})}), HasSubstr("component 2 of the fleet: 0 Maxwell elements"));
   EXPECT_THAT(refusalOf({one, Component({maxwell(1e6, 1.0), friction(1e3, 1e-3, 0.0)})}),

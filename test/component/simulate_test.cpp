@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "element/typical_elements.h"
+#include "rubber_suspension/component/instructions.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "support/allocation_counter.h"
 
@@ -66,7 +67,16 @@ void expectSameBits(const Component& component, const std::vector<double>& path)
   EXPECT_EQ(at_once.displacement(), one_by_one.displacement());
 }
 
-TEST(Simulate, HasTheBitsOfStepsForRandomLaws) {
+/// All kinds of instructions that this processor has, one after the other.
+class Simulate : public testing::TestWithParam<Instructions> {
+ protected:
+  Simulate() { useAtMost(GetParam()); }
+  ~Simulate() override { useAtMost(Instructions::avx512); }
+};
+
+INSTANTIATE_TEST_SUITE_P(With, Simulate, testing::Values(Instructions::any, Instructions::avx2, Instructions::avx512));
+
+TEST_P(Simulate, HasTheBitsOfStepsForRandomLaws) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const std::size_t samples = 1 + random() % 1000;
@@ -74,13 +84,13 @@ TEST(Simulate, HasTheBitsOfStepsForRandomLaws) {
   }
 }
 
-TEST(Simulate, HasTheBitsOfStepsForAllLawsAtOnce) {
+TEST_P(Simulate, HasTheBitsOfStepsForAllLawsAtOnce) {
   std::mt19937 random(2);
   const auto all = typicalElements();
   expectSameBits(Component({all.begin(), all.end()}), randomPath(random, 600));
 }
 
-TEST(Simulate, AllocatesNothing) {
+TEST_P(Simulate, AllocatesNothing) {
   std::mt19937 random(3);
   const Component component({maxwell(1e6, 1.0), friction(5e3, 1e-3, 0.0)});
   const std::vector<double> path = randomPath(random, 1000);

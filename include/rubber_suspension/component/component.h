@@ -113,7 +113,6 @@ class Component {
   void prepare(ComponentState& state, double dt) const;
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
-  void simulateBlock(ComponentState& state, const double* displacement, std::size_t count, double* force) const;
   ComponentForce fullStep(ComponentState& state, double dt, double displacement) const;
   ComponentForce stepThroughEffects(ComponentState& state, double dt, double displacement) const;
   ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;

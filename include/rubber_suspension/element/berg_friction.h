@@ -30,8 +30,10 @@ class BergFriction final : public ParallelElement {
   double maximumForce() const { return maximum_force_; }
   double displacement() const { return displacement_; }
   double deadBand() const { return dead_band_; }
+  double compliance() const { return compliance_; }  ///< z2/F_max [m/N]
 
-  static constexpr std::size_t kMemorySize = 4;
+  /// Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
+  enum Slot : std::size_t { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection, kMemorySize };
   std::size_t memorySize() const override { return kMemorySize; }
   double rest(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
@@ -62,22 +64,11 @@ class BergFriction final : public ParallelElement {
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// Advance to one displacement [m] after the other; adds each force [N] to what stands in `force`.
-  void addForces(const double* displacement, std::size_t count, double* memory, double* force) const;
+  /// Move along displacements [m] up to, and without, the first that makes the element turn; returns how many these
+  /// are. The force at each is branch().
+  std::size_t followUntilTurn(const double* displacement, std::size_t count, double* memory) const;
 
-  /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
-  double settledForce(double amplitude) const;
-
-  /// Energy lost per cycle of the settled loop at this amplitude [m], [J].
-  double settledLoss(double amplitude) const;
-
- private:
-  // Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
-  enum Slot { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection };
-
-  /// Start from rest, or from a turning point once the motion has backed off far enough.
-  void turn(double displacement, double way_back, double* memory) const;
-
+  /// Force [N] at a displacement [m] on the branch that starts at a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
     // Keeps 0/0 away at the reference point itself once friction is at its maximum.
     constexpr double kTiny = std::numeric_limits<double>::min();
@@ -87,6 +78,16 @@ class BergFriction final : public ParallelElement {
     const double reach = compliance_ * std::abs(left);
     return reference_force + std::abs(way) * left / (reach + std::abs(way) + kTiny);
   }
+
+  /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
+  double settledForce(double amplitude) const;
+
+  /// Energy lost per cycle of the settled loop at this amplitude [m], [J].
+  double settledLoss(double amplitude) const;
+
+ private:
+  /// Start from rest, or from a turning point once the motion has backed off far enough.
+  void turn(double displacement, double way_back, double* memory) const;
 
   double maximum_force_;
   double displacement_;

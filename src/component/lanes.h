@@ -1,0 +1,55 @@
+// Numbers side by side in one vector of the processor, and Berg's law for them. No include guard: this is included once
+// for each kind of processor by instruction_sets.h, into a namespace that says how many numbers a vector has (kWidth).
+
+/// GCC's vector type, which Clang knows, too.
+using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
+/// What a comparison gives: all bits of a lane set, or none.
+using LaneMask = decltype(Lanes{} < Lanes{});
+
+inline Lanes load(const double* numbers) {
+  Lanes lanes;
+  std::memcpy(&lanes, numbers, sizeof lanes);
+  return lanes;
+}
+
+inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &lanes, sizeof lanes); }
+
+/// The same number in each lane.
+inline Lanes spread(double number) { return number - Lanes{}; }
+
+inline Lanes select(const LaneMask& mask, const Lanes& yes, const Lanes& no) {
+  return reinterpret_cast<Lanes>((mask & reinterpret_cast<LaneMask>(yes)) | (~mask & reinterpret_cast<LaneMask>(no)));
+}
+
+inline Lanes magnitude(const Lanes& lanes) {
+  return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(lanes) & INT64_MAX);
+}
+
+/// std::copysign for numbers whose own sign is positive.
+inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
+  return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(positive) | (reinterpret_cast<LaneMask>(sign) & INT64_MIN));
+}
+
+inline bool all(const LaneMask& mask) {
+  auto seen = mask[0];
+  for (std::size_t i = 1; i < kWidth; ++i) {
+    seen &= mask[i];
+  }
+  return seen != 0;
+}
+
+/// BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
+inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
+                            const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
+  constexpr double kTiny = std::numeric_limits<double>::min();
+  const Lanes way = displacement - reference_displacement;
+  const Lanes left = withSignOf(maximum_force, way) - reference_force;
+  const Lanes reach = compliance * magnitude(left);
+  return reference_force + magnitude(way) * left / (reach + magnitude(way) + kTiny);
+}
+
+/// A force no larger than the maximum, as std::clamp has it.
+inline Lanes limited(const Lanes& force, const Lanes& maximum_force) {
+  const Lanes above = select(force < -maximum_force, -maximum_force, force);
+  return select(maximum_force < above, maximum_force, above);
+}
