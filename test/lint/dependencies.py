@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Holds package.xml, the build files, the imports and scripts/dependencies.txt to the same set of dependencies.
+"""Holds package.xml, the build files, the imports, scripts/dependencies.txt and scripts/rosdep.yaml to the same set of
+dependencies.
 
 Usage: dependencies.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -129,6 +130,16 @@ def debian_packages(root):
     return {line.split()[1] for line in lines if re.match(r"[a-z]", line)}
 
 
+def own_rosdep_problems(root, declared):
+    """scripts/rosdep.yaml stands for keys that are declared, with the package that is installed here."""
+    text = (root / "scripts" / "rosdep.yaml").read_text()
+    for key, package in re.findall(r"^([\w-]+):\n  debian: \[([\w-]+)\]$", text, re.MULTILINE):
+        if key not in declared:
+            yield f"scripts/rosdep.yaml: package.xml does not name `{key}`"
+        elif package not in KEYS[key][1]:
+            yield f"scripts/rosdep.yaml: `{key}` is {package}, not {', '.join(KEYS[key][1])}"
+
+
 def check(root):
     key_of = {name: key for key, (names, _) in KEYS.items() for name in names}
     problems, used = set(), {"catkin", "message_runtime"}
@@ -142,6 +153,7 @@ def check(root):
             else:
                 used.add(key)
     declared, installed = declared_keys(root), debian_packages(root)
+    problems |= set(own_rosdep_problems(root, declared))
     problems |= {f"package.xml: does not name `{key}`, which is used" for key in used - declared}
     problems |= {f"package.xml: names `{key}`, which nothing uses" for key in declared - used}
     known = {package for _, packages in KEYS.values() for package in packages}
