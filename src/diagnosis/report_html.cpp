@@ -110,9 +110,10 @@ std::string whereTable(const Diagnosis& d) {
     rows += fmt::format(
         "<tr><td>{}</td><td class=n>{:.3g} to {:.3g}</td><td class=n>{:.3g} to {:.3g}</td><td>{}</td><td "
         "class=n>{:.1f} %</td>"
-        "<td class=n>{:.1f}</td></tr>\n",
+        "<td class=n>{}</td></tr>\n",
         escape(cell.log), cell.frequency[0], cell.frequency[1], 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1],
-        toString(cell.quantity), 100.0 * cell.share, cell.noise_ratio);
+        toString(cell.quantity), 100.0 * cell.share,
+        cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : "");  // the mean has no noise of its own
   }
   return "<table><tr><th>log</th><th class=n>frequency [Hz]</th><th class=n>amplitude [mm]</th><th>what is wrong</th>"
          "<th class=n>share of squared gap</th><th class=n>over noise</th></tr>\n" +
