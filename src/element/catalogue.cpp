@@ -18,6 +18,8 @@
 #include "rubber_suspension/element/inertia.h"
 #include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/nonlinear_maxwell.h"
+#include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/series_compliance.h"
@@ -77,7 +79,9 @@ const std::vector<ElementType>& elementTypes() {
       springTableType(),
       bumpStopType(),
       dashpotType(),
+      powerDashpotType(),
       maxwellType(),
+      nonlinearMaxwellType(),
       springpotType(),
       creepType(),
       bergFrictionType(),

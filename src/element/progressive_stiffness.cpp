@@ -1,24 +1,43 @@
-// Odd polynomial spring.
+// Odd stiffening spring.
 #include "rubber_suspension/element/progressive_stiffness.h"
+
+#include <algorithm>
 
 namespace rubber_suspension {
 
+double ProgressiveStiffness::stiffening(double displacement) const {
+  constexpr double kSteepest = 20.0;
+  const double strain = std::abs(displacement) / scale_;
+  const double bounded = std::min(strain, kSteepest);
+  const double growth = std::sinh(bounded) - bounded + (strain - bounded) * (std::cosh(bounded) - 1.0);
+  return std::copysign(exponential_ * scale_ * growth, displacement);
+}
+
 ElementType progressiveStiffnessType() {
   return {"progressive_stiffness",
-          "Stiffness that rises with amplitude: F = k2 z|z| + k3 z^3 + k5 z^5, on top of a linear spring.",
+          "Stiffness that rises with amplitude: F = k2 z|z| + k3 z^3 + k5 z^5 + k_e (s sinh(z/s) - z), on "
+          "top of a linear spring.",
           {{"quadratic", "N/m^2", Range::nonNegative(), 0.0,
-            "coefficient k2 of z|z|; one of the three must be greater than 0"},
+            "coefficient k2 of z|z|; one of the coefficients must be greater than 0"},
            {"cubic", "N/m^3", Range::nonNegative(), 0.0, "coefficient k3"},
-           {"quintic", "N/m^5", Range::nonNegative(), 0.0, "coefficient k5"}},
+           {"quintic", "N/m^5", Range::nonNegative(), 0.0, "coefficient k5"},
+           {"exponential", "N/m", Range::nonNegative(), 0.0, "stiffness k_e of the exponential"},
+           {"exponential_scale", "m", Range::nonNegative(), 0.0,
+            "displacement s over which it grows by e; 0: no exponential"}},
           [](const ElementDescription& description) -> ElementPointer {
             const double quadratic = description.value("quadratic");
             const double cubic = description.value("cubic");
             const double quintic = description.value("quintic");
-            if (quadratic == 0.0 && cubic == 0.0 && quintic == 0.0) {
+            const double exponential = description.value("exponential");
+            const double scale = description.value("exponential_scale");
+            if (quadratic == 0.0 && cubic == 0.0 && quintic == 0.0 && exponential == 0.0) {
               refuseValue(description.type, "cubic", cubic, "N/m^3",
-                          "greater than 0, or else quadratic or quintic greater than 0");
+                          "greater than 0, or else quadratic, quintic or exponential greater than 0");
             }
-            return std::make_shared<const ProgressiveStiffness>(cubic, quintic, quadratic);
+            if (scale == 0.0 && exponential != 0.0) {
+              refuseValue(description.type, "exponential_scale", scale, "m", "greater than 0 beside an exponential");
+            }
+            return std::make_shared<const ProgressiveStiffness>(cubic, quintic, quadratic, exponential, scale);
           }};
 }
 

@@ -52,6 +52,33 @@ TEST(ProgressiveStiffness, RefusesToBeNothing) {
   EXPECT_NO_THROW(makeElement({"progressive_stiffness", {{"quintic", {1.0}}}}));
 }
 
+TEST(ProgressiveStiffness, HyperbolicSineStiffensAlikeInBothDirections) {
+  const ProgressiveStiffness law(0.0, 0.0, 0.0, 2e5, 1e-3);
+  EXPECT_NEAR(law.force(kA), 2e5 * (1e-3 * std::sinh(2.0) - kA), 1e-10);
+  EXPECT_EQ(law.force(-kA), -law.force(kA));
+  // Beyond 20 scales along the tangent there.
+  EXPECT_NEAR(law.force(25e-3) - law.force(24e-3), 2e5 * 1e-3 * (std::cosh(20.0) - 1.0), 1e-6 * law.force(1e-2));
+  EXPECT_TRUE(std::isfinite(law.force(1e3)));
+}
+
+TEST(ProgressiveStiffness, RefusesAnExponentialWithoutScale) {
+  EXPECT_THROW(makeElement({"progressive_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
+  EXPECT_NO_THROW(makeElement({"progressive_stiffness", {{"exponential", {1e5}}, {"exponential_scale", {1e-3}}}}));
+}
+
+TEST(AsymmetricStiffness, ExponentialStiffensOnOneSide) {
+  const AsymmetricStiffness upper(0.0, 0.0, 2e5, 1e-3);
+  EXPECT_NEAR(upper.force(kA), 2e5 * (1e-3 * std::expm1(2.0) - kA), 1e-10);
+  EXPECT_NEAR(upper.force(-kA), 2e5 * (1e-3 * std::expm1(-2.0) + kA), 1e-10);
+  const AsymmetricStiffness lower(0.0, 0.0, 2e5, -1e-3);
+  EXPECT_NEAR(lower.force(-kA), -upper.force(kA), 1e-10) << "the mirror image";
+  EXPECT_TRUE(std::isfinite(upper.force(1e3)));
+}
+
+TEST(AsymmetricStiffness, RefusesAnExponentialWithoutScale) {
+  EXPECT_THROW(makeElement({"asymmetric_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
+}
+
 TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
   const AsymmetricStiffness law(1e8, 0.0);
   EXPECT_NEAR(harmonic(law, kA, 0).real(), 0.5 * 1e8 * kA * kA, 1e-10);

@@ -5,10 +5,12 @@
 #include <random>
 
 #include "element/driver.h"
+#include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/force_drift.h"
 #include "rubber_suspension/element/force_offset.h"
 #include "rubber_suspension/element/free_play.h"
 #include "rubber_suspension/element/inertia.h"
+#include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/stress_softening.h"
 #include "rubber_suspension/element/time_delay.h"
@@ -48,6 +50,73 @@ TEST(Inertia, SineIsInPhaseToSecondOrder) {
   const double step_angle = 2.0 * M_PI / kSamples;
   EXPECT_NEAR(ratio.real() - 1.0, 11.0 / 12.0 * step_angle * step_angle, 0.01 * step_angle * step_angle);
   EXPECT_NEAR(ratio.imag(), 0.0, 2.0 * std::pow(step_angle, 3));
+}
+
+TEST(SmoothedInertia, SineIsAsItsFilterSays) {
+  const SmoothedInertia law(12.0, 80.0);
+  constexpr int kSamples = 1000;
+  constexpr double kFrequency = 30.0;
+  Driver<SmoothedInertia> driver(law);
+  std::complex<double> sum = 0.0;
+  for (int i = 1; i <= 3 * kSamples; ++i) {  // the lags have settled after two periods to exp(-60)
+    const double phase = 2.0 * M_PI * i / kSamples;
+    const double force = driver.step(1.0 / (kFrequency * kSamples), std::sin(phase));
+    sum += i > 2 * kSamples ? force * std::polar(1.0, -phase) : 0.0;
+  }
+  const std::complex<double> expected = *law.complexStiffness(2.0 * M_PI * kFrequency);
+  const std::complex<double> ratio = sum * std::complex<double>(0.0, 2.0 / kSamples) / expected;
+  // A sine of n straight lines a period is lower by (pi/n)^2/3.
+  EXPECT_NEAR(std::abs(ratio - 1.0), 0.0, 5e-6);
+}
+
+TEST(SmoothedInertia, StepsExactlyWhateverTheSteps) {
+  const SmoothedInertia law(12.0, 5.0);
+  Driver<SmoothedInertia> whole(law);
+  Driver<SmoothedInertia> divided(law);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
+  for (int i = 0; i < 20; ++i) {
+    const double to = uniform(generator);
+    whole.step(0.03, to);
+    divided.walk(0.03, to, 17);
+    EXPECT_NEAR(divided.output(), whole.output(), 1e-9) << i;  // roundings of 1e-3 m, times m w_b^2 of 1e4 N/m
+  }
+}
+
+TEST(SmoothedInertia, MakesLittleForceOfNoise) {
+  constexpr double kStep = 2e-3;
+  const SmoothedInertia law(1.0, 1.0 / (2.0 * M_PI * kStep));
+  Driver<SmoothedInertia> driver(law);
+  std::mt19937 generator(11);
+  std::normal_distribution<double> noise(0.0, kStep * kStep);
+  double sum = 0.0;
+  constexpr int kSamples = 20000;
+  for (int i = 0; i < kSamples; ++i) {
+    sum += std::pow(driver.step(kStep, noise(generator)), 2);
+  }
+  // By the impulse response of the exact step. Five times what 20000 samples let it scatter.
+  EXPECT_NEAR(std::sqrt(sum / kSamples), 0.866, 0.05 * 0.866);
+}
+
+TEST(PowerDashpot, OfPowerOneIsADashpot) {
+  const PowerDashpot law(2e4, 0.05, 1.0);
+  const SmoothDashpot linear(2e4);
+  Driver<PowerDashpot> driver(law);
+  Driver<SmoothDashpot> reference(linear);
+  std::mt19937 generator(13);
+  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
+  for (int i = 0; i < 20; ++i) {
+    const double to = uniform(generator);
+    const double expected = reference.step(0.01, to);
+    EXPECT_NEAR(driver.step(0.01, to), expected, 1e-9 * std::abs(expected));
+  }
+}
+
+TEST(PowerDashpot, FollowsThePowerOfTheRate) {
+  const PowerDashpot law(2e4, 0.05, 2.0);
+  EXPECT_NEAR(law.force(0.05), 1e3, 1e-9) << "at the reference rate c v_r";
+  EXPECT_NEAR(law.force(-0.1), -4e3, 1e-9);
+  EXPECT_EQ(law.force(0.0), 0.0);
 }
 
 TEST(ForceOffset, IsThereFromTheStart) {

@@ -17,14 +17,19 @@ inline std::vector<ElementDescription> typicalElements() {
       {"progressive_stiffness", {{"cubic", {1e11}}, {"quintic", {1e15}}}},
       {"progressive_stiffness", {{"quintic", {2e16}}}},
       {"progressive_stiffness", {{"quadratic", {2e8}}}},
+      {"progressive_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {1e-3}}}},
       {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
+      {"asymmetric_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {-1e-3}}}},
       {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
       {"dashpot", {{"damping", {2e4}}}},
       {"dashpot", {{"damping", {2e4}}, {"order", {2.0}}}},
+      {"power_dashpot", {{"damping", {2e4}}, {"reference_rate", {0.05}}, {"exponent", {2.0}}}},
+      {"power_dashpot", {{"damping", {2e4}}, {"reference_rate", {0.05}}, {"exponent", {0.6}}}},
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2000.0}}}},
+      {"nonlinear_maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"displacement", {5e-4}}}},
       {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}},
       {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}},
       {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}},
@@ -42,6 +47,7 @@ inline std::vector<ElementDescription> typicalElements() {
       {"time_delay", {{"delay", {3.3e-3}}}},
       {"time_delay", {{"delay", {-2.5e-4}}}},
       {"inertia", {{"mass", {12.0}}}},
+      {"inertia", {{"mass", {12.0}}, {"bandwidth", {30.0}}}},
       {"force_offset", {{"offset", {-150.0}}}},
       {"force_drift", {{"rate", {20.0}}}},
   };
@@ -87,8 +93,8 @@ inline bool isPassive(const ElementDescription& description) {
 /// the line between two samples, which the specimen behind them does not see (their own exactness: see their own
 /// tests).
 inline bool isExact(const ElementDescription& description) {
-  const bool approximate =
-      isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay"});
+  const bool approximate = isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play",
+                                                 "time_delay", "power_dashpot", "nonlinear_maxwell"});
   const bool softens_slowly = description.type == "stress_softening" && description.values.count("path") != 0;
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;
   return !approximate && !softens_slowly && !smooth;

@@ -1,0 +1,41 @@
+// Dashpot whose force follows a power of the rate.
+#include "rubber_suspension/element/power_dashpot.h"
+
+#include <cmath>
+
+namespace rubber_suspension {
+
+PowerDashpot::PowerDashpot(double damping, double reference_rate, double exponent)
+    : damping_(damping), reference_rate_(reference_rate), exponent_(exponent) {}
+
+double PowerDashpot::force(double rate) const {
+  return std::copysign(damping_ * reference_rate_ * std::pow(std::abs(rate) / reference_rate_, exponent_), rate);
+}
+
+double PowerDashpot::rest(double /*displacement*/, double* memory) const {
+  memory[0] = memory[1] = 0.0;
+  return 0.0;
+}
+
+double PowerDashpot::step(const Motion& motion, double* memory) const {
+  const double rate = motion.increment / motion.dt;
+  const double ahead = memory[1] > 0.0 ? motion.dt / (motion.dt + memory[1]) : 0.0;
+  const double at_end = rate + ahead * (rate - memory[0]);
+  memory[0] = rate;
+  memory[1] = motion.dt;
+  return force(at_end);
+}
+
+ElementType powerDashpotType() {
+  return {"power_dashpot",
+          "Dashpot whose force follows a power of the rate, F = c v_r sign(v) |v/v_r|^p, v = dz/dt.",
+          {{"damping", "N s/m", Range::positive(), std::nullopt, "damping constant c at the rate v_r"},
+           {"reference_rate", "m/s", Range::positive(), std::nullopt, "rate v_r at which the damping holds"},
+           {"exponent", "1", Range{0.0, 4.0, true, false}, std::nullopt, "power p; 1: a linear dashpot"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const PowerDashpot>(
+                description.value("damping"), description.value("reference_rate"), description.value("exponent"));
+          }};
+}
+
+}  // namespace rubber_suspension
