@@ -12,6 +12,7 @@
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
 #include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/experiment.h"
+#include "rubber_suspension/diagnosis/friction_noise.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
@@ -244,21 +245,6 @@ Admission admit(const Record& record, bool hold_out, double noise) {
   return admission;
 }
 
-// Noise floor of a hold-out log: the larger one of what the augmented model leaves above the band, and of what the
-// noise of the displacement, which was smoothed for the fits, causes by Berg's friction.
-double noiseOf(const Record& record, const Eigen::VectorXd& simulated, std::vector<ElementDescription> elements) {
-  elements.erase(std::remove_if(elements.begin(), elements.end(),
-                                [](const ElementDescription& element) { return element.type != "friction"; }),
-                 elements.end());
-  double caused = 0.0;
-  if (!elements.empty()) {
-    const Forces recorded = simulate(elements, {record}, asRecorded);
-    const Forces smoothed = simulate(elements, {record});
-    caused = std::sqrt((recorded[0] - smoothed[0]).squaredNorm() / static_cast<double>(record.size()));
-  }
-  return std::max(whiteNoiseFloor(record, record.force - simulated), caused / record.force_deviation);
-}
-
 class Diagnoser {
  public:
   Diagnoser(const ComponentDescription& component, const std::vector<Log>& logs, const std::vector<Log>& hold_out,
@@ -287,6 +273,7 @@ class Diagnoser {
       }
       most = std::min(most, verdict_.effects.size());  // fewer effects than were named in vain
     }
+    forgiveWhatUnseenLogsDoNotShow();
     describeCandidates();
     describeOwnParameters();
     describeVerdict();
@@ -335,6 +322,7 @@ class Diagnoser {
   bool holdsOnUnseenLogs() const {
     constexpr double kLeastGain = 0.05;
     constexpr double kLittle = 1.2;
+    constexpr double kShowsNothing = 1.1;  // times the floor: such logs speak neither for an effect nor against it
     const bool drift_alone = verdict_.effects.size() == 1 &&
                              result_.search.candidates[static_cast<std::size_t>(verdict_.effects.front())].free_trend;
     if (held_out_.empty() || verdict_.effects.empty() || drift_alone) {
@@ -342,8 +330,34 @@ class Diagnoser {
     }
     const double before = unseenGap(result_.search.re_estimated);
     const double after = unseenGap(verdict_.model);
+    if (before < kShowsNothing * result_.gap.noise_floor) {
+      return true;
+    }
     return closedFraction(before, after, result_.gap.noise_floor) >= kLeastGain ||
            (closedByOwnParameters(result_.search) && after < kLittle * before + result_.gap.noise_floor);
+  }
+
+  // What no effect explains, and unseen logs do not show, is noise in the band of the motion, unless it is large.
+  void forgiveWhatUnseenLogsDoNotShow() {
+    constexpr double kLarge = 2.5;  // times the floor, on the logs of the fit
+    const Search& s = result_.search;
+    const Trial& re_estimated = s.re_estimated;
+    if (held_out_.empty() || verdict_.kind != VerdictKind::unknown ||
+        excess(s, re_estimated.fit.held_out) > kLarge * s.noise) {
+      return;
+    }
+    const auto within_noise = [&](double gap) {
+      return std::sqrt(std::max(0.0, gap * gap - std::pow(result_.gap.noise_floor, 2))) < insignificant(s);
+    };
+    if (within_noise(result_.gap.as_configured)) {
+      verdict_.kind = VerdictKind::none;
+      verdict_.model.fit.point.own.setZero();
+      result_.augmented = component_;
+      simulateAll();
+      measureGap();
+    } else if (within_noise(result_.gap.re_estimated)) {
+      verdict_.kind = VerdictKind::parameter_error;
+    }
   }
 
   double unseenGap(const Trial& trial) const {
@@ -379,9 +393,10 @@ class Diagnoser {
       before_ = blocksOfReplay(held_out_, unseen(result_.force_re_estimated));
       after_ = blocksOfReplay(held_out_, unseen(result_.force_augmented));
       double noise = 0.0;
-      const auto elements = result_.augmented.allElements();
+      const auto caused = frictionNoise(result_.augmented.allElements(), held_out_);
       for (std::size_t r = 0; r < held_out_.size(); ++r) {
-        const double floor = noiseOf(held_out_[r], result_.force_augmented[training_.size() + r], elements);
+        const Eigen::VectorXd left = held_out_[r].force - result_.force_augmented[training_.size() + r];
+        const double floor = std::max(whiteNoiseFloor(held_out_[r], left), caused[r]);
         result_.admission.push_back(admit(held_out_[r], true, floor));
         noise += floor * floor / static_cast<double>(held_out_.size());
       }

@@ -17,6 +17,7 @@ constexpr double kRestOfEffects = 0.16;      // what may remain of a gap without
 constexpr double kTrendPrice = 0.1;          // of the gap, on a free trend per log, which follows whatever is slow
 constexpr double kShows = 0.67;              // of the gap: an effect that leaves less does show
 constexpr double kMovedFar = 0.14;           // logarithm of an own parameter: beyond what a specification errs by
+constexpr std::size_t kFewAtoms = 3;         // of an effect that is a simpler explanation than moved own parameters
 constexpr double kHides = 0.3;               // part of what re-estimation leaves that a hidden effect may leave
 
 }  // namespace
@@ -42,7 +43,7 @@ double enough(const Search& search) {
 const Trial* bestSingle(const Search& search, bool trends) {
   const Trial* best = nullptr;
   for (const Trial& trial : search.singles) {
-    if (!trends && hasTrends(search.candidates, trial.members)) {
+    if ((!trends && hasTrends(search.candidates, trial.members)) || hasLastResort(search.candidates, trial.members)) {
       continue;
     }
     if (shows(search, trial.members.front()) && (best == nullptr || excess(search, trial) < excess(search, *best))) {
@@ -76,7 +77,7 @@ const Trial* hiddenEffect(const Search& search) {
   }
   const Trial* best = nullptr;
   for (const Trial& trial : search.singles) {
-    const bool simple = trial.atoms.size() == 1 && !hasTrends(search.candidates, trial.members);
+    const bool simple = trial.atoms.size() <= kFewAtoms && !hasTrends(search.candidates, trial.members);
     const double left = excess(search, trial);
     if (simple && trial.fit.point.furthestMove() < kMovedFar && left < kHides * re_estimated &&
         (best == nullptr || left < excess(search, *best))) {

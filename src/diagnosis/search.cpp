@@ -3,11 +3,12 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "rubber_suspension/diagnosis/excess.h"
+#include "rubber_suspension/diagnosis/friction_noise.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 
 namespace rubber_suspension {
@@ -43,8 +44,8 @@ void keepBetter(Fit fit, Trial& trial) {
   }
 }
 
-// A single effect, from where the own parameters alone arrived, from the configured ones, and where the effect changes
-// what the others do, from where it gets with these kept.
+// A single effect, from where the own parameters alone arrived, and from where it gets with the configured ones kept if
+// these are far from there or if it changes what the others do; in the latter case from no effect, too.
 void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& re_estimated,
                Trial& trial) {
   const bool trends = hasTrends(candidates, trial.members);
@@ -52,11 +53,13 @@ void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, c
   Point start = configured;
   start.own = re_estimated.fit.point.own;
   keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
-  if (start.furthestMove() > kFar) {
+  const bool far = start.furthestMove() > kFar;
+  const bool additive = allAdditive(trial);
+  if (far && !additive) {
     keepBetter(fitter.fit(trial.atoms, configured, kSingleIterations, trends), trial);
   }
-  if (!allAdditive(trial)) {
-    start = fitter.scalesAlone(trial.atoms, configured, kAloneIterations);
+  if (far || !additive) {
+    start = fitter.scalesAlone(trial.atoms, configured, additive ? 1 : kAloneIterations);
     keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
   }
 }
@@ -82,7 +85,8 @@ void fitFurther(const Fitter& fitter, const std::vector<Candidate>& candidates, 
   }
   keepBetter(fitter.fit(trial.atoms, start, kFurtherIterations, trends, active), trial);
   if (start.furthestMove() > kFar && allAdditive(trial)) {
-    keepBetter(fitter.fit(trial.atoms, fitter.configured(trial.atoms.size()), kSingleIterations, trends), trial);
+    start = fitter.scalesAlone(trial.atoms, fitter.configured(trial.atoms.size()), 1);
+    keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
   }
 }
 
@@ -121,57 +125,12 @@ double discretisationError(const Fitter& fitter, const Point& point) {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
-std::vector<ElementDescription> bergFriction(const std::vector<ElementDescription>& elements, double noise,
-                                             double dead_band_factor) {
-  constexpr double kOfNoise = 4.0;
-  std::vector<ElementDescription> result;
-  for (const ElementDescription& element : elements) {
-    if (element.type == "friction") {
-      result.push_back(complete(element));
-      double& dead_band = result.back().values.at("dead_band").front();
-      dead_band = dead_band_factor * (dead_band > 0.0 ? dead_band : kOfNoise * noise);
-    }
-  }
-  return result;
-}
-
-// What small reversals make of the force of Berg's friction, for each log. It forgets all but the last reversal, so one
-// that is missed, or taken where none was, shifts all that follows: root mean square over some dead bands and draws of
-// the sensor's noise. Other laws of a model err by no more than the noise itself.
-std::vector<double> frictionNoise(const Fitter& fitter, const Point& point) {
-  const auto elements = *fitter.elements(point, {});
-  const auto& records = fitter.records();
-  double noise = 0.0;
-  for (const Record& record : records) {
-    noise = std::max(noise, record.displacement_noise);
-  }
-  std::vector<double> result(records.size(), 0.0);
-  if (bergFriction(elements, noise, 1.0).empty()) {
-    return result;
-  }
-  constexpr std::array<double, 3> kVariants = {0.7, 1.0, 1.4};  // factors of the dead band
-  const auto plain = simulate(bergFriction(elements, noise, 1.0), records);
-  unsigned draw = 0;
-  for (const double factor : kVariants) {
-    ++draw;
-    const auto noisy = simulate(bergFriction(elements, noise, factor), records,
-                                [draw](const Record& record) { return withNoiseDrawn(record, draw); });
-    for (std::size_t r = 0; r < plain.size(); ++r) {
-      result[r] += (noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()) / kVariants.size();
-    }
-  }
-  for (std::size_t r = 0; r < result.size(); ++r) {
-    result[r] = std::sqrt(result[r]) / records[r].force_deviation;
-  }
-  return result;
-}
-
 // For each log, the larger one of the white noise of what the best model leaves above the band of the excitation, and
 // of what the noise of the displacement causes.
 void estimateNoise(const Fitter& fitter, const Fit& best, const std::vector<Atom>& atoms, Search& result) {
   const auto forces = *fitter.forces(best.point, atoms);
-  const std::vector<double> caused = frictionNoise(fitter, result.re_estimated.fit.point);
+  const std::vector<double> caused =
+      frictionNoise(*fitter.elements(result.re_estimated.fit.point, {}), fitter.records());
   double sum = 0.0;
   bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
@@ -246,7 +205,7 @@ class Screen {
   std::vector<Screened> additions(const std::vector<int>& members) const {
     std::vector<Screened> result;
     for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-      if (std::find(members.begin(), members.end(), c) == members.end()) {
+      if (std::find(members.begin(), members.end(), c) == members.end() && !hasLastResort(candidates_, {c})) {
         std::vector<int> more = members;
         more.push_back(c);
         result.push_back((*this)(more));
@@ -260,7 +219,9 @@ class Screen {
     const int count = static_cast<int>(candidates_.size());
     for (int a = 0; a < count; ++a) {
       for (int b = a + 1; b < count; ++b) {
-        result.push_back((*this)({a, b}));
+        if (!hasLastResort(candidates_, {a, b})) {
+          result.push_back((*this)({a, b}));
+        }
       }
     }
     return sorted(std::move(result));
@@ -371,7 +332,8 @@ class Searcher {
         fitSingle(fitter_, result_.candidates, result_.re_estimated, result_.singles[i]);
       }
     });
-    ranked_ = result_.singles;
+    std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
+                 [&](const Trial& trial) { return !hasLastResort(result_.candidates, trial.members); });
     sortByScore(ranked_);
     estimateNoise(fitter_, ranked_.front().fit, ranked_.front().atoms, result_);
   }
@@ -426,7 +388,7 @@ class Searcher {
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
-  std::vector<Trial> ranked_;  // singles, best first
+  std::vector<Trial> ranked_;  // singles but for last resorts, best first
 };
 
 }  // namespace
@@ -434,6 +396,11 @@ class Searcher {
 bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
   return std::any_of(members.begin(), members.end(),
                      [&](int member) { return candidates[static_cast<std::size_t>(member)].free_trend; });
+}
+
+bool hasLastResort(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+  return std::any_of(members.begin(), members.end(),
+                     [&](int member) { return candidates[static_cast<std::size_t>(member)].last_resort; });
 }
 
 Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress) {

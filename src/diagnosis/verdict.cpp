@@ -46,6 +46,7 @@ class Decision {
       }
     } else {
       name();
+      considerLastResort();
     }
     return std::move(verdict_);
   }
@@ -53,7 +54,10 @@ class Decision {
  private:
   double excess(const Trial& trial) const { return rubber_suspension::excess(search_, trial); }
 
-  bool allowed(const Trial& trial) const { return trends_ || !hasTrends(search_.candidates, trial.members); }
+  bool allowed(const Trial& trial) const {
+    return (trends_ || !hasTrends(search_.candidates, trial.members)) &&
+           (last_resort_ || !hasLastResort(search_.candidates, trial.members));
+  }
 
   // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
   bool testable(const Trial& trial) const {
@@ -145,6 +149,23 @@ class Decision {
     verdict_.kind = rest ? VerdictKind::partly : ambiguous ? VerdictKind::confounded : VerdictKind::named;
   }
 
+  // An effect that can look like several others stands where these leave much of the gap and it does not.
+  void considerLastResort() {
+    if (most_effects_ == 0 || (verdict_.kind != VerdictKind::unknown && verdict_.kind != VerdictKind::partly)) {
+      return;
+    }
+    for (const Trial& trial : search_.singles) {
+      const double left = excess(trial);
+      if (hasLastResort(search_.candidates, trial.members) && shows(search_, trial.members.front()) &&
+          left < (1.0 - kPartly) * base_ && left < kNeedsAnother * excess(verdict_.model)) {
+        last_resort_ = true;
+        rank();
+        verdict_.confounded.clear();
+        name(trial);
+      }
+    }
+  }
+
   const Trial* find(std::vector<int> members) const {
     std::sort(members.begin(), members.end());
     for (const auto* trials : {&search_.singles, &search_.pairs, &search_.triples}) {
@@ -217,6 +238,7 @@ class Decision {
   const Search& search_;
   std::size_t most_effects_;
   bool trends_;
+  bool last_resort_ = false;
   Verdict verdict_;
   double base_ = 0.0;
 };

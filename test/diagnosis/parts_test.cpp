@@ -1,10 +1,13 @@
-// Own parameters, records and the menu of experiments.
+// Own parameters, records, what noise does, and the menu of experiments.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "rig.h"
+#include "rubber_suspension/diagnosis/candidate/catalogue.h"
 #include "rubber_suspension/diagnosis/experiment.h"
+#include "rubber_suspension/diagnosis/friction_noise.h"
+#include "rubber_suspension/diagnosis/hypothesis.h"
 #include "rubber_suspension/diagnosis/own_parameters.h"
 #include "rubber_suspension/diagnosis/record.h"
 
@@ -78,6 +81,48 @@ TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
   const double expected = 1e-6 * std::sqrt(1.3 * record.passed_frequency * 2.0 * record.dt);
   EXPECT_LT(left, 1.3 * expected);
   EXPECT_LT(left, 0.7e-6);
+}
+
+Log noisyLog(double noise) {
+  Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal(0.0, noise);
+  for (double& z : log.displacement) {
+    z += normal(generator);
+  }
+  return log;
+}
+
+double rootMeanSquare(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+TEST(FrictionNoise, IsNothingWithoutFriction) {
+  EXPECT_EQ(frictionNoise(rigComponent().allElements(), {makeRecord(noisyLog(5e-6))}), std::vector<double>{0.0});
+}
+
+// What noise does to Berg's friction is known here, as the displacement without noise is.
+TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
+  const std::vector<ElementDescription> friction = {
+      {"friction", {{"maximum_force", {300.0}}, {"displacement", {2e-4}}, {"dead_band", {2e-5}}}}};
+  Record clean = makeRecord(noisyLog(0.0));
+  const Record noisy = makeRecord(noisyLog(5e-6));
+  clean.force_deviation = noisy.force_deviation;
+  const Eigen::VectorXd done = simulate(friction, {noisy}, [](const Record& r) { return r.raw_displacement; })[0] -
+                               simulate(friction, {clean})[0];
+  const double known = rootMeanSquare(done) / noisy.force_deviation;
+  const double estimated = frictionNoise(friction, {noisy}).front();
+  EXPECT_GT(known, 1e-3) << "there is something to be estimated";
+  // One draw of few events, against three of them and three dead bands.
+  EXPECT_GT(estimated, 0.4 * known);
+  EXPECT_LT(estimated, 2.5 * known);
+}
+
+TEST(MassBandwidth, FiltersOnlyWhereThereIsNoise) {
+  EXPECT_EQ(massBandwidth({makeRecord(noisyLog(0.0))}, 7.0), 0.0);
+  const double bandwidth = massBandwidth({makeRecord(noisyLog(3e-6))}, 7.0);
+  EXPECT_GT(bandwidth, 7.0);
+  EXPECT_LT(bandwidth, massBandwidth({makeRecord(noisyLog(3e-7))}, 7.0)) << "less noise asks for less of a filter";
 }
 
 TEST(Record, ResamplesAnUnevenTimeBaseAndSaysSo) {

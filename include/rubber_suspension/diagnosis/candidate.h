@@ -22,6 +22,7 @@ struct Excitation {
   double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
   double longest_duration = 0.0;      ///< [s]
   double dt = 0.0;                    ///< [s]
+  double mass_bandwidth = 0.0;        ///< of the filter with which the node errs least by a mass [Hz]; 0: none
 };
 
 Excitation summarise(const std::vector<Record>& records);
@@ -48,7 +49,8 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<Atom> atoms;
-  bool free_trend = false;  ///< a slow trend of each log belongs to it, which no model run reproduces
+  bool free_trend = false;   ///< a slow trend of each log belongs to it, which no model run reproduces
+  bool last_resort = false;  ///< named only where no other effects explain the gap
 };
 
 /// All candidates for these logs, in the order of the reference page. To add one: a file in candidate/ and its line

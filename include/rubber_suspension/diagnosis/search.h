@@ -37,6 +37,9 @@ struct Search {
 /// True if one of these candidates frees a slow trend per log.
 bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members);
 
+/// True if one of these candidates is named only where no others explain the gap.
+bool hasLastResort(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 

@@ -1,4 +1,6 @@
 // Candidate effect: unlike stiffness in tension and compression.
+#include <cmath>
+
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
 namespace rubber_suspension {
@@ -12,6 +14,13 @@ Candidate asymmetricStiffnessCandidate(const Excitation& excitation) {
                        additiveAtom("asymmetric_stiffness", "tension_stiffness", typical)}};
   for (Atom& atom : candidate.atoms) {
     atom.lower = -atom.upper;
+  }
+  // One side that stiffens steeply, without a knee.
+  for (const double share : {0.3, -0.3, 0.15, -0.15}) {
+    const double scale = share * excitation.largest_displacement;
+    candidate.atoms.push_back(additiveAtom("asymmetric_stiffness", "exponential",
+                                           typical * std::exp(-1.0 / std::abs(share)),
+                                           {{"exponential_scale", {scale}}}));
   }
   return candidate;
 }

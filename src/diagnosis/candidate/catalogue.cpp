@@ -26,6 +26,7 @@ Excitation summarise(const std::vector<Record>& records) {
     result.force = std::max(result.force, record.force_deviation);
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
+  result.mass_bandwidth = massBandwidth(records, result.highest_frequency);
   return result;
 }
 
@@ -57,6 +58,7 @@ std::vector<Candidate> candidates(const Excitation& excitation) {
       timeDelayCandidate(excitation),
       forceOffsetCandidate(excitation),
       forceDriftCandidate(excitation),
+      rateAmplitudeCouplingCandidate(excitation),
   };
 }
 

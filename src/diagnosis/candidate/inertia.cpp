@@ -1,5 +1,6 @@
 // Candidate effect: mass that moves with the displacement.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "rubber_suspension/diagnosis/hypothesis.h"
 
 namespace rubber_suspension {
 
@@ -14,11 +15,40 @@ Eigen::VectorXd acceleration(const Record& record) {
   return result;
 }
 
+// What the node errs by, from the displacement as recorded and without samples to come: sum of mean squares per mass,
+// in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
+double errorInTime(const std::vector<Record>& records, double bandwidth) {
+  const auto in_time = simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records,
+                                [](const Record& record) { return record.raw_displacement; });
+  double sum = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::Index settled = records[r].size() - records[r].size() / 20;
+    const Eigen::VectorXd error = (in_time[r] - acceleration(records[r])).tail(settled) / records[r].force_deviation;
+    sum += error.squaredNorm() / static_cast<double>(settled);
+  }
+  return sum;
+}
+
 }  // namespace
+
+double massBandwidth(const std::vector<Record>& records, double highest_frequency) {
+  double best = 0.0;
+  double least = errorInTime(records, best);
+  for (const double multiple : {1.0, 1.5, 2.2, 3.3, 5.0, 7.5, 11.0, 16.0}) {
+    const double bandwidth = multiple * highest_frequency;
+    const double error = errorInTime(records, bandwidth);
+    if (error < least) {
+      least = error;
+      best = bandwidth;
+    }
+  }
+  return best;
+}
 
 Candidate inertiaCandidate(const Excitation& excitation) {
   const double omega = 6.28 * excitation.highest_frequency;
-  Atom mass = additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega));
+  Atom mass = additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
+                           {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
   mass.exact = acceleration;
   return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};

@@ -1,14 +1,19 @@
-// Candidate effect: linear viscous damping.
+// Candidate effect: viscous damping, linear or not.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
 namespace rubber_suspension {
 
 Candidate viscousDampingCandidate(const Excitation& excitation) {
   const double typical = 0.05 * excitation.stiffness / (6.28 * excitation.highest_frequency);
-  return {"viscous_damping",
-          "dashpot: loss force grows with frequency",
-          false,
-          {additiveAtom("dashpot", "damping", typical, {{"order", {2.0}}})}};
+  Candidate candidate{"viscous_damping",
+                      "dashpot: loss force grows with frequency",
+                      false,
+                      {additiveAtom("dashpot", "damping", typical, {{"order", {2.0}}})}};
+  for (const double exponent : {0.5, 2.0}) {  // thins under shear; flows through an orifice
+    candidate.atoms.push_back(additiveAtom("power_dashpot", "damping", typical,
+                                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
+  }
+  return candidate;
 }
 
 }  // namespace rubber_suspension

@@ -20,5 +20,9 @@ Candidate inertiaCandidate(const Excitation& excitation);
 Candidate timeDelayCandidate(const Excitation& excitation);
 Candidate forceOffsetCandidate(const Excitation& excitation);
 Candidate forceDriftCandidate(const Excitation& excitation);
+Candidate rateAmplitudeCouplingCandidate(const Excitation& excitation);
+
+/// Bandwidth [Hz] with which an inertia that is driven by the displacement as recorded errs least; 0: none is needed.
+double massBandwidth(const std::vector<Record>& records, double highest_frequency);
 
 }  // namespace rubber_suspension

@@ -1,0 +1,58 @@
+// The floor that small reversals set for a model with Berg's friction.
+#include "rubber_suspension/diagnosis/friction_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rubber_suspension/diagnosis/hypothesis.h"
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension {
+namespace {
+
+// Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
+std::vector<ElementDescription> bergFriction(const std::vector<ElementDescription>& elements, double noise,
+                                             double dead_band_factor) {
+  constexpr double kOfNoise = 4.0;
+  std::vector<ElementDescription> result;
+  for (const ElementDescription& element : elements) {
+    if (element.type == "friction") {
+      result.push_back(complete(element));
+      double& dead_band = result.back().values.at("dead_band").front();
+      dead_band = dead_band_factor * (dead_band > 0.0 ? dead_band : kOfNoise * noise);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> frictionNoise(const std::vector<ElementDescription>& elements, const std::vector<Record>& records) {
+  constexpr std::array<double, 3> kVariants = {0.7, 1.0, 1.4};  // factors of the dead band
+  double noise = 0.0;
+  for (const Record& record : records) {
+    noise = std::max(noise, record.displacement_noise);
+  }
+  std::vector<double> result(records.size(), 0.0);
+  const auto friction = bergFriction(elements, noise, 1.0);
+  if (friction.empty()) {
+    return result;
+  }
+  const auto plain = simulate(friction, records);
+  unsigned draw = 0;
+  for (const double factor : kVariants) {
+    ++draw;
+    const auto noisy = simulate(bergFriction(elements, noise, factor), records,
+                                [draw](const Record& record) { return withNoiseDrawn(record, draw); });
+    for (std::size_t r = 0; r < plain.size(); ++r) {
+      result[r] += (noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()) / kVariants.size();
+    }
+  }
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    result[r] = std::sqrt(result[r]) / records[r].force_deviation;
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension
