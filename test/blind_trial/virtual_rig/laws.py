@@ -170,10 +170,14 @@ def elastic_effect(name, law_name, function, scale, parameters, strongest=1.0):
                   strongest * scale.stiffness * scale.amplitude, parameters)
 
 
-@law("progressive_stiffness", "sinh")
-def progressive_sinh(rng, scale, name, law_name):
-    s = rng.uniform(1.2, 3.5)
-    return elastic_effect(name, law_name, lambda x: np.sinh(s * x) - s * x, scale, {"s": s})
+@law("progressive_stiffness", "logarithmic")
+def progressive_logarithmic(rng, scale, name, law_name):
+    lock = rng.uniform(1.08, 2.0)
+
+    def run(x):
+        y = np.minimum(np.abs(x) / lock, 0.95)
+        return np.sign(x) * (-np.log1p(-y) - y)
+    return elastic_effect(name, law_name, run, scale, {"lock": lock})
 
 
 @law("progressive_stiffness", "power")
@@ -210,10 +214,10 @@ def progressive_langevin(rng, scale, name, law_name):
     return elastic_effect(name, law_name, run, scale, {"lock": lock})
 
 
-@law("asymmetric_stiffness", "exponential")
-def asymmetric_exponential(rng, scale, name, law_name):
-    s = rng.uniform(0.3, 1.0) * rng.choice([-1.0, 1.0])
-    return elastic_effect(name, law_name, lambda x: (np.exp(s * x) - 1.0 - s * x) * np.sign(s), scale, {"s": s})
+@law("asymmetric_stiffness", "hyperbolic")
+def asymmetric_hyperbolic(rng, scale, name, law_name):
+    s = rng.uniform(0.15, 0.6) * rng.choice([-1.0, 1.0])
+    return elastic_effect(name, law_name, lambda x: x / (1.0 - np.clip(s * x, -0.9, 0.9)) - x, scale, {"s": s})
 
 
 @law("asymmetric_stiffness", "two_slopes")
@@ -386,16 +390,55 @@ def damping_effect(name, law_name, function, scale, parameters):
                   1.2 * scale.stiffness / (2 * np.pi * 0.5 * scale.top_frequency), parameters)
 
 
-@law("viscous_damping", "power")
-def damping_power(rng, scale, name, law_name):
-    p = 1.0 if rng.random() < 0.4 else rng.uniform(0.85, 1.2)
-    return damping_effect(name, law_name, lambda v: np.sign(v) * np.abs(v) ** p, scale, {"p": p})
+@law("viscous_damping", "thinning")
+def damping_thinning(rng, scale, name, law_name):
+    q = 1e-3 if rng.random() < 0.4 else rng.uniform(0.2, 1.0)
+    return damping_effect(name, law_name, lambda v: np.arcsinh(q * v) / q, scale, {"q": q})
 
 
-@law("viscous_damping", "linear_quadratic", test_only=True)
-def damping_quadratic(rng, scale, name, law_name):
-    q = rng.uniform(0.03, 0.15)
-    return damping_effect(name, law_name, lambda v: v * (1.0 + q * np.abs(v)), scale, {"q": q})
+@law("viscous_damping", "turbulent", test_only=True)
+def damping_turbulent(rng, scale, name, law_name):
+    q = rng.uniform(0.1, 0.6)
+    return damping_effect(name, law_name, lambda v: v * np.sqrt(1.0 + (q * v) ** 2), scale, {"q": q})
+
+
+# ---- coupling of rate and amplitude: flow that stress or motion hastens ----------------------------------------------
+
+
+@law("rate_amplitude_coupling", "eyring_flow")
+def coupling_eyring(rng, scale, name, law_name):
+    """df/dt = dz/dt - w s sinh(f/s), f in units of the displacement; Heun's method."""
+    w = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.03, 0.5)
+    s = scale.amplitude * log_uniform(rng, 0.05, 0.4)
+
+    def run(z, rate):
+        out, f, dt = np.empty_like(z), 0.0, 1.0 / rate
+        flow = lambda f: w * s * math.sinh(max(-8.0, min(8.0, f / s)))
+        dz = np.diff(z, prepend=z[0])
+        for i, step in enumerate(dz):
+            first = flow(f)
+            f += step - 0.5 * dt * (first + flow(f + step - dt * first))
+            out[i] = f
+        return out
+    return friction_effect(name, law_name, run, scale, {"w": w, "s": s})
+
+
+@law("rate_amplitude_coupling", "thixotropic", test_only=True)
+def coupling_thixotropic(rng, scale, name, law_name):
+    """A relaxing force whose stiffness is a structure that motion breaks and rest builds up again."""
+    w = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.03, 0.3)
+    path, build = scale.amplitude * log_uniform(rng, 0.2, 2.0), log_uniform(rng, 0.05, 2.0)
+
+    def run(z, rate):
+        out, f, whole, decay = np.empty_like(z), 0.0, 1.0, math.exp(-w / rate)
+        dz = np.diff(z, prepend=z[0])
+        for i, step in enumerate(dz):
+            whole += (1.0 - whole) / (build * rate) - whole * abs(step) / path
+            whole = min(1.0, max(0.0, whole))
+            f = decay * f + whole * step * (1.0 - decay) * rate / w
+            out[i] = f
+        return out
+    return friction_effect(name, law_name, run, scale, {"w": w, "path": path, "build": build})
 
 
 # ---- softening and heating: factors on the specimen's force ----------------------------------------------------------
