@@ -5,6 +5,7 @@
 
 #include "../benchmark/cases.h"
 #include "../benchmark/ratio_figure.h"
+#include "../benchmark/single_work.h"
 #include "command.h"
 #include "plot_option.h"
 
@@ -18,16 +19,27 @@ struct Options {
   double log_duration = 20.0;
   int pairs = 0;
   std::string plot;
+  std::string work;
+  std::string config;
+  std::string log;
 };
 
 std::vector<Case> allCases(const BenchmarkSize& size) {
   std::vector<Case> all;
-  for (const auto part : {stepCases, replayCases, estimationCases, diagnosisCases}) {
+  for (const auto part : {stepCases, replayCases, peerCases, estimationCases, diagnosisCases}) {
     for (Case& work : part(size)) {
       all.push_back(std::move(work));
     }
   }
   return all;
+}
+
+int runSingle(const Options& options) {
+  if (options.config.empty() || options.log.empty()) {
+    throw UsageError("--work needs --config and --log");
+  }
+  std::cout << singleWork(options.work, options.config, options.log) << '\n';
+  return kSuccess;
 }
 
 int run(const Options& options) {
@@ -79,6 +91,13 @@ int main(int argc, char** argv) {
             ->type_name("COUNT")
             ->check(CLI::Range(1, 100000));
         addPlotOption(app, options->plot, "the ratios");
-        return [options] { return run(*options); };
+        app.add_option(
+               "--work", options->work,
+               "only time the library on this, once, and print JSON, for scripts/benchmark_peers: simulate, the "
+               "force of a log; fit, from the component as given")
+            ->check(CLI::IsMember({"simulate", "fit"}));
+        app.add_option("--config", options->config, "with --work: component file of one component");
+        app.add_option("--log", options->log, "with --work: CSV log");
+        return [options] { return options->work.empty() ? run(*options) : runSingle(*options); };
       });
 }

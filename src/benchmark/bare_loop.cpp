@@ -77,14 +77,13 @@ void runForCount(const BareParameters& parameters, StepLength dt, const std::vec
 
 }  // namespace
 
-BareParameters bareParameters(int maxwell_elements) {
+BareParameters bareParameters(int maxwell_elements, double highest) {
   constexpr double kTotal = 1.9e6;  // [N/m]
   constexpr double kLowest = 0.03;  // [Hz]
-  constexpr double kHighest = 25.0;
   BareParameters parameters;
   for (int i = 0; i < maxwell_elements; ++i) {
     parameters.stiffness.push_back(kTotal / maxwell_elements);
-    parameters.break_frequency.push_back(kLowest * std::pow(kHighest / kLowest, (i + 0.5) / maxwell_elements));
+    parameters.break_frequency.push_back(kLowest * std::pow(highest / kLowest, (i + 0.5) / maxwell_elements));
   }
   return parameters;
 }

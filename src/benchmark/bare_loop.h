@@ -16,8 +16,8 @@ struct BareParameters {
   double friction_displacement = 2.2e-3;  ///< z2 [m]
 };
 
-/// So many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 to 25 Hz.
-BareParameters bareParameters(int maxwell_elements);
+/// So many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].
+BareParameters bareParameters(int maxwell_elements, double highest = 25.0);
 
 /// The same numbers as entries of a component file.
 std::vector<ElementDescription> elementsOf(const BareParameters& parameters);

@@ -28,4 +28,7 @@ std::vector<Case> replayCases(const BenchmarkSize& size);
 /// Fit and diagnosis of two logs.
 std::vector<Case> diagnosisCases(const BenchmarkSize& size);
 
+/// General solvers of differential equations on a log: Boost.odeint, and GSL and SUNDIALS where they are installed.
+std::vector<Case> peerCases(const BenchmarkSize& size);
+
 }  // namespace rubber_suspension

@@ -81,7 +81,9 @@ std::string readable(double seconds) {
   return fmt::format("{:.3g} {}", seconds / magnitudes[i], units[i]);
 }
 
-std::string readableRatio(double ratio) { return fmt::format(ratio < 100.0 ? "{:.2f}" : "{:.0f}", ratio); }
+std::string readableRatio(double ratio) {
+  return fmt::format(ratio < 0.1 ? "{:.2g}" : ratio < 100.0 ? "{:.2f}" : "{:.0f}", ratio);
+}
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "bare_loop.h"
+#include "bare_lanes.h"
 #include "cases.h"
 #include "rubber_suspension/component/fleet.h"
 #include "rubber_suspension/io/replay.h"
@@ -16,6 +16,8 @@ namespace rubber_suspension {
 namespace {
 
 constexpr double kRounding = 1e-11;
+
+enum class Yardstick { plain, vectors };
 constexpr int kMaxwellElements = 5;
 
 struct ReplayBench {
@@ -32,14 +34,22 @@ struct ReplayBench {
   }
 };
 
-Case replayCase(const BenchmarkSize& size) {
-  const auto bench = std::make_shared<ReplayBench>(size.samples);
+Case replayCase(const BenchmarkSize& size, Yardstick yardstick) {
+  const std::size_t samples = std::max<std::size_t>(size.samples, 16) / 8 * 8 + 1;
+  const auto bench = std::make_shared<ReplayBench>(samples);
+  const bool plain = yardstick == Yardstick::plain;
   Case result;
   result.name = "a log offline, `simulateLog`";
-  result.yardstick = "plain loop, constant dt";
+  result.yardstick = plain ? "plain loop, constant dt" : "state-space form over blocks of samples, by vectors";
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(size.samples);
-  result.bare = [bench] { bareLoop(bench->parameters, kStep, bench->log.displacement, bench->bare); };
+  result.count = result.yardstick_count = static_cast<double>(samples);
+  result.bare = [bench, plain] {
+    if (plain) {
+      bareLoop(bench->parameters, kStep, bench->log.displacement, bench->bare);
+    } else {
+      bareBlockLoop(bench->parameters, kStep, bench->log.displacement, bench->bare);
+    }
+  };
   result.library = [bench] { bench->library = simulateLog(bench->component, bench->log); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
   result.error_meaning = "of the largest force";
@@ -73,18 +83,22 @@ std::vector<Component> componentsOf(const std::vector<BareParameters>& all) {
 
 struct FleetBench {
   BareFleet bare_fleet;
+  BareLanes bare_lanes;
   std::vector<Component> components;
   std::vector<ComponentState> states;
   ComponentFleet fleet;
   std::vector<double> displacement;
+  std::vector<double> own_displacement;
   std::vector<double> bare;
   std::vector<double> library;
 
   FleetBench(int count, std::size_t ticks)
       : bare_fleet(manyParameters(count), kStep),
+        bare_lanes(manyParameters(count), kStep),
         components(componentsOf(manyParameters(count))),
         fleet(components),
         displacement(benchmarkDisplacement(ticks)),
+        own_displacement(count),
         bare(count),
         library(count) {
     for (const Component& component : components) {
@@ -103,23 +117,35 @@ struct FleetBench {
 
   void stepTogether() {
     for (const double z : displacement) {
-      fleet.step(kStep, z, library.data());
+      std::fill(own_displacement.begin(), own_displacement.end(), z);
+      fleet.step(kStep, own_displacement.data(), library.data());
+    }
+  }
+
+  void stepPlain() {
+    for (const double z : displacement) {
+      bare_fleet.tick(z, bare);
+    }
+  }
+
+  void stepLanes() {
+    for (const double z : displacement) {
+      std::fill(own_displacement.begin(), own_displacement.end(), z);
+      bare_lanes.tick(own_displacement.data(), bare.data());
     }
   }
 };
 
-Case fleetCase(int components, std::size_t ticks, const std::string& by, void (FleetBench::*library)()) {
+Case fleetCase(int components, std::size_t ticks, const std::string& by, void (FleetBench::*library)(),
+               Yardstick yardstick) {
   const auto bench = std::make_shared<FleetBench>(components, ticks);
+  const auto bare = yardstick == Yardstick::plain ? &FleetBench::stepPlain : &FleetBench::stepLanes;
   Case result;
   result.name = fmt::format("{} components at each tick, {}", components, by);
-  result.yardstick = "plain loop over as many";
+  result.yardstick = yardstick == Yardstick::plain ? "plain loop over as many" : "vectors over as many";
   result.unit = "component and step";
   result.count = result.yardstick_count = static_cast<double>(ticks) * components;
-  result.bare = [bench] {
-    for (const double z : bench->displacement) {
-      bench->bare_fleet.tick(z, bench->bare);
-    }
-  };
+  result.bare = [bench, bare] { (bench.get()->*bare)(); };
   result.library = [bench, library] { (bench.get()->*library)(); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
   result.error_meaning = "of the largest force";
@@ -130,6 +156,7 @@ Case fleetCase(int components, std::size_t ticks, const std::string& by, void (F
 // The sums of squared forces stand for what a fit makes of each candidate.
 struct CandidateBench {
   std::vector<BareParameters> parameters;
+  BareLanes lanes;
   std::vector<Component> components;
   std::vector<double> displacement;
   std::vector<double> force;
@@ -139,6 +166,7 @@ struct CandidateBench {
 
   CandidateBench(int count, std::size_t samples)
       : parameters(manyParameters(count)),
+        lanes(parameters, kStep),
         components(componentsOf(parameters)),
         displacement(benchmarkDisplacement(samples)),
         force(samples),
@@ -177,17 +205,24 @@ struct CandidateBench {
   }
 };
 
-Case candidateCase(std::size_t samples) {
+Case candidateCase(std::size_t samples, Yardstick yardstick) {
   constexpr int kCandidates = 64;
   constexpr std::size_t kMostSamples = 20000;
   const std::size_t length = std::clamp<std::size_t>(samples, kCandidates, kMostSamples);
   const auto bench = std::make_shared<CandidateBench>(kCandidates, length);
   Case result;
   result.name = fmt::format("one log for {} sets of parameters, `ComponentFleet`", kCandidates);
-  result.yardstick = "plain loop, one set after the other";
+  const bool plain = yardstick == Yardstick::plain;
+  result.yardstick = plain ? "plain loop, one set after the other" : "vectors of sets, turns in common";
   result.unit = "set and step";
   result.count = result.yardstick_count = static_cast<double>(length) * kCandidates;
-  result.bare = [bench] { bench->runOneByOne(); };
+  result.bare = [bench, plain] {
+    if (plain) {
+      bench->runOneByOne();
+    } else {
+      bench->lanes.sumSquares(bench->displacement, bench->bare.data());
+    }
+  };
   result.library = [bench] { bench->runTogether(); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
   result.error_meaning = "of the sum of squares";
@@ -200,10 +235,16 @@ Case candidateCase(std::size_t samples) {
 std::vector<Case> replayCases(const BenchmarkSize& size) {
   constexpr std::size_t kMostTicks = 100;
   const std::size_t ticks = std::min(kMostTicks, size.samples);
-  return {replayCase(size), fleetCase(size.components, ticks, "`Component::step`", &FleetBench::stepOneByOne),
-          fleetCase(size.components, ticks, "`ComponentFleet`", &FleetBench::stepTogether),
-          fleetCase(size.components / 16, 16 * ticks, "`ComponentFleet`", &FleetBench::stepTogether),
-          candidateCase(size.samples)};
+  const int many = size.components / 8 * 8;
+  std::vector<Case> cases;
+  cases.push_back(fleetCase(many, ticks, "`Component::step`", &FleetBench::stepOneByOne, Yardstick::plain));
+  for (const Yardstick yardstick : {Yardstick::plain, Yardstick::vectors}) {
+    cases.push_back(replayCase(size, yardstick));
+    cases.push_back(fleetCase(many, ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
+    cases.push_back(fleetCase(64, 16 * ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
+    cases.push_back(candidateCase(size.samples, yardstick));
+  }
+  return cases;
 }
 
 }  // namespace rubber_suspension

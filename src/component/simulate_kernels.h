@@ -104,16 +104,15 @@ template <std::size_t last>
 inline void simulatePlain(const PlainSteps& steps) {
   const std::size_t before = steps.maxwells - last;
   MaxwellVectors<last> maxwells(steps.decay + before, steps.gain + before, steps.maxwell_force + before);
-  double from = steps.start;
   for (std::size_t first = 0; first < steps.count; first += kSimulationBlock) {
     const double* displacement = steps.displacement + first;
     const std::size_t count = steps.count - first < kSimulationBlock ? steps.count - first : kSimulationBlock;
     double increment[kSimulationBlock];
     double viscous[kSimulationBlock];
     double friction[kSimulationBlock] = {};
-    for (std::size_t i = 0; i < count; ++i) {
-      increment[i] = displacement[i] - from;
-      from = displacement[i];
+    increment[0] = displacement[0] - (first == 0 ? steps.start : displacement[-1]);
+    for (std::size_t i = 1; i < count; ++i) {
+      increment[i] = displacement[i] - displacement[i - 1];
     }
     for (std::size_t i = 0; i < count; ++i) {
       viscous[i] = steps.dashpot_gain * increment[i];

@@ -216,22 +216,51 @@ Eigen::VectorXd ForceModel::simulate(const std::vector<ElementDescription>& elem
   return force;
 }
 
-bool ForceModel::simulateIfChanged(Part& part, const Eigen::VectorXd& search) const {
+std::vector<double> ForceModel::valuesOf(const Part& part, const Eigen::VectorXd& search) const {
   std::vector<double> values;
   for (const std::size_t unknown : part.unknowns) {
     values.push_back(search[static_cast<Eigen::Index>(unknown)]);
   }
-  if (part.force.size() == size_ && values == part.values) {
-    return false;
-  }
+  return values;
+}
+
+Eigen::VectorXd ForceModel::simulate(const Part& part, const std::vector<double>& values) const {
+  std::vector<ElementDescription> elements = part.elements;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Unknown& unknown = nonlinear_[part.unknowns[i]];
     const auto at = std::find(part.positions.begin(), part.positions.end(), unknown.element) - part.positions.begin();
-    part.elements[static_cast<std::size_t>(at)].values[unknown.name] = {unknown.toValue(values[i])};
+    elements[static_cast<std::size_t>(at)].values[unknown.name] = {unknown.toValue(values[i])};
   }
-  part.force = simulate(part.elements);
+  return simulate(elements);
+}
+
+bool ForceModel::simulateIfChanged(Part& part, const Eigen::VectorXd& search) const {
+  std::vector<double> values = valuesOf(part, search);
+  if (part.force.size() == size_ && values == part.values) {
+    return false;
+  }
+  part.force = simulate(part, values);
   part.values = std::move(values);
   return true;
+}
+
+Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
+                                       const Eigen::VectorXd& coefficients) const {
+  constexpr double kStep = 1e-5;  // of ln(value): truncation 1e-10 and rounding 1e-11, both relative
+  const auto at = static_cast<std::size_t>(unknown);
+  Eigen::VectorXd before = search;
+  Eigen::VectorXd after = search;
+  before[unknown] -= kStep;
+  after[unknown] += kStep;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size_);
+  for (const Part& part : parts_) {
+    if (std::find(part.unknowns.begin(), part.unknowns.end(), at) != part.unknowns.end()) {
+      const double coefficient = part.column < 0 ? 1.0 : coefficients[part.column];
+      sum += coefficient / (2.0 * kStep) *
+             (simulate(part, valuesOf(part, after)) - simulate(part, valuesOf(part, before)));
+    }
+  }
+  return sum;
 }
 
 void ForceModel::evaluate(const Eigen::VectorXd& search) {

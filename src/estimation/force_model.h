@@ -52,6 +52,10 @@ class ForceModel {
 
   /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
   void evaluate(const Eigen::VectorXd& search);
+  /// Derivative of the force by one of the search coordinates for these coefficients of the basis, by central
+  /// differences; only what depends on that unknown is simulated.
+  Eigen::VectorXd derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
+                             const Eigen::VectorXd& coefficients) const;
   const Eigen::MatrixXd& basis() const { return basis_; }
   const Eigen::VectorXd& rest() const { return rest_; }
 
@@ -71,6 +75,8 @@ class ForceModel {
   void addElement(std::size_t position);
   void addNonlinear(Part& part, std::size_t position, const ParameterInfo& parameter);
   void addColumn(Part part, std::size_t position, const ParameterInfo& parameter);
+  std::vector<double> valuesOf(const Part& part, const Eigen::VectorXd& search) const;
+  Eigen::VectorXd simulate(const Part& part, const std::vector<double>& values) const;
   bool simulateIfChanged(Part& part, const Eigen::VectorXd& search) const;
   Eigen::VectorXd simulate(const std::vector<ElementDescription>& elements) const;
 

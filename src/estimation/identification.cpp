@@ -98,17 +98,54 @@ Fit fitAt(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd
   return fit;
 }
 
-// The projected residual as Ceres calls it, made free of units.
-class ProjectedResidual {
+// What is left of columns once the basis has taken its share, without the columns of the basis that are held at zero.
+Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coefficients,
+                             const Eigen::MatrixXd& columns) {
+  std::vector<Eigen::Index> taken;
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+    if (coefficients[i] != 0.0 || model.signedColumns()[static_cast<std::size_t>(i)]) {
+      taken.push_back(i);
+    }
+  }
+  Eigen::MatrixXd basis(model.size(), static_cast<Eigen::Index>(taken.size()));
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    const auto column = model.basis().col(taken[i]);
+    const double length = column.norm();
+    basis.col(static_cast<Eigen::Index>(i)) = column / (length > 0.0 ? length : 1.0);
+  }
+  const Eigen::MatrixXd gram = basis.transpose() * basis;
+  const Eigen::MatrixXd moment = basis.transpose() * columns;
+  return columns - basis * gram.completeOrthogonalDecomposition().solve(moment);
+}
+
+// The projected residual as Ceres calls it, made free of units. Its Jacobian is that of L. Kaufman, BIT 15 (1975)
+// 49-57: the term that it leaves out is across the residual, so the gradient is exact, and so is the optimum.
+class ProjectedResidual final : public ceres::CostFunction {
  public:
   ProjectedResidual(ForceModel& model, const Eigen::VectorXd& force)
-      : model_(model), force_(force), unit_(force.norm()) {}
+      : model_(model), force_(force), unit_(force.norm()) {
+    set_num_residuals(static_cast<int>(force.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(model.nonlinear().size()));
+  }
 
-  bool operator()(const double* const* parameters, double* residuals) const {
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const auto count = static_cast<Eigen::Index>(model_.nonlinear().size());
     const Fit fit = fitAt(model_, force_, Eigen::Map<const Eigen::VectorXd>(parameters[0], count));
     Eigen::Map<Eigen::VectorXd>(residuals, force_.size()) = fit.residual / unit_;
-    return fit.residual.allFinite();
+    if (!fit.residual.allFinite()) {
+      return false;
+    }
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      Eigen::MatrixXd derivatives(force_.size(), count);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        derivatives.col(i) = model_.derivative(fit.search, i, fit.coefficients);
+      }
+      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      Eigen::Map<RowMajor>(jacobians[0], force_.size(), count) =
+          withoutBasis(model_, fit.coefficients, derivatives) / -unit_;
+      return derivatives.allFinite();
+    }
+    return true;
   }
 
  private:
@@ -121,13 +158,9 @@ Fit search(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorX
   if (start.size() == 0) {
     return fitAt(model, force, start);
   }
-  using Cost = ceres::DynamicNumericDiffCostFunction<ProjectedResidual, ceres::CENTRAL>;
-  auto cost = std::make_unique<Cost>(new ProjectedResidual(model, force));
-  cost->AddParameterBlock(static_cast<int>(start.size()));
-  cost->SetNumResiduals(static_cast<int>(force.size()));
   Eigen::VectorXd x = start;
   ceres::Problem problem;
-  problem.AddResidualBlock(cost.release(), nullptr, x.data());
+  problem.AddResidualBlock(new ProjectedResidual(model, force), nullptr, x.data());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
     problem.SetParameterLowerBound(x.data(), static_cast<int>(i), unknown.toSearch(unknown.lower));
@@ -203,17 +236,8 @@ double relativeUnit(double coefficient) { return coefficient != 0.0 ? std::abs(c
 Eigen::MatrixXd jacobianAt(ForceModel& model, const Fit& fit) {
   const Eigen::Index nonlinear = fit.search.size();
   Eigen::MatrixXd jacobian(model.size(), nonlinear + fit.coefficients.size());
-  const auto forceAt = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-    model.evaluate(x);
-    return model.rest() + model.basis() * fit.coefficients;
-  };
   for (Eigen::Index i = 0; i < nonlinear; ++i) {
-    const double step = 1e-5;  // of ln(value): truncation 1e-10 and rounding 1e-11, both relative
-    Eigen::VectorXd before = fit.search;
-    Eigen::VectorXd after = fit.search;
-    before[i] -= step;
-    after[i] += step;
-    jacobian.col(i) = (forceAt(after) - forceAt(before)) / (2.0 * step);
+    jacobian.col(i) = model.derivative(fit.search, i, fit.coefficients);
   }
   model.evaluate(fit.search);
   for (Eigen::Index i = 0; i < fit.coefficients.size(); ++i) {

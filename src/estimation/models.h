@@ -26,7 +26,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
 std::string inputText(const Specification& specification, const std::string& key);
 
 /// The input, or the default of its table.
-double valueOrDefault(const Specification& specification, const std::string& key);
+double valueOrDefault(const Specification& specification, std::string_view key);
 
 /// Break frequency [Hz] at which one Maxwell element of K_max - K_st meets K_n:
 /// f_b = f_n sqrt((K_max^2 - K_n^2)/(K_n^2 - K_st^2)).

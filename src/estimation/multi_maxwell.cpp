@@ -8,6 +8,8 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "models.h"
 
@@ -21,24 +23,45 @@ constexpr double kMargin = 1e-9;
 // Steps of the scan for a high frequency that gives a loss angle.
 constexpr int kBandSteps = 60;
 
-int elementCount(const Specification& specification) {
-  return static_cast<int>(valueOrDefault(specification, "maxwell_elements"));
-}
+// The specification, each input looked up once.
+struct Inputs {
+  const Specification& specification;  // for what is asked once, and for errors
+  double static_stiffness;
+  double dynamic_stiffness;
+  double nominal_frequency;
+  std::optional<double> maximum_stiffness;
+  std::optional<double> high_frequency;
+  std::optional<double> low_frequency;
+  std::optional<double> loss_angle;
+  int elements;
+
+  explicit Inputs(const Specification& given)
+      : specification(given),
+        static_stiffness(given.at("static_stiffness")),
+        dynamic_stiffness(given.at("dynamic_stiffness")),
+        nominal_frequency(given.at("nominal_frequency")),
+        maximum_stiffness(given.find("maximum_stiffness")),
+        high_frequency(given.find("high_frequency")),
+        low_frequency(given.find("low_frequency")),
+        loss_angle(given.find("loss_angle")),
+        elements(static_cast<int>(valueOrDefault(given, "maxwell_elements"))) {}
+};
 
 // Eq. 22 as reconstructed, unless the user gives f_l.
-double lowFrequency(const Specification& specification, double high_frequency) {
-  const int count = elementCount(specification);
-  return specification.valueOr("low_frequency", count * high_frequency / std::pow(10.0, count - 1));
+double lowFrequency(const Inputs& inputs, double high_frequency) {
+  const int count = inputs.elements;
+  return inputs.low_frequency ? *inputs.low_frequency : count * high_frequency / std::pow(10.0, count - 1);
 }
 
 // Eq. 17: arithmetic means of the edges of n_M bands that are equal on a log axis over [f_l, f_h].
-std::vector<double> breakFrequencies(const Specification& specification, double high_frequency) {
-  const int count = elementCount(specification);
-  const double low_frequency = lowFrequency(specification, high_frequency);
-  const double q = std::pow(high_frequency / low_frequency, 1.0 / count);
-  std::vector<double> frequencies(count);
-  for (int i = 0; i < count; ++i) {
-    frequencies[i] = low_frequency * std::pow(q, i) * 0.5 * (1.0 + q);
+std::vector<double> breakFrequencies(const Inputs& inputs, double high_frequency) {
+  const double low_frequency = lowFrequency(inputs, high_frequency);
+  const double q = std::pow(high_frequency / low_frequency, 1.0 / inputs.elements);
+  std::vector<double> frequencies(static_cast<std::size_t>(inputs.elements));
+  double edge = low_frequency;
+  for (double& frequency : frequencies) {
+    frequency = edge * 0.5 * (1.0 + q);
+    edge *= q;
   }
   return frequencies;
 }
@@ -100,52 +123,76 @@ struct Solution {
   double alpha;
 };
 
-// |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one.
-double alphaForStiffness(const Specification& specification, double high_frequency) {
-  const double k_st = specification.at("static_stiffness");
-  const double added = specification.at("maximum_stiffness") - k_st;
-  const double target = specification.at("dynamic_stiffness");
+// The same with its derivative by ln(alpha).
+std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::vector<Complex>& of_each) {
+  Complex sum = 0.0;
+  Complex moment = 0.0;
+  double mean_exponent = 0.0;
+  forEachShare(alpha, of_each.size(), [&](std::size_t i, double share) {
+    const auto exponent = static_cast<double>(of_each.size() - 1 - i);
+    sum += share * of_each[i];
+    moment += exponent * share * of_each[i];
+    mean_exponent += exponent * share;
+  });
+  return {sum, moment - mean_exponent * sum};
+}
+
+// |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one. Newton's
+// method for |K*|^2 over ln(alpha), within bounds.
+double alphaForStiffness(const Inputs& inputs, double high_frequency) {
+  constexpr double kWidest = 60.0;  // of ln(alpha); elements with less of a share than kMargin need 21 at most
+  constexpr int kDigits = 50;
+  const double k_st = inputs.static_stiffness;
+  const double added = inputs.maximum_stiffness.value() - k_st;
+  const double target = inputs.dynamic_stiffness;
   const std::vector<Complex> of_each =
-      relativeStiffnesses(breakFrequencies(specification, high_frequency), specification.at("nominal_frequency"));
-  return solveAlpha([&](double alpha) { return std::abs(k_st + added * relativeStiffness(alpha, of_each)) - target; });
+      relativeStiffnesses(breakFrequencies(inputs, high_frequency), inputs.nominal_frequency);
+  boost::uintmax_t iterations = 200;
+  const double root = boost::math::tools::newton_raphson_iterate(
+      [&](double log_alpha) {
+        const auto [relative, slope] = relativeStiffnessWithSlope(std::exp(log_alpha), of_each);
+        const Complex stiffness = k_st + added * relative;
+        return std::make_pair(std::norm(stiffness) - target * target,
+                              2.0 * added * (stiffness.real() * slope.real() + stiffness.imag() * slope.imag()));
+      },
+      0.0, -kWidest, kWidest, kDigits, iterations);
+  return std::exp(root);
 }
 
 // Loss angle at f_n of the model with this high frequency that meets K_n and K_max.
-double angleForBand(const Specification& specification, double high_frequency) {
-  const double k_st = specification.at("static_stiffness");
-  const double alpha = alphaForStiffness(specification, high_frequency);
+double angleForBand(const Inputs& inputs, double high_frequency) {
+  const double k_st = inputs.static_stiffness;
+  const double alpha = alphaForStiffness(inputs, high_frequency);
   const std::vector<Complex> of_each =
-      relativeStiffnesses(breakFrequencies(specification, high_frequency), specification.at("nominal_frequency"));
-  return std::arg(k_st + (specification.at("maximum_stiffness") - k_st) * relativeStiffness(alpha, of_each));
+      relativeStiffnesses(breakFrequencies(inputs, high_frequency), inputs.nominal_frequency);
+  return std::arg(k_st + (inputs.maximum_stiffness.value() - k_st) * relativeStiffness(alpha, of_each));
 }
 
 // The working point has to lie in the band that a user gives. A low frequency from Eq. 22 is but a means to place the
 // elements; whether they can meet the working point is judged by their break frequencies.
-bool bandIsOrdered(const Specification& specification, double high_frequency) {
-  const double f_n = specification.at("nominal_frequency");
-  return f_n < high_frequency && (!specification.has("low_frequency") || specification.at("low_frequency") < f_n);
+bool bandIsOrdered(const Inputs& inputs, double high_frequency) {
+  const double f_n = inputs.nominal_frequency;
+  return f_n < high_frequency && (!inputs.low_frequency.has_value() || inputs.low_frequency.value() < f_n);
 }
 
-bool bandMeetsStiffness(const Specification& specification, double high_frequency) {
-  return bandIsOrdered(specification, high_frequency) &&
-         embraces(breakFrequencies(specification, high_frequency), breakFrequencyForMaximum(specification));
+bool bandMeetsStiffness(const Inputs& inputs, double high_frequency) {
+  return bandIsOrdered(inputs, high_frequency) &&
+         embraces(breakFrequencies(inputs, high_frequency), breakFrequencyForMaximum(inputs.specification));
 }
 
 // The lowest high frequency at which the model that meets K_n and K_max has the loss angle too. Where elements lie
 // closer the loss is spread wider and is lower, so two bands often meet it; the narrower one has the smoother curves.
-std::optional<double> highFrequencyForAngle(const Specification& specification) {
-  const double f_n = specification.at("nominal_frequency");
-  const double target = lossAngle(specification);
-  const auto mismatch = [&](double log_ratio) {
-    return angleForBand(specification, f_n * std::exp(log_ratio)) - target;
-  };
+std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
+  const double f_n = inputs.nominal_frequency;
+  const double target = lossAngle(inputs.specification);
+  const auto mismatch = [&](double log_ratio) { return angleForBand(inputs, f_n * std::exp(log_ratio)) - target; };
   // The elements reach down to about f_l/2 and the band is at most as wide as Eq. 22 or 10^4 f_n makes it.
   const double widest = std::log(1e4);
   double before = 0.0;
   double mismatch_before = std::numeric_limits<double>::quiet_NaN();  // compares false with anything
   for (int i = 1; i <= kBandSteps; ++i) {
     const double log_ratio = widest * i / kBandSteps;
-    const bool possible = bandMeetsStiffness(specification, f_n * std::exp(log_ratio));
+    const bool possible = bandMeetsStiffness(inputs, f_n * std::exp(log_ratio));
     const double mismatch_now = possible ? mismatch(log_ratio) : std::numeric_limits<double>::quiet_NaN();
     if (mismatch_before * mismatch_now <= 0.0) {
       boost::uintmax_t iterations = 100;
@@ -159,102 +206,104 @@ std::optional<double> highFrequencyForAngle(const Specification& specification) 
   return std::nullopt;
 }
 
-Solution solveForMaximum(const Specification& specification) {
-  const double f_n = specification.at("nominal_frequency");
-  const double high_frequency = specification.at("high_frequency");
-  const std::vector<Complex> of_each = relativeStiffnesses(breakFrequencies(specification, high_frequency), f_n);
+Solution solveForMaximum(const Inputs& inputs) {
+  const double f_n = inputs.nominal_frequency;
+  const double high_frequency = inputs.high_frequency.value();
+  const std::vector<Complex> of_each = relativeStiffnesses(breakFrequencies(inputs, high_frequency), f_n);
   // Loss over storage of the elements is the mean of f_b/f_n weighted by their storage; it falls with alpha.
-  const double ratio = breakFrequencyForLossAngle(specification) / f_n;
+  const double ratio = breakFrequencyForLossAngle(inputs.specification) / f_n;
   const double alpha = solveAlpha([&](double trial) {
     const Complex relative = relativeStiffness(trial, of_each);
     return ratio - relative.imag() / relative.real();
   });
-  const Complex dynamic = std::polar(specification.at("dynamic_stiffness"), lossAngle(specification));
-  const double k_st = specification.at("static_stiffness");
+  const Complex dynamic = std::polar(inputs.dynamic_stiffness, lossAngle(inputs.specification));
+  const double k_st = inputs.static_stiffness;
   const double added = (dynamic.real() - k_st) / relativeStiffness(alpha, of_each).real();
   return {high_frequency, k_st + added, alpha};
 }
 
-Solution solve(const Specification& specification) {
-  if (!specification.has("maximum_stiffness")) {
-    return solveForMaximum(specification);
+Solution solve(const Inputs& inputs) {
+  if (!inputs.maximum_stiffness.has_value()) {
+    return solveForMaximum(inputs);
   }
-  const double high_frequency = specification.has("high_frequency") ? specification.at("high_frequency")
-                                                                    : highFrequencyForAngle(specification).value();
-  return {high_frequency, specification.at("maximum_stiffness"), alphaForStiffness(specification, high_frequency)};
+  const double high_frequency =
+      inputs.high_frequency.has_value() ? inputs.high_frequency.value() : highFrequencyForAngle(inputs).value();
+  return {high_frequency, inputs.maximum_stiffness.value(), alphaForStiffness(inputs, high_frequency)};
 }
 
-std::optional<Obstacle> orderObstacle(const Specification& specification) {
-  const double high_frequency = specification.at("high_frequency");
-  if (specification.at("nominal_frequency") >= high_frequency) {
-    return Obstacle{"nominal_frequency", "is not below " + inputText(specification, "high_frequency")};
+std::optional<Obstacle> orderObstacle(const Inputs& inputs) {
+  const double high_frequency = inputs.high_frequency.value();
+  if (inputs.nominal_frequency >= high_frequency) {
+    return Obstacle{"nominal_frequency", "is not below " + inputText(inputs.specification, "high_frequency")};
   }
-  if (bandIsOrdered(specification, high_frequency)) {
+  if (bandIsOrdered(inputs, high_frequency)) {
     return std::nullopt;
   }
-  return Obstacle{"low_frequency", "is not below " + inputText(specification, "nominal_frequency")};
+  return Obstacle{"low_frequency", "is not below " + inputText(inputs.specification, "nominal_frequency")};
 }
 
-Obstacle notEmbraced(const std::string& key, const Specification& specification, double frequency) {
-  const std::vector<double> b = breakFrequencies(specification, specification.at("high_frequency"));
+Obstacle notEmbraced(const std::string& key, const Inputs& inputs, double frequency) {
+  const std::vector<double> b = breakFrequencies(inputs, inputs.high_frequency.value());
   return {key,
           fmt::format("needs a break frequency of {:.6g} Hz on average, which is outside those of the {} elements, "
                       "{:.6g} to {:.6g} Hz",
                       frequency, b.size(), b.front(), b.back())};
 }
 
-std::optional<Obstacle> stiffnessTargetObstacle(const Specification& specification) {
-  if (auto obstacle = orderObstacle(specification)) {
+std::optional<Obstacle> stiffnessTargetObstacle(const Inputs& inputs) {
+  if (auto obstacle = orderObstacle(inputs)) {
     return obstacle;
   }
-  const double frequency = breakFrequencyForMaximum(specification);
-  if (embraces(breakFrequencies(specification, specification.at("high_frequency")), frequency)) {
+  const double frequency = breakFrequencyForMaximum(inputs.specification);
+  if (embraces(breakFrequencies(inputs, inputs.high_frequency.value()), frequency)) {
     return std::nullopt;
   }
-  return notEmbraced("dynamic_stiffness", specification, frequency);
+  return notEmbraced("dynamic_stiffness", inputs, frequency);
 }
 
-std::optional<Obstacle> angleTargetObstacle(const Specification& specification) {
-  if (auto obstacle = orderObstacle(specification)) {
+std::optional<Obstacle> angleTargetObstacle(const Inputs& inputs) {
+  if (auto obstacle = orderObstacle(inputs)) {
     return obstacle;
   }
-  if (auto obstacle = storageObstacle(specification)) {
+  if (auto obstacle = storageObstacle(inputs.specification)) {
     return obstacle;
   }
-  const double frequency = breakFrequencyForLossAngle(specification);
-  if (embraces(breakFrequencies(specification, specification.at("high_frequency")), frequency)) {
+  const double frequency = breakFrequencyForLossAngle(inputs.specification);
+  if (embraces(breakFrequencies(inputs, inputs.high_frequency.value()), frequency)) {
     return std::nullopt;
   }
-  return notEmbraced("loss_angle", specification, frequency);
+  return notEmbraced("loss_angle", inputs, frequency);
 }
 
 }  // namespace
 
 std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification) {
-  if (!specification.has("loss_angle")) {
-    return stiffnessTargetObstacle(specification);
+  const Inputs inputs(specification);
+  if (!inputs.loss_angle) {
+    return stiffnessTargetObstacle(inputs);
   }
-  if (!specification.has("maximum_stiffness")) {
-    return angleTargetObstacle(specification);
+  if (!inputs.maximum_stiffness) {
+    return angleTargetObstacle(inputs);
   }
-  if (highFrequencyForAngle(specification)) {
+  if (highFrequencyForAngle(inputs)) {
     return std::nullopt;
   }
-  return Obstacle{"loss_angle",
-                  fmt::format("is not reached with the other inputs by {} elements, whatever the high "
-                              "frequency above {}",
-                              elementCount(specification), inputText(specification, "nominal_frequency"))};
+  return Obstacle{"loss_angle", fmt::format("is not reached with the other inputs by {} elements, whatever the high "
+                                            "frequency above {}",
+                                            inputs.elements, inputText(specification, "nominal_frequency"))};
 }
 
 Band multiMaxwellBand(const Specification& specification) {
-  const double high_frequency = solve(specification).high_frequency;
-  return {lowFrequency(specification, high_frequency), high_frequency};
+  const Inputs inputs(specification);
+  const double high_frequency = solve(inputs).high_frequency;
+  return {lowFrequency(inputs, high_frequency), high_frequency};
 }
 
 std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification) {
-  const Solution solution = solve(specification);
-  const double k_st = specification.at("static_stiffness");
-  const std::vector<double> break_frequencies = breakFrequencies(specification, solution.high_frequency);
+  const Inputs inputs(specification);
+  const Solution solution = solve(inputs);
+  const double k_st = inputs.static_stiffness;
+  const std::vector<double> break_frequencies = breakFrequencies(inputs, solution.high_frequency);
   std::vector<ElementDescription> elements(1 + break_frequencies.size());
   elements[0].type = "spring";
   elements[0].values["stiffness"] = {k_st};

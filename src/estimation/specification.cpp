@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "models.h"
@@ -269,31 +270,32 @@ double lossAngle(const Specification& specification) {
                                          : std::atan(2.0 * specification.at("relative_damping"));
 }
 
-double valueOrDefault(const Specification& specification, const std::string& key) {
-  return specification.has(key) ? specification.at(key) : findParameter(key)->default_value.value();
+double valueOrDefault(const Specification& specification, std::string_view key) {
+  const std::optional<double> value = specification.find(key);
+  return value ? *value : findParameter(key)->default_value.value();
 }
 
 std::string inputText(const Specification& specification, const std::string& key) {
-  const std::string unit = findParameter(key)->unit;
+  const std::string& unit = findParameter(key)->unit;
   return fmt::format("{}: {:.6g}{}", key, specification.at(key), unit == "1" ? "" : " " + unit);
 }
 
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
-  const auto compare = [&](const char* low, const char* high) -> std::optional<Obstacle> {
-    if (specification.has(low) && specification.has(high) && specification.at(high) <= specification.at(low)) {
-      return Obstacle{high, "is not above " + inputText(specification, low)};
-    }
-    return std::nullopt;
+  const std::optional<double> k_st = specification.find("static_stiffness");
+  const std::optional<double> k_n = specification.find("dynamic_stiffness");
+  const std::optional<double> k_max = specification.find("maximum_stiffness");
+  // A number that is missing compares false.
+  const auto orNone = [](const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
   };
-  if (auto obstacle = compare("static_stiffness", "dynamic_stiffness")) {
-    return obstacle;
+  if (orNone(k_n) <= orNone(k_st)) {
+    return Obstacle{"dynamic_stiffness", "is not above " + inputText(specification, "static_stiffness")};
   }
-  if (auto obstacle = compare("dynamic_stiffness", "maximum_stiffness")) {
-    return obstacle;
+  if (orNone(k_max) <= orNone(k_n)) {
+    return Obstacle{"maximum_stiffness", "is not above " + inputText(specification, "dynamic_stiffness")};
   }
-  for (const char* key : {"dynamic_stiffness", "maximum_stiffness"}) {
-    if (specification.has("static_stiffness") && specification.has(key) &&
-        specification.at(key) > kLargestStiffnessRatio * specification.at("static_stiffness")) {
+  for (const auto& [key, value] : {std::make_pair("dynamic_stiffness", k_n), {"maximum_stiffness", k_max}}) {
+    if (orNone(value) > kLargestStiffnessRatio * orNone(k_st)) {
       return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
                                        kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
     }

@@ -1,8 +1,12 @@
 // From what a data sheet says to the elements of a model: the specification, the models, the estimation.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
@@ -30,16 +34,25 @@ std::optional<Model> modelFromString(const std::string& name);
 /// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
 class Specification {
  public:
-  bool has(const std::string& name) const { return values_.count(name) != 0; }
+  using Values = std::map<std::string, double, std::less<>>;
+
+  bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
+  std::optional<double> find(std::string_view name) const {
+    const auto found = values_.find(name);
+    return found == values_.end() ? std::nullopt : std::optional<double>(found->second);
+  }
   /// Throws std::out_of_range where it is missing.
-  double at(const std::string& name) const { return values_.at(name); }
-  double valueOr(const std::string& name, double fallback) const { return has(name) ? at(name) : fallback; }
+  double at(std::string_view name) const {
+    const auto found = values_.find(name);
+    return found != values_.end() ? found->second : throw std::out_of_range(std::string(name));
+  }
+  double valueOr(std::string_view name, double fallback) const { return find(name).value_or(fallback); }
   void set(const std::string& name, double value) { values_[name] = value; }
   void erase(const std::string& name) { values_.erase(name); }
-  const std::map<std::string, double>& values() const { return values_; }
+  const Values& values() const { return values_; }
 
  private:
-  std::map<std::string, double> values_;
+  Values values_;
 };
 
 /// The table of everything that `specification:` may hold.

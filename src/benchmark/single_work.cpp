@@ -1,0 +1,54 @@
+// One piece of work of the library alone.
+#include "single_work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+#include "rubber_suspension/estimation/identification.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+template <class Work>
+double medianSeconds(Work work, int runs) {
+  std::vector<double> seconds;
+  for (int i = 0; i < runs; ++i) {
+    timespec start{};
+    timespec end{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &start);
+    work();
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+    seconds.push_back(static_cast<double>(end.tv_sec - start.tv_sec) +
+                      1e-9 * static_cast<double>(end.tv_nsec - start.tv_nsec));
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + runs / 2, seconds.end());
+  return seconds[static_cast<std::size_t>(runs / 2)];
+}
+
+}  // namespace
+
+std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log_file) {
+  constexpr int kRuns = 5;
+  const ComponentDescription description = selectComponent(loadComponentFile(component_file), "");
+  const Log log = readLog(log_file);
+  if (work == "simulate") {
+    const Component component = description.makeComponent();
+    const double seconds = medianSeconds([&] { simulateLog(component, log); }, kRuns);
+    return fmt::format("{{\"seconds\": {:.9g}}}", seconds);
+  }
+  IdentificationOptions options;
+  options.starts = 1;
+  const std::vector<Measurement> measurements{{log.stamp, log.displacement, log.force}};
+  Identification fit;
+  const double seconds =
+      medianSeconds([&] { fit = identify(description.allElements(), measurements, options); }, kRuns);
+  const double cost = fit.residual * fit.residual * static_cast<double>(log.size());
+  return fmt::format("{{\"seconds\": {:.9g}, \"cost\": {:.12g}}}", seconds, cost);
+}
+
+}  // namespace rubber_suspension
