@@ -130,7 +130,11 @@ class ProjectedResidual final : public ceres::CostFunction {
 
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const auto count = static_cast<Eigen::Index>(model_.nonlinear().size());
-    const Fit fit = fitAt(model_, force_, Eigen::Map<const Eigen::VectorXd>(parameters[0], count));
+    const Eigen::Map<const Eigen::VectorXd> search(parameters[0], count);
+    if (fit_.search.size() != count || fit_.search != search) {  // the Jacobian is asked for where the residual was
+      fit_ = fitAt(model_, force_, search);
+    }
+    const Fit& fit = fit_;
     Eigen::Map<Eigen::VectorXd>(residuals, force_.size()) = fit.residual / unit_;
     if (!fit.residual.allFinite()) {
       return false;
@@ -152,6 +156,7 @@ class ProjectedResidual final : public ceres::CostFunction {
   ForceModel& model_;
   const Eigen::VectorXd& force_;
   double unit_;
+  mutable Fit fit_;  // where it was evaluated last, like the model
 };
 
 Fit search(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd& start) {
@@ -173,6 +178,7 @@ Fit search(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorX
   options.parameter_tolerance = 1e-9;
   options.gradient_tolerance = 1e-14;
   options.logging_type = ceres::SILENT;
+  options.max_num_line_search_step_size_iterations = 0;  // steps beyond a bound are cut; no search along each step
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   return fitAt(model, force, x);
