@@ -72,9 +72,10 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   return runCommand(
       argc, argv, "benchmark",
-      "Times the library against plain loops written by hand, by turns in one process, and prints a Markdown table: "
-      "ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces beside them. Times "
-      "are those of the thread, so that other programs count little; those of the diagnosis are of the wall.",
+      "Times the library against loops written by hand and general solvers, by turns in one process, and prints a "
+      "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
+      "beside them. Times are those of the thread, so that other programs count little; those of the diagnosis are of "
+      "the wall.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
@@ -95,9 +96,10 @@ int main(int argc, char** argv) {
                "--work", options->work,
                "only time the library on this, once, and print JSON, for scripts/benchmark_peers: simulate, the "
                "force of a log; fit, from the component as given")
+            ->type_name("WORK")
             ->check(CLI::IsMember({"simulate", "fit"}));
-        app.add_option("--config", options->config, "with --work: component file of one component");
-        app.add_option("--log", options->log, "with --work: CSV log");
+        app.add_option("--config", options->config, "with --work: component file of one component")->type_name("FILE");
+        app.add_option("--log", options->log, "with --work: CSV log")->type_name("FILE");
         return [options] { return options->work.empty() ? run(*options) : runSingle(*options); };
       });
 }
