@@ -317,15 +317,16 @@ class Diagnoser {
   }
 
   // Effects are named only if they gain at least 5 % on logs that took no part in the fit, or lose little where own
-  // parameters far from their configuration would do as well. A drift cannot be foreseen. The displacement is smoothed
-  // as for the fits: a mass or a dashpot may be there, and yet make more noise of a sensor's noise than it explains.
+  // parameters far from their configuration would do as well; a drift, which cannot be foreseen, only has to lose
+  // little. The displacement is smoothed as for the fits: a mass or a dashpot may be there, and yet make more noise of
+  // a sensor's noise than it explains.
   bool holdsOnUnseenLogs() const {
     constexpr double kLeastGain = 0.05;
     constexpr double kLittle = 1.2;
     constexpr double kShowsNothing = 1.1;  // times the floor: such logs speak neither for an effect nor against it
     const bool drift_alone = verdict_.effects.size() == 1 &&
                              result_.search.candidates[static_cast<std::size_t>(verdict_.effects.front())].free_trend;
-    if (held_out_.empty() || verdict_.effects.empty() || drift_alone) {
+    if (held_out_.empty() || verdict_.effects.empty()) {
       return true;
     }
     const double before = unseenGap(result_.search.re_estimated);
@@ -334,7 +335,8 @@ class Diagnoser {
       return true;
     }
     return closedFraction(before, after, result_.gap.noise_floor) >= kLeastGain ||
-           (closedByOwnParameters(result_.search) && after < kLittle * before + result_.gap.noise_floor);
+           ((drift_alone || closedByOwnParameters(result_.search)) &&
+            after < kLittle * before + result_.gap.noise_floor);
   }
 
   // What no effect explains, and unseen logs do not show, is noise in the band of the motion, unless it is large.

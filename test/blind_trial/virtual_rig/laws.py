@@ -418,7 +418,7 @@ def coupling_eyring(rng, scale, name, law_name):
         for i, step in enumerate(dz):
             first = flow(f)
             f += step - 0.5 * dt * (first + flow(f + step - dt * first))
-            out[i] = f
+            out[i] = f / scale.amplitude
         return out
     return friction_effect(name, law_name, run, scale, {"w": w, "s": s})
 
@@ -436,7 +436,7 @@ def coupling_thixotropic(rng, scale, name, law_name):
             whole += (1.0 - whole) / (build * rate) - whole * abs(step) / path
             whole = min(1.0, max(0.0, whole))
             f = decay * f + whole * step * (1.0 - decay) * rate / w
-            out[i] = f
+            out[i] = f / scale.amplitude
         return out
     return friction_effect(name, law_name, run, scale, {"w": w, "path": path, "build": build})
 
