@@ -17,6 +17,8 @@ constexpr double kContributes = 0.67;   // an effect without which this part wou
 constexpr double kUnknown = 0.33;       // a gap closed by less than this is not explained
 constexpr double kPartly = 0.7;         // closed by less than this: explained in part
 constexpr double kWorthNaming = 0.15;   // or else by this part of the gap
+constexpr double kHalf = 0.5;           // of the gap: what a last resort may leave at most
+constexpr double kMuchLess = 0.67;      // of what all others leave: what a last resort has to stay below
 // Probabilities over the excess: sharpness, and the blur within which nothing can be told apart, as parts of the noise
 // floor and of the gap. Fitted by maximum likelihood to cases of virtual rigs that take part in no trial.
 constexpr double kSharpness = 3.0;
@@ -149,15 +151,28 @@ class Decision {
     verdict_.kind = rest ? VerdictKind::partly : ambiguous ? VerdictKind::confounded : VerdictKind::named;
   }
 
-  // An effect that can look like several others stands where these leave much of the gap and it does not.
+  // The least that any of the others leave.
+  double leastOfOthers() const {
+    double least = base_;
+    for (const auto* trials : {&search_.singles, &search_.pairs, &search_.triples}) {
+      for (const Trial& trial : *trials) {
+        least = allowed(trial) ? std::min(least, excess(trial)) : least;
+      }
+    }
+    return least;
+  }
+
+  // An effect that can look like several others stands where it leaves half of the gap at most, and all others leave
+  // much more.
   void considerLastResort() {
     if (most_effects_ == 0 || (verdict_.kind != VerdictKind::unknown && verdict_.kind != VerdictKind::partly)) {
       return;
     }
+    const double others = leastOfOthers();
     for (const Trial& trial : search_.singles) {
       const double left = excess(trial);
       if (hasLastResort(search_.candidates, trial.members) && shows(search_, trial.members.front()) &&
-          left < (1.0 - kPartly) * base_ && left < kNeedsAnother * excess(verdict_.model)) {
+          left < kHalf * base_ && left < kMuchLess * others) {
         last_resort_ = true;
         rank();
         verdict_.confounded.clear();
