@@ -1,8 +1,9 @@
-// The reference page in docs/ is the one that the code prints.
+// The reference page in docs/ is the one that the code prints, and the page of theory knows what is on it.
 #include "rubber_suspension/io/reference.h"
 
 #include <gtest/gtest.h>
 
+#include "rubber_suspension/element/catalogue.h"
 #include "support/reference_page.h"
 
 namespace rubber_suspension {
@@ -11,6 +12,14 @@ namespace {
 TEST(ParameterReference, IsThePageInDocs) {
   EXPECT_EQ(pageInDocs("parameters"), parameterReference())
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
+}
+
+// Every element that a file may name has its law on the page of theory.
+TEST(Theory, KnowsEveryElement) {
+  const std::string page = pageInDocs("theory");
+  for (const ElementType& type : elementTypes()) {
+    EXPECT_NE(page.find("`" + type.name + "`"), std::string::npos) << type.name;
+  }
 }
 
 }  // namespace
