@@ -48,9 +48,10 @@ class Bytes {
 };
 
 /// The typical elements that the bits of the mask choose; always a spring, so that there is a component.
-Component chosenComponent(std::uint32_t mask) {
+Component chosenComponent(std::uint64_t mask) {
   const std::vector<ElementDescription> all = rubber_suspension::test::typicalElements();
   std::vector<ElementDescription> chosen = {all.front()};
+  require(all.size() <= 64, "the mask has a bit for each element");
   for (std::size_t i = 1; i < all.size(); ++i) {
     if ((mask >> i & 1U) != 0) {
       chosen.push_back(all[i]);
@@ -118,7 +119,7 @@ void feed(const Component& component, Bytes bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  std::uint32_t mask = 0;
+  std::uint64_t mask = 0;
   if (bytes.read(mask)) {
     feed(chosenComponent(mask), bytes);
   }
