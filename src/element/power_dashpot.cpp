@@ -12,20 +12,6 @@ double PowerDashpot::force(double rate) const {
   return std::copysign(damping_ * reference_rate_ * std::pow(std::abs(rate) / reference_rate_, exponent_), rate);
 }
 
-double PowerDashpot::rest(double /*displacement*/, double* memory) const {
-  memory[0] = memory[1] = 0.0;
-  return 0.0;
-}
-
-double PowerDashpot::step(const Motion& motion, double* memory) const {
-  const double rate = motion.increment / motion.dt;
-  const double ahead = memory[1] > 0.0 ? motion.dt / (motion.dt + memory[1]) : 0.0;
-  const double at_end = rate + ahead * (rate - memory[0]);
-  memory[0] = rate;
-  memory[1] = motion.dt;
-  return force(at_end);
-}
-
 ElementType powerDashpotType() {
   return {"power_dashpot",
           "Dashpot whose force follows a power of the rate, F = c v_r sign(v) |v/v_r|^p, v = dz/dt.",
