@@ -495,9 +495,8 @@ class Diagnoser {
     if (rival == nullptr) {
       return "None of the menu: no second explanation was fitted.";
     }
-    const Excitation excitation = summarise(training_);
-    const auto menu = experimentMenu(excitation);
-    const double noise = std::max(s.noise, 1e-4) * excitation.force;
+    const auto menu = experimentMenu(s.excitation);
+    const double noise = std::max(s.noise, 1e-4) * s.excitation.force;
     const auto best =
         mostTelling(menu, result_.augmented.allElements(), augmentedDescription(own_, *rival).allElements(), noise);
     if (best.experiment == nullptr) {

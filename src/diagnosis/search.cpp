@@ -289,7 +289,8 @@ class Searcher {
       : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
 
   Search run() {
-    result_.candidates = candidates(summarise(fitter_.records()));
+    result_.excitation = summarise(fitter_.records());
+    result_.candidates = candidates(result_.excitation);
     fitter_.precompute(result_.candidates, threads_);
     say("re-estimating the model's own parameters", 0.0);
     reEstimate();

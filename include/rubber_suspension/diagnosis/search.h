@@ -18,6 +18,7 @@ struct Trial {
 
 /// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
 struct Search {
+  Excitation excitation;
   std::vector<Candidate> candidates;
   double configured_gap = 0.0;  ///< as configured
   Trial re_estimated;           ///< own parameters alone
