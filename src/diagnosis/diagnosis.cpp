@@ -367,7 +367,7 @@ class Diagnoser {
     for (const Record& record : held_out_) {
       std::vector<Atom> atoms = trial.atoms;
       for (Atom& atom : atoms) {
-        atom.unit_force = atom.exact ? std::make_shared<const Forces>(Forces{atom.exact(record)}) : nullptr;
+        atom.unit_effect = atom.exact ? std::make_shared<const Forces>(Forces{atom.exact(record)}) : nullptr;
       }
       forces.push_back(Fitter({record}, own_).forces(trial.fit.point, atoms)->front());
     }

@@ -10,6 +10,7 @@
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
 #include "rubber_suspension/diagnosis/parallel.h"
+#include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension {
 namespace {
@@ -31,25 +32,58 @@ int blocksOf(const Record& record) {
   return std::clamp(count, kFewestBlocks, kMostBlocks);
 }
 
-Eigen::MatrixXd trendColumns(const Record& record) {
-  Eigen::MatrixXd columns(record.size(), kTrendsPerLog);
-  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(record.size(), 0.0, 1.0);
-  columns.col(0).setOnes();
-  columns.col(1) = (time - 0.5).matrix();
+// Samples of a log.
+struct Rows {
+  std::size_t record;
+  Eigen::Index first;
+  Eigen::Index last;  // the one after them
+};
+
+// A log's zero, ramp and half cosines.
+void fillTrends(const Record& record, const Rows& rows, double weight, Eigen::Ref<Eigen::MatrixXd> columns) {
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(rows.last - rows.first, static_cast<double>(rows.first),
+                                                        static_cast<double>(rows.last - 1)) /
+                              static_cast<double>(record.size() - 1);
+  columns.col(0).setConstant(weight);
+  columns.col(1) = weight * (time - 0.5);
   for (int k = 2; k < kTrendsPerLog; ++k) {
-    columns.col(k) = (time * M_PI * static_cast<double>(k - 1)).cos().matrix();
+    columns.col(k) = weight * (time * M_PI * static_cast<double>(k - 1)).cos();
   }
-  return columns;
 }
 
-// True if no effect that acts on the sum of the elements is at work.
-bool isPlain(const Point& point, const std::vector<Atom>& atoms) {
-  for (std::size_t a = 0; a < atoms.size(); ++a) {
-    if (point.scales[static_cast<Eigen::Index>(a)] != 0.0 && !atoms[a].additive) {
-      return false;
+// Share of the specimen's force that a softening atom takes at scale 1, by the factors of its law.
+std::vector<Eigen::VectorXd> softenedShare(const Atom& atom, const std::vector<Record>& records) {
+  const auto law = std::get<std::shared_ptr<const ForceEffect>>(makeElement(atom.at(atom.typical)));
+  std::vector<double> memory(law->memorySize());
+  std::vector<Eigen::VectorXd> result;
+  for (const Record& record : records) {
+    const Eigen::VectorXd& z = record.displacement;
+    Eigen::VectorXd factor(z.size());
+    if (result.empty()) {
+      law->rest(z[0], memory.data());
+      factor[0] = 1.0;
+    } else {
+      factor[0] = law->recover(z[0], memory.data());
     }
+    for (Eigen::Index i = 1; i < z.size(); ++i) {
+      factor[i] = law->step({record.dt, z[i], z[i] - z[i - 1]}, {}, memory.data());
+    }
+    result.emplace_back((1.0 - factor.array()) / atom.typical);
   }
-  return true;
+  return result;
+}
+
+std::vector<Eigen::VectorXd> addedForce(const Atom& atom, const std::vector<Record>& records) {
+  std::vector<Eigen::VectorXd> result;
+  if (atom.exact) {
+    std::transform(records.begin(), records.end(), std::back_inserter(result), atom.exact);
+    return result;
+  }
+  result = simulate({atom.at(atom.typical)}, records);
+  for (Eigen::VectorXd& force : result) {
+    force /= atom.typical;
+  }
+  return result;
 }
 
 }  // namespace
@@ -70,14 +104,18 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
   return forces;
 }
 
-Eigen::MatrixXd BlockGrams::sum(int without_fold) const {
-  Eigen::MatrixXd result = prior;
+// Sums, not differences: what is zero without a fold has to be so to the last bit.
+void BlockGrams::sumUp() {
+  sum = prior;
+  without_fold.assign(kFolds, prior);
   for (std::size_t b = 0; b < gram.size(); ++b) {
-    if (fold[b] != without_fold) {
-      result += gram[b];
+    sum += gram[b];
+    for (int other = 0; other < kFolds; ++other) {
+      if (other != fold[b]) {
+        without_fold[static_cast<std::size_t>(other)] += gram[b];
+      }
     }
   }
-  return result;
 }
 
 Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_(std::move(records)), own_(own) {
@@ -85,6 +123,17 @@ Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_
     const double samples = static_cast<double>(record.size()) * static_cast<double>(records_.size());
     weights_.push_back(1.0 / (record.force_deviation * std::sqrt(samples)));
     force_noise_ += std::max(whiteNoiseFloor(record, record.force), kLeastNoise) / static_cast<double>(records_.size());
+  }
+  const auto own_elements = own_.elements(Eigen::VectorXd::Zero(own_.size()));
+  for (const ElementDescription& description : own_elements.value_or(std::vector<ElementDescription>{})) {
+    const ElementPointer element = makeElement(description);
+    if (const auto* parallel = std::get_if<std::shared_ptr<const ParallelElement>>(&element)) {
+      own_company_.on_rig = own_company_.on_rig || (*parallel)->onRig();
+    } else if (std::holds_alternative<std::shared_ptr<const ForceEffect>>(element)) {
+      own_company_.scales = true;
+    } else {
+      own_company_.displaces = true;
+    }
   }
 }
 
@@ -105,50 +154,78 @@ std::optional<std::vector<ElementDescription>> Fitter::elements(const Point& poi
 }
 
 void Fitter::precompute(std::vector<Candidate>& candidates, int threads) const {
-  std::vector<Atom*> additive;
+  std::vector<Atom*> known;
   for (Candidate& candidate : candidates) {
     for (Atom& atom : candidate.atoms) {
-      if (atom.additive) {
-        additive.push_back(&atom);
+      if (atom.additive || atom.softening) {
+        known.push_back(&atom);
       }
     }
   }
-  parallelFor(additive.size(), threads, [&](std::size_t i) {
-    Atom& atom = *additive[i];
-    std::vector<Eigen::VectorXd> unit;
-    if (atom.exact) {
-      std::transform(records_.begin(), records_.end(), std::back_inserter(unit), atom.exact);
-    } else {
-      unit = simulate({atom.at(atom.typical)}, records_);
-      for (Eigen::VectorXd& force : unit) {
-        force /= atom.typical;
-      }
-    }
-    atom.unit_force = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(unit));
+  parallelFor(known.size(), threads, [&](std::size_t i) {
+    Atom& atom = *known[i];
+    atom.unit_effect = std::make_shared<const std::vector<Eigen::VectorXd>>(
+        atom.softening ? softenedShare(atom, records_) : addedForce(atom, records_));
   });
 }
 
-std::optional<std::vector<Eigen::VectorXd>> Fitter::forces(const Point& point, const std::vector<Atom>& atoms) const {
-  // What is known by its unit force is added; the rest has to be simulated.
-  const bool plain = isPlain(point, atoms);
-  std::vector<const Atom*> added;
-  Point rest = point;
+Fitter::Company Fitter::companyOf(const Point& point, const std::vector<Atom>& atoms) const {
+  Company company = own_company_;
   for (std::size_t a = 0; a < atoms.size(); ++a) {
-    const bool known = atoms[a].unit_force && (plain || atoms[a].on_rig);
-    added.push_back(known && point.scales[static_cast<Eigen::Index>(a)] != 0.0 ? &atoms[a] : nullptr);
-    rest.scales[static_cast<Eigen::Index>(a)] *= known ? 0.0 : 1.0;
+    const bool at_work = point.scales[static_cast<Eigen::Index>(a)] != 0.0;
+    company.softens = company.softens || (at_work && atoms[a].softening);
+    company.displaces = company.displaces || (at_work && !atoms[a].softening && !atoms[a].additive);
+  }
+  return company;
+}
+
+bool Fitter::isKnown(const Atom& atom, const Company& company) {
+  if (!atom.unit_effect || atom.on_rig) {
+    return atom.unit_effect != nullptr;
+  }
+  // A factor on the simulated force would scale what sits on the rig, too.
+  const bool factors_known = !company.on_rig || !(atom.softening || company.softens);
+  return !company.displaces && factors_known && (atom.softening || !company.scales);
+}
+
+std::optional<std::vector<Eigen::VectorXd>> Fitter::forces(const Point& point, const std::vector<Atom>& atoms) const {
+  // What is known by its unit effect is added or multiplied; the rest has to be simulated.
+  const Company company = companyOf(point, atoms);
+  Point rest = point;
+  Point known = point;
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    (isKnown(atoms[a], company) ? rest : known).scales[static_cast<Eigen::Index>(a)] = 0.0;
   }
   const auto description = elements(rest, atoms);
   if (!description) {
     return std::nullopt;
   }
   auto result = simulate(*description, records_);
-  for (std::size_t a = 0; a < atoms.size(); ++a) {
-    for (std::size_t r = 0; added[a] != nullptr && r < records_.size(); ++r) {
-      result[r] += point.scales[static_cast<Eigen::Index>(a)] * (*added[a]->unit_force)[r];
-    }
+  for (std::size_t r = 0; r < records_.size(); ++r) {
+    addForces(known, atoms, false, r, result[r]);
+    soften(known, atoms, r, result[r]);
+    addForces(known, atoms, true, r, result[r]);
   }
   return result;
+}
+
+void Fitter::addForces(const Point& point, const std::vector<Atom>& atoms, bool on_rig, std::size_t record,
+                       Eigen::VectorXd& force) {
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const double scale = point.scales[static_cast<Eigen::Index>(a)];
+    if (scale != 0.0 && !atoms[a].softening && atoms[a].on_rig == on_rig) {
+      force += scale * (*atoms[a].unit_effect)[record];
+    }
+  }
+}
+
+void Fitter::soften(const Point& point, const std::vector<Atom>& atoms, std::size_t record, Eigen::VectorXd& force) {
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const double scale = point.scales[static_cast<Eigen::Index>(a)];
+    if (scale != 0.0 && atoms[a].softening) {
+      force.array() *= 1.0 - scale * (*atoms[a].unit_effect)[record].array();
+    }
+  }
 }
 
 double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
@@ -164,42 +241,33 @@ double Fitter::gapAt(const Point& point, const std::vector<Atom>& atoms) const {
 }
 
 BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms, bool trends,
-                             const std::vector<bool>& active) const {
+                             const std::vector<bool>& active, int threads) const {
   const auto base = forces(point, atoms);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the point of linearisation");
   }
-  // The force is linear in the own parameters' part and in additive atoms alike as long as nothing acts on their sum.
-  const bool plain = isPlain(point, atoms);
-  std::vector<Columns> columns;
-  for (Eigen::Index j = 0; j < own_.size(); ++j) {
-    columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(ownColumn(point, atoms, j, *base)));
-  }
-  auto zeros = std::make_shared<std::vector<Eigen::VectorXd>>();
-  for (const Record& record : records_) {
-    zeros->push_back(Eigen::VectorXd::Zero(record.size()));
-  }
-  for (std::size_t a = 0; a < atoms.size(); ++a) {
-    if (!active.empty() && !active[a]) {
-      columns.push_back(zeros);
-    } else if (atoms[a].unit_force && (plain || atoms[a].on_rig)) {
-      columns.push_back(atoms[a].unit_force);
-    } else {
-      columns.push_back(std::make_shared<std::vector<Eigen::VectorXd>>(atomColumn(point, atoms, a, *base)));
+  const auto own = static_cast<std::size_t>(own_.size());
+  std::vector<Columns> columns(own + atoms.size());
+  parallelFor(columns.size(), threads, [&](std::size_t j) {
+    if (j < own) {
+      columns[j] = ownColumn(point, atoms, static_cast<Eigen::Index>(j), *base);
+    } else if (active.empty() || active[j - own]) {
+      columns[j] = atomColumn(point, atoms, j - own, *base);
     }
-  }
-  BlockGrams result = normalEquations(*base, columns, trends);
+  });
+  BlockGrams result = normalEquations(*base, columns, trends, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
   result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   for (Eigen::Index j = 0; j < own_.size(); ++j) {
     result.prior(j, j) = std::pow(kOwnTether * force_noise_, 2);
     result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * point.own[j];
   }
+  result.sumUp();
   return result;
 }
 
-std::vector<Eigen::VectorXd> Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
-                                               const std::vector<Eigen::VectorXd>& base) const {
+Fitter::Columns Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                                  const std::vector<Eigen::VectorXd>& base) const {
   Point moved = point;
   double step = kOwnStep;
   moved.own[j] += step;
@@ -215,11 +283,15 @@ std::vector<Eigen::VectorXd> Fitter::ownColumn(const Point& point, const std::ve
   for (std::size_t r = 0; r < base.size(); ++r) {
     (*column)[r] = ((*column)[r] - base[r]) / step;
   }
-  return *column;
+  return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(*column));
 }
 
-std::vector<Eigen::VectorXd> Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                                                const std::vector<Eigen::VectorXd>& base) const {
+Fitter::Columns Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                                   const std::vector<Eigen::VectorXd>& base) const {
+  const Company company = companyOf(point, atoms);
+  if (isKnown(atoms[a], company)) {
+    return knownColumn(point, atoms, a, base);
+  }
   const auto i = static_cast<Eigen::Index>(a);
   const double room = point.scales[i] + atoms[a].typical > atoms[a].upper ? -1.0 : 1.0;
   const double step = (point.scales[i] == 0.0 ? 1.0 : kAtomStep) * atoms[a].typical * room;
@@ -229,59 +301,88 @@ std::vector<Eigen::VectorXd> Fitter::atomColumn(const Point& point, const std::v
   for (std::size_t r = 0; r < base.size(); ++r) {
     column[r] = (column[r] - base[r]) / step;
   }
-  return column;
+  return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(column));
+}
+
+// Where an atom's effect is known the force is linear in its scale.
+Fitter::Columns Fitter::knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                                    const std::vector<Eigen::VectorXd>& base) const {
+  const Atom& atom = atoms[a];
+  if (atom.on_rig || !(atom.softening || companyOf(point, atoms).softens)) {
+    return atom.unit_effect;
+  }
+  std::vector<Eigen::VectorXd> column = *atom.unit_effect;
+  Point others = point;
+  others.scales = -others.scales;
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    if (atom.softening) {
+      Eigen::VectorXd specimen = base[r];
+      addForces(others, atoms, true, r, specimen);
+      const double scale = point.scales[static_cast<Eigen::Index>(a)];
+      column[r].array() *= -specimen.array() / (1.0 - scale * column[r].array());
+    } else {
+      soften(point, atoms, r, column[r]);
+    }
+  }
+  return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(column));
 }
 
 BlockGrams Fitter::normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns,
-                                   bool trends) const {
-  BlockGrams result;
+                                   bool trends, int threads) const {
   const auto modelled = static_cast<Eigen::Index>(columns.size());
   const Eigen::Index trend_columns = trends ? kTrendsPerLog * static_cast<Eigen::Index>(records_.size()) : 0;
   const Eigen::Index width = modelled + trend_columns + 1;
+  BlockGrams result;
+  std::vector<Rows> blocks;
   for (std::size_t r = 0; r < records_.size(); ++r) {
-    const Record& record = records_[r];
-    // Only this log's own trends: the others are zero here.
-    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
-    Eigen::MatrixXd local(record.size(), modelled + own_trends + 1);
-    for (Eigen::Index j = 0; j < modelled; ++j) {
-      local.col(j) = weights_[r] * (*columns[static_cast<std::size_t>(j)])[r];
-    }
-    if (trends) {
-      local.middleCols(modelled, own_trends) = weights_[r] * record.force_deviation * trendColumns(record);
-    }
-    local.col(modelled + own_trends) = weights_[r] * (record.force - base[r]);
-    const int blocks = blocksOf(record);
-    for (int b = 0; b < blocks; ++b) {
-      const Eigen::Index first = record.size() * b / blocks;
-      const Eigen::Index last = record.size() * (b + 1) / blocks;
-      const auto rows = local.middleRows(first, last - first);
-      Eigen::MatrixXd small = Eigen::MatrixXd::Zero(local.cols(), local.cols());
-      small.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
-      small.triangularView<Eigen::StrictlyUpper>() = small.transpose();
-      Eigen::MatrixXd gram = small;
-      if (trends) {
-        gram = Eigen::MatrixXd::Zero(width, width);
-        std::vector<Eigen::Index> place;
-        for (Eigen::Index j = 0; j < modelled; ++j) {
-          place.push_back(j);
-        }
-        for (Eigen::Index j = 0; j < own_trends; ++j) {
-          place.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(r) + j);
-        }
-        place.push_back(width - 1);
-        for (std::size_t i = 0; i < place.size(); ++i) {
-          for (std::size_t j = 0; j < place.size(); ++j) {
-            gram(place[i], place[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-          }
-        }
-      }
-      result.gram.push_back(std::move(gram));
+    const Eigen::Index size = records_[r].size();
+    const int count = blocksOf(records_[r]);
+    for (int b = 0; b < count; ++b) {
+      blocks.push_back({r, size * b / count, size * (b + 1) / count});
       result.fold.push_back((b + static_cast<int>(r)) % kFolds);
       result.record.push_back(static_cast<int>(r));
-      result.weight.push_back(static_cast<double>(last - first) /
-                              (static_cast<double>(record.size()) * static_cast<double>(records_.size())));
+      result.weight.push_back(static_cast<double>(blocks.back().last - blocks.back().first) /
+                              (static_cast<double>(size) * static_cast<double>(records_.size())));
     }
   }
+  result.gram.resize(blocks.size());
+  parallelFor(blocks.size(), threads, [&](std::size_t b) {
+    const Rows& rows = blocks[b];
+    const Record& record = records_[rows.record];
+    std::vector<Eigen::Index> place;  // of the columns that are not zero in this block, in the whole matrix
+    for (Eigen::Index j = 0; j < modelled; ++j) {
+      if (columns[static_cast<std::size_t>(j)]) {
+        place.push_back(j);
+      }
+    }
+    const auto from_model = static_cast<Eigen::Index>(place.size());
+    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
+    for (Eigen::Index j = 0; j < own_trends; ++j) {  // those of the other logs are zero here
+      place.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
+    }
+    place.push_back(width - 1);
+    const Eigen::Index size = rows.last - rows.first;
+    const double weight = weights_[rows.record];
+    Eigen::MatrixXd local(size, static_cast<Eigen::Index>(place.size()));
+    for (Eigen::Index j = 0; j < from_model; ++j) {
+      const auto& column = *columns[static_cast<std::size_t>(place[static_cast<std::size_t>(j)])];
+      local.col(j) = weight * column[rows.record].segment(rows.first, size);
+    }
+    if (trends) {
+      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
+    }
+    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
+    Eigen::MatrixXd small = Eigen::MatrixXd::Zero(local.cols(), local.cols());
+    small.selfadjointView<Eigen::Lower>().rankUpdate(local.transpose());
+    small.triangularView<Eigen::StrictlyUpper>() = small.transpose();
+    Eigen::MatrixXd& gram = result.gram[b];
+    gram = Eigen::MatrixXd::Zero(width, width);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      for (std::size_t j = 0; j < place.size(); ++j) {
+        gram(place[i], place[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      }
+    }
+  });
   return result;
 }
 
@@ -315,7 +416,7 @@ BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool 
   double least = cost(point, atoms);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const Eigen::MatrixXd total = blocks.sum();
+    const Eigen::MatrixXd& total = blocks.sum;
     stepBounds(point, atoms, unknowns, lower, upper);
     const double longest = own_fixed ? 0.0 : kLongestStep;
     lower.head(own_.size()) = lower.head(own_.size()).cwiseMax(-longest);
@@ -399,7 +500,7 @@ std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Ei
   Eigen::MatrixXd small(count, count);
   Eigen::VectorXd moment(count);
   for (int fold = 0; fold < kFolds; ++fold) {
-    const Eigen::MatrixXd total = blocks.sum(fold);
+    const Eigen::MatrixXd& total = blocks.without_fold[static_cast<std::size_t>(fold)];
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto row = columns[static_cast<std::size_t>(i)];
       moment[i] = total(row, last);

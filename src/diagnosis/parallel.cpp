@@ -1,6 +1,7 @@
 // A loop shared by some threads.
 #include "rubber_suspension/diagnosis/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -12,6 +13,7 @@ namespace rubber_suspension {
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
+  std::size_t failed = count;
   std::mutex failure_mutex;
   const auto work = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
@@ -19,12 +21,15 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
         body(i);
       } catch (...) {
         const std::lock_guard<std::mutex> lock(failure_mutex);
-        failure = std::current_exception();
+        if (i < failed) {
+          failed = i;
+          failure = std::current_exception();
+        }
       }
     }
   };
   std::vector<std::thread> workers;
-  for (int t = 1; t < threads; ++t) {
+  for (std::size_t t = 1; t < std::min(count, static_cast<std::size_t>(threads)); ++t) {
     workers.emplace_back(work);
   }
   work();

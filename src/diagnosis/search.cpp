@@ -155,8 +155,8 @@ struct Screened {
 class Screen {
  public:
   // About a fitted trial: its own parameters and scales, all other candidates at nothing.
-  Screen(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& about)
-      : candidates_(candidates), own_(fitter.own().size()) {
+  Screen(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& about, int threads)
+      : candidates_(candidates), own_(fitter.own().size()), threads_(threads) {
     Point point{about.fit.point.own, {}};
     std::vector<double> scales;
     for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
@@ -174,7 +174,7 @@ class Screen {
       }
     }
     point.scales = Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
-    blocks_ = fitter.linearise(point, all_, true);
+    blocks_ = fitter.linearise(point, all_, true, {}, threads);
     fitter.stepBounds(point, all_, unknowns(), lower_, upper_);
   }
 
@@ -203,28 +203,27 @@ class Screen {
 
   // Each other candidate added to these, best first.
   std::vector<Screened> additions(const std::vector<int>& members) const {
-    std::vector<Screened> result;
+    std::vector<std::vector<int>> sets;
     for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
       if (std::find(members.begin(), members.end(), c) == members.end() && !hasLastResort(candidates_, {c})) {
-        std::vector<int> more = members;
-        more.push_back(c);
-        result.push_back((*this)(more));
+        sets.push_back(members);
+        sets.back().push_back(c);
       }
     }
-    return sorted(std::move(result));
+    return screened(sets);
   }
 
   std::vector<Screened> pairs() const {
-    std::vector<Screened> result;
+    std::vector<std::vector<int>> sets;
     const int count = static_cast<int>(candidates_.size());
     for (int a = 0; a < count; ++a) {
       for (int b = a + 1; b < count; ++b) {
         if (!hasLastResort(candidates_, {a, b})) {
-          result.push_back((*this)({a, b}));
+          sets.push_back({a, b});
         }
       }
     }
-    return sorted(std::move(result));
+    return screened(sets);
   }
 
   // Part of each candidate's force that the model's own parameters cannot take over, and whether a typical size of it
@@ -232,7 +231,7 @@ class Screen {
   void measureVisibility(double noise, Search& result) const {
     constexpr double kVisible = 0.05;
     constexpr double kOverNoise = 0.2;
-    const Eigen::MatrixXd total = blocks_.sum() - blocks_.prior;
+    const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
     const auto base = total.topLeftCorner(own_, own_).completeOrthogonalDecomposition();
     for (const auto& columns : columns_of_) {
       double share = 0.0;
@@ -254,13 +253,18 @@ class Screen {
  private:
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
 
-  static std::vector<Screened> sorted(std::vector<Screened> screened) {
-    std::sort(screened.begin(), screened.end(), [](const Screened& x, const Screened& y) { return x.error < y.error; });
-    return screened;
+  // Best first.
+  std::vector<Screened> screened(const std::vector<std::vector<int>>& sets) const {
+    std::vector<Screened> result(sets.size());
+    parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = (*this)(sets[i]); });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Screened& x, const Screened& y) { return x.error < y.error; });
+    return result;
   }
 
   const std::vector<Candidate>& candidates_;
   Eigen::Index own_;
+  int threads_;
   std::vector<Atom> all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
   BlockGrams blocks_;
@@ -326,11 +330,17 @@ class Searcher {
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
       result_.singles.push_back(makeTrial(result_.candidates, {c}));
     }
-    parallelFor(result_.singles.size() + 1, threads_, [&](std::size_t i) {
-      if (i == result_.singles.size()) {
+    // What has to be simulated takes longest and comes first, so that no thread waits for it at the end.
+    std::vector<Trial*> order;
+    for (Trial& single : result_.singles) {
+      order.push_back(&single);
+    }
+    std::stable_partition(order.begin(), order.end(), [](const Trial* single) { return !allAdditive(*single); });
+    parallelFor(order.size() + 1, threads_, [&](std::size_t i) {
+      if (i == order.size()) {
         result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations);
       } else {
-        fitSingle(fitter_, result_.candidates, result_.re_estimated, result_.singles[i]);
+        fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]);
       }
     });
     std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
@@ -341,7 +351,7 @@ class Searcher {
 
   // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
   std::vector<Screened> screenPairs() {
-    const Screen screen(fitter_, result_.candidates, result_.re_estimated);
+    const Screen screen(fitter_, result_.candidates, result_.re_estimated, threads_);
     screen.measureVisibility(result_.noise, result_);
     std::vector<int> all(result_.candidates.size());
     std::iota(all.begin(), all.end(), 0);
@@ -360,13 +370,10 @@ class Searcher {
   }
 
   void fitPairs(const std::vector<Screened>& screened) {
-    std::vector<Screened> additions[2];
-    parallelFor(2, threads_, [&](std::size_t i) {
-      additions[i] = Screen(fitter_, result_.candidates, ranked_[i]).additions(ranked_[i].members);
-    });
     choose(result_.candidates, screened, kPairsFitted, result_.pairs);
-    for (const auto& about_a_single : additions) {
-      choose(result_.candidates, about_a_single, kAdditionsFitted, result_.pairs);
+    for (const Trial* single : {&ranked_[0], &ranked_[1]}) {
+      const Screen screen(fitter_, result_.candidates, *single, threads_);
+      choose(result_.candidates, screen.additions(single->members), kAdditionsFitted, result_.pairs);
     }
     parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
       Trial& pair = result_.pairs[i];
@@ -377,7 +384,7 @@ class Searcher {
 
   void fitTriples() {
     const Trial& pair = result_.pairs.front();
-    const Screen screen(fitter_, result_.candidates, pair);
+    const Screen screen(fitter_, result_.candidates, pair, threads_);
     choose(result_.candidates, screen.additions(pair.members), kAdditionsFitted, result_.triples);
     parallelFor(result_.triples.size(), threads_,
                 [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });

@@ -36,10 +36,13 @@ struct Atom {
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
   bool on_rig = false;   ///< additive whatever effects act on the specimen
+  /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
+  bool softening = false;
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
   std::function<Eigen::VectorXd(const Record&)> exact;
-  /// Force of the entry alone at scale 1, per log [N]; set by Fitter::precompute for additive atoms.
-  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_force;
+  /// What the entry does to each log at scale 1: the force that it adds [N], or the share of the specimen's force that
+  /// it takes [-]. Set by Fitter::precompute for additive and softening atoms.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_effect;
 };
 
 /// An unmodelled effect by its name in reports. Its atoms span the shapes that the effect's law can take: their scales

@@ -40,8 +40,11 @@ struct BlockGrams {
   std::vector<double> weight;  ///< share of the block in all samples, weighted
   Eigen::MatrixXd prior;       ///< what departing from the configured own parameters costs
 
-  /// Normal equations of all blocks and the prior, without one fold.
-  Eigen::MatrixXd sum(int without_fold = -1) const;
+  Eigen::MatrixXd sum;                        ///< of all blocks and the prior
+  std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
+
+  /// Fill in the sums.
+  void sumUp();
 };
 
 /// The fitted hypothesis.
@@ -75,7 +78,7 @@ class Fitter {
   /// Residuals at a point and normal equations about it. Throws std::invalid_argument where the point has no model.
   /// Atoms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
   BlockGrams linearise(const Point& point, const std::vector<Atom>& atoms, bool trends,
-                       const std::vector<bool>& active = {}) const;
+                       const std::vector<bool>& active = {}, int threads = 1) const;
 
   /// Fit by Gauss-Newton steps within the bounds, from a start. `trends`: a slow trend per log, which no model run
   /// reproduces, is free too (drift of the load cell that is not a ramp).
@@ -86,7 +89,7 @@ class Fitter {
   /// Where the scales arrive from a start while the own parameters stay as they are.
   Point scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const;
 
-  /// Simulate additive atoms once, so that every hypothesis that holds them may use their forces.
+  /// Find the unit effects of additive and softening atoms once, so that hypotheses need not simulate them.
   void precompute(std::vector<Candidate>& candidates, int threads) const;
 
   /// Simulated forces at a point; nothing where the own parameters have no solution.
@@ -112,15 +115,36 @@ class Fitter {
   BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
                      const std::vector<bool>& first_active, Point& point) const;
   double cost(const Point& point, const std::vector<Atom>& atoms) const;
-  std::vector<Eigen::VectorXd> ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
-                                         const std::vector<Eigen::VectorXd>& base) const;
-  std::vector<Eigen::VectorXd> atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                                          const std::vector<Eigen::VectorXd>& base) const;
-  BlockGrams normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns,
-                             bool trends) const;
+  Columns ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                    const std::vector<Eigen::VectorXd>& base) const;
+  Columns atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                     const std::vector<Eigen::VectorXd>& base) const;
+  Columns knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                      const std::vector<Eigen::VectorXd>& base) const;
+  BlockGrams normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns, bool trends,
+                             int threads) const;
+
+  /// What else is at work in a model, besides elements of the specimen that add up.
+  struct Company {
+    bool displaces = false;  ///< what acts on the displacement, or in a way that has to be simulated
+    bool scales = false;     ///< force effects of the own model
+    bool softens = false;    ///< softening atoms
+    bool on_rig = false;     ///< elements of the own model that sit on the rig
+  };
+  Company companyOf(const Point& point, const std::vector<Atom>& atoms) const;
+
+  /// True where the effect of an atom on the force follows from its unit effect, without simulation.
+  static bool isKnown(const Atom& atom, const Company& company);
+
+  /// Adds the forces of the atoms that sit on the rig, or of those that do not, to that of a log.
+  static void addForces(const Point& point, const std::vector<Atom>& atoms, bool on_rig, std::size_t record,
+                        Eigen::VectorXd& force);
+  /// Multiplies the force of a log by the factors of the softening atoms.
+  static void soften(const Point& point, const std::vector<Atom>& atoms, std::size_t record, Eigen::VectorXd& force);
 
   std::vector<Record> records_;
   const OwnParameters& own_;
+  Company own_company_;
   std::vector<double> weights_;  // per record: 1/(force deviation sqrt(samples records))
   double force_noise_ = 0.0;     // of the measured force, in units of its deviation
 };

@@ -6,7 +6,8 @@
 
 namespace rubber_suspension {
 
-/// Run body(i) for i in [0, count) on some threads; the last exception is thrown on.
+/// Run body(i) for i in [0, count) on some threads; of several exceptions that of the least i is thrown on, as a plain
+/// loop would.
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace rubber_suspension

@@ -14,6 +14,7 @@ Candidate stressSofteningCandidate(const Excitation& excitation) {
                                {{"width", {width}}, {"path", {path * excitation.largest_displacement}}});
       atom.upper = 0.8;
       atom.additive = false;
+      atom.softening = true;
       candidate.atoms.push_back(atom);
     }
   }
