@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -69,17 +70,18 @@ double root(Function function, Sample stays, Sample latest) {
   return latest.position;
 }
 
-// Root of mismatch(z) = z + compliance F(z) - z_actuator next to the guess. Where no tangent stiffness is negative the
-// slope is 1 or more, and the root lies between the guess and the guess less its mismatch; otherwise a step or more
-// beyond, each twice as far. NaN where there is none: the specimen has given way.
+// Root of mismatch(z) = z + compliance F(z) - z_actuator next to the guess. Where its slope is nowhere less than the
+// least slope (1 where no tangent stiffness is negative) the root lies between the guess and the guess less its
+// mismatch over that slope; otherwise a step or more beyond, each twice as far. NaN where there is none: the specimen
+// has given way.
 template <class Mismatch>
-double solveSeries(Mismatch mismatch, double guess) {
+double solveSeries(Mismatch mismatch, double guess, double least_slope = 1.0) {
   constexpr int kWidenings = 60;
   const double at_guess = mismatch(guess);
   if (at_guess == 0.0 || !std::isfinite(at_guess)) {
     return guess;
   }
-  double other = guess - at_guess;
+  double other = guess - at_guess / least_slope;
   double at_other = mismatch(other);
   // Equal signs may come from rounding alone, when the mismatch is at its last bits.
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(guess) + std::abs(other));
@@ -273,7 +275,49 @@ double Component::behindMountAtRest(ComponentState& state, double displacement, 
       displacement);
 }
 
+// The same for springs, dashpots, Maxwell elements and Berg friction, F = held + slope z + friction(z): what is linear
+// in z is summed up once, not for each trial.
+double Component::plainBehindMount(const ComponentState& state, const Motion& motion) const {
+  const std::size_t maxwells = maxwell_stiffness_.size();
+  double slope = state.dashpot_gain_;
+  double held = 0.0;
+  for (std::size_t i = 0; i < maxwells; ++i) {
+    slope += state.maxwell_gain_[i];
+    held += state.maxwell_decay_[i] * state.memory_[i];
+  }
+  const double before = state.memory_[behind_mount_slot_];
+  held -= slope * before;
+  slope = 1.0 + mount_compliance_ * (slope + spring_stiffness_);
+  const double rest = mount_compliance_ * held - motion.displacement;
+  const double* berg_memory = state.memory_.data() + maxwells;
+  if (bergs_.empty()) {
+    return -rest / slope;
+  }
+  if (bergs_.size() == 1) {
+    const double specimen = bergs_.front().meet(slope, rest, mount_compliance_, berg_memory);
+    if (bergs_.front().goesOn(specimen, berg_memory)) {
+      return specimen;
+    }
+  }
+  return solveSeries(
+      [&](double specimen) {
+        const double* memory = berg_memory;
+        double friction = 0.0;
+        for (const BergFriction& berg : bergs_) {
+          std::array<double, BergFriction::kMemorySize> trial;
+          std::copy_n(memory, trial.size(), trial.begin());
+          friction += berg.advance(specimen, trial.data());
+          memory += trial.size();
+        }
+        return slope * specimen + rest + mount_compliance_ * friction;
+      },
+      before + motion.increment, slope);
+}
+
 double Component::behindMount(ComponentState& state, const Motion& motion) const {
+  if (specimen_.empty() && force_effects_.empty()) {
+    return plainBehindMount(state, motion);
+  }
   const double before = state.memory_[behind_mount_slot_];
   return solveSeries(
       [&](double specimen) {

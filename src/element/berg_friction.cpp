@@ -56,6 +56,20 @@ std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_
   return i;
 }
 
+double BergFriction::meet(double slope, double offset, double compliance, const double* memory) const {
+  const double reference = memory[kReferenceDisplacement];
+  const double at_reference = slope * reference + offset + compliance * memory[kReferenceForce];
+  const double direction = at_reference < 0.0 ? 1.0 : -1.0;  // the sum rises with z
+  const double left = maximum_force_ - direction * memory[kReferenceForce];
+  const double reach = compliance_ * left;
+  // slope w^2 + linear w - constant = 0 has one root w >= 0, here in the form without cancellation.
+  const double constant = std::abs(at_reference) * reach;
+  const double linear = slope * reach + compliance * left - std::abs(at_reference);
+  const double root = std::sqrt(linear * linear + 4.0 * slope * constant);
+  const double way = linear > 0.0 ? 2.0 * constant / (linear + root) : (root - linear) / (2.0 * slope);
+  return reference + direction * way;
+}
+
 double BergFriction::settledForce(double amplitude) const {
   const double z2 = displacement_;
   const double z0 = amplitude;

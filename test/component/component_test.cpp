@@ -188,6 +188,40 @@ TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
 }
 
+// A stop that is never reached adds nothing, but is no law that the mount's balance has a closed form for.
+TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
+  const ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
+  for (unsigned trial = 0; trial < 60; ++trial) {
+    std::mt19937 random(trial);
+    const auto between = [&](double low, double high) {
+      return low * std::pow(high / low, std::uniform_real_distribution<double>(0.0, 1.0)(random));
+    };
+    std::vector<ElementDescription> laws{
+        kSpring, kDashpot, {"series_compliance", {{"stiffness", {between(1e5, 1e9)}}}}};
+    for (unsigned i = 0; i < trial % 4; ++i) {
+      laws.push_back({"maxwell", {{"stiffness", {between(1e5, 1e7)}}, {"break_frequency", {between(0.01, 1e3)}}}});
+    }
+    for (unsigned i = 0; i < trial / 4 % 3; ++i) {
+      laws.push_back({"friction", {{"maximum_force", {between(1.0, 1e5)}}, {"displacement", {between(1e-6, 1e-2)}}}});
+    }
+    const Component closed(laws);
+    laws.push_back(idle);
+    const Component searched(laws);
+    ComponentState of_closed = closed.makeState();
+    ComponentState of_searched = searched.makeState();
+    const auto expected = walk(searched, of_searched, trial, 300);
+    const auto forces = walk(closed, of_closed, trial, 300);
+    double largest = 0.0;
+    for (const double force : expected) {
+      largest = std::max(largest, std::abs(force));
+    }
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      // Rounding of a displacement of 2 mm through the dashpot, which multiplies it by up to 3e7 N/m.
+      ASSERT_NEAR(forces[i], expected[i], 1e-11 * largest) << "trial " << trial << ", step " << i;
+    }
+  }
+}
+
 TEST(SeriesMount, SolvesWhereTheSpecimenSoftens) {
   // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the mount of 3e7 can hold.
   const Component component({kSpring, kMount, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});

@@ -1,7 +1,10 @@
 // Own parameters, records, what noise does, and the menu of experiments.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "rig.h"
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
@@ -139,6 +142,78 @@ TEST(Record, RefusesALogThatDoesNotMove) {
   Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   std::fill(log.displacement.begin(), log.displacement.end(), 0.001);
   EXPECT_THROW(makeRecord(log), LogError);
+}
+
+// Scales of atoms of a candidate, all others at nothing.
+using Scales = std::map<std::string, std::vector<double>>;
+
+std::vector<Atom> atomsOf(const std::vector<Candidate>& candidates, const Scales& scales) {
+  std::vector<Atom> atoms;
+  for (const Candidate& candidate : candidates) {
+    const auto at_work = scales.find(candidate.effect);
+    for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
+      atoms.push_back(candidate.atoms[a]);
+    }
+  }
+  return atoms;
+}
+
+Eigen::VectorXd inUnitsOfTypical(const std::vector<Candidate>& candidates, const Scales& scales) {
+  std::vector<double> numbers;
+  for (const Candidate& candidate : candidates) {
+    const auto at_work = scales.find(candidate.effect);
+    for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
+      numbers.push_back(at_work->second[a] * candidate.atoms[a].typical);
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+class KnownEffects : public testing::TestWithParam<std::vector<ElementDescription>> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    OfAModelWith, KnownEffects,
+    testing::Values(std::vector<ElementDescription>{},
+                    std::vector<ElementDescription>{
+                        {"self_heating", {{"energy_sensitivity", {0.02}}, {"time_constant", {10.0}}}}},
+                    std::vector<ElementDescription>{{"inertia", {{"mass", {30.0}}}}},
+                    std::vector<ElementDescription>{{"time_delay", {{"delay", {0.01}}}}},
+                    std::vector<ElementDescription>{{"series_compliance", {{"stiffness", {1e7}}}}}));
+
+// Forces and normal equations from unit effects are those of simulating the whole model.
+TEST_P(KnownEffects, AreWhatSimulationGives) {
+  ComponentDescription component = rigComponent();
+  component.add = GetParam();
+  const auto nothing = [](double, double, double) { return 0.0; };
+  std::vector<Record> records = {makeRecord(runRig("first", 1, nothing)), makeRecord(runRig("second", 2, nothing))};
+  const OwnParameters own(component, Level::specification);
+  const Fitter fitter(records, own);
+  const std::vector<Candidate> plain = candidates(summarise(records));
+  std::vector<Candidate> known = plain;
+  fitter.precompute(known, 2);
+  const std::vector<Scales> cases = {
+      {{"friction", {1.0, 0.0, 0.5}}, {"force_offset", {1.0}}},
+      {{"stress_softening", {0.0, 1.0, 0.5}}, {"relaxation", {0.0, 1.0}}, {"force_offset", {1.0}}},
+      {{"stress_softening", {1.0}}, {"self_heating", {1.0, 0.0}}, {"friction", {1.0}}},
+      {{"stress_softening", {0.0}}, {"time_delay", {1.0}}, {"friction", {1.0}}, {"force_offset", {1.0}}}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::vector<Atom> simulated = atomsOf(plain, cases[i]);
+    const std::vector<Atom> superposed = atomsOf(known, cases[i]);
+    Point point = fitter.configured(simulated.size());
+    point.scales = inUnitsOfTypical(plain, cases[i]);
+    const auto expected = *fitter.forces(point, simulated);
+    const auto actual = *fitter.forces(point, superposed);
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), 1e-9 * records[r].force_deviation) << "case " << i;
+    }
+    const Eigen::MatrixXd expected_sum = fitter.linearise(point, simulated, true).sum;
+    const Eigen::MatrixXd actual_sum = fitter.linearise(point, superposed, true, {}, 2).sum;
+    const Eigen::VectorXd size = expected_sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
+    const Eigen::MatrixXd difference =
+        size.cwiseInverse().asDiagonal() * (actual_sum - expected_sum) * size.cwiseInverse().asDiagonal();
+    // Rounding of difference quotients, 1e-16 of the force over the least of the effects, 1e-4 of it.
+    EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-8) << "case " << i;
+  }
 }
 
 TEST(Experiments, TellDampingFromRelaxationWhereTheyDiffer) {

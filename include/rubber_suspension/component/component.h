@@ -119,6 +119,7 @@ class Component {
   ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
   double behindMount(ComponentState& state, const Motion& motion) const;
+  double plainBehindMount(const ComponentState& state, const Motion& motion) const;
   std::optional<std::complex<double>> specimenStiffness(double omega) const;
 
   /// True where the step is that of springs, dashpots, Maxwell elements and friction that does not turn.

@@ -79,6 +79,10 @@ class BergFriction final : public ParallelElement {
     return reference_force + std::abs(way) * left / (reach + std::abs(way) + kTiny);
   }
 
+  /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
+  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the way w from the reference point, a quadratic equation.
+  double meet(double slope, double offset, double compliance, const double* memory) const;
+
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
   double settledForce(double amplitude) const;
 
