@@ -10,6 +10,7 @@
 #include "plot_option.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/overview_figure.h"
+#include "rubber_suspension/diagnosis/parallel.h"
 
 namespace {
 
@@ -26,11 +27,12 @@ struct Options {
   LogOptions log_options;
 };
 
-std::vector<Log> readLogs(const std::vector<std::string>& paths, const std::string& component,
-                          const LogOptions& log_options) {
-  std::vector<Log> logs;
-  for (const std::string& path : paths) {
-    logs.push_back(log_options.read("diagnose", path, component));
+std::vector<Log> readLogs(const std::vector<std::string>& paths, const std::string& component, const Options& options) {
+  std::vector<Log> logs(paths.size());
+  parallelFor(paths.size(), options.threads,
+              [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component); });
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    LogOptions::printNotes("diagnose", paths[i], logs[i]);
   }
   return logs;
 }
@@ -47,8 +49,9 @@ int run(const Options& options) {
   DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
-  const std::vector<Log> logs = readLogs(options.logs, component.name, options.log_options);
-  const std::vector<Log> hold_out = readLogs(options.hold_out, component.name, options.log_options);
+  showStage("reading the logs", 0.0);
+  const std::vector<Log> logs = readLogs(options.logs, component.name, options);
+  const std::vector<Log> hold_out = readLogs(options.hold_out, component.name, options);
   const Diagnosis diagnosis = diagnose(component, logs, hold_out, settings);
   showStage("writing the report", 0.95);
   writeReport(diagnosis, options.output);

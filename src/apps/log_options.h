@@ -27,11 +27,20 @@ class LogOptions {
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
   Log read(const std::string& command, const std::string& path, const std::string& component) const {
-    Log log = readAnyLog(path, component, format());
+    Log log = readSilently(path, component);
+    printNotes(command, path, log);
+    return log;
+  }
+
+  /// The same without its notes; several threads may read at once.
+  Log readSilently(const std::string& path, const std::string& component) const {
+    return readAnyLog(path, component, format());
+  }
+
+  static void printNotes(const std::string& command, const std::string& path, const Log& log) {
     for (const std::string& note : log.notes) {
       std::cerr << command << ": note: " << path << ": " << note << '\n';
     }
-    return log;
   }
 
  private:

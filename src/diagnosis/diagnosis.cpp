@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -193,11 +194,9 @@ std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joi
   return result;
 }
 
-std::vector<Record> makeRecords(const std::vector<Log>& logs) {
-  std::vector<Record> records;
-  for (const Log& log : logs) {
-    records.push_back(makeRecord(log));
-  }
+std::vector<Record> makeRecords(const std::vector<Log>& logs, int threads) {
+  std::vector<Record> records(logs.size());
+  parallelFor(logs.size(), threads, [&](std::size_t i) { records[i] = makeRecord(logs[i]); });
   return records;
 }
 
@@ -251,8 +250,8 @@ class Diagnoser {
             const DiagnosisOptions& options)
       : options_(options),
         component_(component),
-        training_(makeRecords(logs)),
-        held_out_(makeRecords(hold_out)),
+        training_(makeRecords(logs, options.threads)),
+        held_out_(makeRecords(hold_out, options.threads)),
         own_(component, Level::specification),
         own_elements_(component, Level::elements),
         fitter_(training_, own_),
@@ -292,9 +291,11 @@ class Diagnoser {
       forces.insert(forces.end(), unseen.begin(), unseen.end());
       return forces;
     };
-    result_.force_configured = all(component_);
-    result_.force_re_estimated = all(result_.re_estimated);
-    result_.force_augmented = all(result_.augmented);
+    const std::array<std::pair<const ComponentDescription*, Forces*>, 3> models = {
+        {{&component_, &result_.force_configured},
+         {&result_.re_estimated, &result_.force_re_estimated},
+         {&result_.augmented, &result_.force_augmented}}};
+    parallelFor(models.size(), options_.threads, [&](std::size_t i) { *models[i].second = all(*models[i].first); });
   }
 
   // A trend follows whatever is slow, creep for one, but foresees nothing: where effects without a trend close half of
@@ -419,37 +420,37 @@ class Diagnoser {
   }
 
   void describeCandidates() {
-    const Search& s = result_.search;
-    std::vector<std::vector<BlockError>> errors(s.candidates.size());
-    parallelFor(s.candidates.size(), options_.threads, [&](std::size_t c) {
-      const Trial& trial = s.singles[c];
-      errors[c] =
-          held_out_.empty()
-              ? blocksOfFit(trial.fit)
-              : blocksOfReplay(held_out_, replayEach(augmentedDescription(own_, trial).allElements(), held_out_));
-    });
-    for (std::size_t c = 0; c < s.candidates.size(); ++c) {
-      CandidateResult candidate;
-      candidate.effect = s.candidates[c].effect;
-      candidate.documentation = s.candidates[c].documentation;
-      candidate.on_rig = s.candidates[c].on_rig;
-      candidate.probability = verdict_.probabilities[c];
-      candidate.gap = rootMeanSquare(errors[c]);
-      candidate.closed =
-          std::min(1.0, closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor));
-      candidate.interval = closedInterval(before_, errors[c], result_.gap.noise_floor, options_);
-      candidate.visible_share = s.visible_share[c];
-      const auto& named = verdict_.effects;
-      candidate.testable =
-          shows(s, static_cast<int>(c)) || std::find(named.begin(), named.end(), static_cast<int>(c)) != named.end();
-      candidate.add = entriesOf(s.singles[c]);
-      candidate.parameters = parametersOf(candidate.add);
-      result_.candidates.push_back(std::move(candidate));
-    }
+    result_.candidates.resize(result_.search.candidates.size());
+    parallelFor(result_.candidates.size(), options_.threads,
+                [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
                      [](const CandidateResult& a, const CandidateResult& b) {
                        return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
                      });
+  }
+
+  CandidateResult describeCandidate(std::size_t c) const {
+    const Search& s = result_.search;
+    const Trial& trial = s.singles[c];
+    const std::vector<BlockError> errors =
+        held_out_.empty()
+            ? blocksOfFit(trial.fit)
+            : blocksOfReplay(held_out_, replayEach(augmentedDescription(own_, trial).allElements(), held_out_));
+    CandidateResult candidate;
+    candidate.effect = s.candidates[c].effect;
+    candidate.documentation = s.candidates[c].documentation;
+    candidate.on_rig = s.candidates[c].on_rig;
+    candidate.probability = verdict_.probabilities[c];
+    candidate.gap = rootMeanSquare(errors);
+    candidate.closed = std::min(1.0, closedFraction(result_.gap.re_estimated, candidate.gap, result_.gap.noise_floor));
+    candidate.interval = closedInterval(before_, errors, result_.gap.noise_floor, options_);
+    candidate.visible_share = s.visible_share[c];
+    const auto& named = verdict_.effects;
+    candidate.testable =
+        shows(s, static_cast<int>(c)) || std::find(named.begin(), named.end(), static_cast<int>(c)) != named.end();
+    candidate.add = entriesOf(trial);
+    candidate.parameters = parametersOf(candidate.add);
+    return candidate;
   }
 
   void describeOwnParameters() {

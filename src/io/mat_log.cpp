@@ -1,10 +1,11 @@
-// Reads a log from a MATLAB file.
+// Reads a log from a MATLAB file, one at a time: HDF5 beneath is not safe for threads in every build.
 #include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "log_columns.h"
@@ -203,6 +204,8 @@ class MatLogReader {
 }  // namespace
 
 Log readMatLog(const std::string& path, const LogFormat& format) {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
   try {
     Log log = MatLogReader(path, format).read();
     log.name = logName(path);
