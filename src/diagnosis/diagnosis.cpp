@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <random>
 
 #include "characteristics.h"
@@ -381,42 +383,57 @@ class Diagnoser {
 
   void measureGap() {
     const Search& s = result_.search;
-    result_.admission.clear();
     result_.noise_source = s.noise_source;
-    for (std::size_t r = 0; r < training_.size(); ++r) {
-      result_.admission.push_back(admit(training_[r], false, s.record_noise[r]));
-    }
+    std::vector<double> noise = s.record_noise;
     if (held_out_.empty()) {
       before_ = blocksOfFit(s.re_estimated.fit);
       after_ = blocksOfFit(verdict_.model.fit);
       result_.gap = {s.configured_gap, rootMeanSquare(before_), rootMeanSquare(after_), s.noise};
-      result_.errors_before = characteristicErrors(training_, result_.force_re_estimated);
-      result_.errors_after = characteristicErrors(training_, result_.force_augmented);
     } else {
       before_ = blocksOfReplay(held_out_, unseen(result_.force_re_estimated));
       after_ = blocksOfReplay(held_out_, unseen(result_.force_augmented));
-      double noise = 0.0;
-      const auto caused = frictionNoise(result_.augmented.allElements(), held_out_);
-      for (std::size_t r = 0; r < held_out_.size(); ++r) {
-        const Eigen::VectorXd left = held_out_[r].force - result_.force_augmented[training_.size() + r];
-        const double floor = std::max(whiteNoiseFloor(held_out_[r], left), caused[r]);
-        result_.admission.push_back(admit(held_out_[r], true, floor));
-        noise += floor * floor / static_cast<double>(held_out_.size());
-      }
+      const std::vector<double> floors = unseenNoise();
+      noise.insert(noise.end(), floors.begin(), floors.end());
+      const double squares = std::inner_product(floors.begin(), floors.end(), floors.begin(), 0.0);
       result_.gap = {rootMeanSquare(blocksOfReplay(held_out_, unseen(result_.force_configured))),
-                     rootMeanSquare(before_), rootMeanSquare(after_), std::sqrt(noise)};
-      result_.errors_before = characteristicErrors(held_out_, unseen(result_.force_re_estimated));
-      result_.errors_after = characteristicErrors(held_out_, unseen(result_.force_augmented));
+                     rootMeanSquare(before_), rootMeanSquare(after_),
+                     std::sqrt(squares / static_cast<double>(floors.size()))};
     }
     result_.closed =
         std::min(1.0, closedFraction(result_.gap.re_estimated, result_.gap.augmented, result_.gap.noise_floor));
     result_.closed_interval = closedInterval(before_, after_, result_.gap.noise_floor, options_);
-    Forces residual;
-    std::vector<double> noise;
-    for (std::size_t r = 0; r < training_.size(); ++r) {
-      residual.push_back(training_[r].force - result_.force_configured[r]);
+    result_.admission.resize(noise.size());
+    parallelFor(noise.size(), options_.threads, [&](std::size_t r) {
+      result_.admission[r] = admit(result_.records[r], r >= training_.size(), noise[r]);
+    });
+    mapGap();
+  }
+
+  // Noise floors of the unseen logs.
+  std::vector<double> unseenNoise() const {
+    std::vector<double> floors = frictionNoise(result_.augmented.allElements(), held_out_);
+    for (std::size_t r = 0; r < held_out_.size(); ++r) {
+      const Eigen::VectorXd left = held_out_[r].force - result_.force_augmented[training_.size() + r];
+      floors[r] = std::max(whiteNoiseFloor(held_out_[r], left), floors[r]);
     }
-    result_.where = gapMap(training_, residual, s.record_noise);
+    return floors;
+  }
+
+  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
+  void mapGap() {
+    const std::vector<Record>& records = held_out_.empty() ? training_ : held_out_;
+    const auto of = [&](const Forces& forces) { return held_out_.empty() ? forces : unseen(forces); };
+    const std::array<std::function<void()>, 3> tasks = {
+        [&] { result_.errors_before = characteristicErrors(records, of(result_.force_re_estimated)); },
+        [&] { result_.errors_after = characteristicErrors(records, of(result_.force_augmented)); },
+        [&] {
+          Forces residual;
+          for (std::size_t r = 0; r < training_.size(); ++r) {
+            residual.push_back(training_[r].force - result_.force_configured[r]);
+          }
+          result_.where = gapMap(training_, residual, result_.search.record_noise);
+        }};
+    parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
   void describeCandidates() {

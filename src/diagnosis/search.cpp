@@ -3,7 +3,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -293,12 +295,11 @@ class Searcher {
       : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
 
   Search run() {
-    result_.excitation = summarise(fitter_.records());
-    result_.candidates = candidates(result_.excitation);
-    fitter_.precompute(result_.candidates, threads_);
     say("re-estimating the model's own parameters", 0.0);
     reEstimate();
     say("fitting single effects", 0.1);
+    result_.candidates = candidates(result_.excitation);
+    fitter_.precompute(result_.candidates, threads_);
     fitSingles();
     say("screening all pairs", 0.4);
     const std::vector<Screened> pairs = screenPairs();
@@ -320,10 +321,17 @@ class Searcher {
     }
   }
 
+  // Own parameters as specified and as elements, and what the logs excite: three tasks that need nothing of each other.
   void reEstimate() {
-    result_.configured_gap = fitter_.gapAt(fitter_.configured(0), {});
-    result_.re_estimated.fit = fitter_.fit({}, fitter_.configured(0), kBaseIterations);
-    result_.discretisation = discretisationError(fitter_, result_.re_estimated.fit.point);
+    const std::array<std::function<void()>, 3> tasks = {
+        [this] {
+          result_.configured_gap = fitter_.gapAt(fitter_.configured(0), {});
+          result_.re_estimated.fit = fitter_.fit({}, fitter_.configured(0), kBaseIterations);
+          result_.discretisation = discretisationError(fitter_, result_.re_estimated.fit.point);
+        },
+        [this] { result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations); },
+        [this] { result_.excitation = summarise(fitter_.records()); }};
+    parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
   void fitSingles() {
@@ -336,13 +344,8 @@ class Searcher {
       order.push_back(&single);
     }
     std::stable_partition(order.begin(), order.end(), [](const Trial* single) { return !allAdditive(*single); });
-    parallelFor(order.size() + 1, threads_, [&](std::size_t i) {
-      if (i == order.size()) {
-        result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations);
-      } else {
-        fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]);
-      }
-    });
+    parallelFor(order.size(), threads_,
+                [&](std::size_t i) { fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]); });
     std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
                  [&](const Trial& trial) { return !hasLastResort(result_.candidates, trial.members); });
     sortByScore(ranked_);
