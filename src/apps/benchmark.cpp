@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
                        "samples of the logs that are simulated; if absent 100000, with --quick 20000")
             ->type_name("COUNT")
             ->check(CLI::Range(10, 10000000));
-        app.add_option("--log-duration", options->log_duration, "length of the two logs that are diagnosed")
+        app.add_option("--log-duration", options->log_duration, "length of the logs that are diagnosed")
             ->type_name("SECONDS")
             ->check(CLI::Range(1.0, 3600.0))
             ->capture_default_str();

@@ -25,7 +25,7 @@ std::vector<Case> estimationCases(const BenchmarkSize& size);
 /// A log offline; many components at each tick.
 std::vector<Case> replayCases(const BenchmarkSize& size);
 
-/// Fit and diagnosis of two logs.
+/// Fit and diagnosis of logs; growth with their number and with threads.
 std::vector<Case> diagnosisCases(const BenchmarkSize& size);
 
 /// General solvers of differential equations on a log: Boost.odeint, and GSL and SUNDIALS where they are installed.

@@ -1,4 +1,5 @@
-// Fit and diagnosis of two logs of a component that hides friction, against single passes of the plain loop over them.
+// Fit and diagnosis of six logs of a component that hides friction, against single passes of the plain loop over them,
+// half as many logs, and one thread.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -46,42 +47,78 @@ Log measuredLog(const std::string& name, std::size_t samples, double scale, unsi
   return log;
 }
 
-}  // namespace
+// Logs of several amplitudes, and what became of diagnosing them.
+struct DiagnosisBench {
+  ComponentDescription component = description();
+  std::vector<Log> logs;
+  Diagnosis diagnosis;
 
-std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
-  struct Bench {
-    ComponentDescription component = description();
-    BareParameters parameters = bareParameters(1);
-    std::vector<Log> logs;
-    std::vector<double> bare;
-    Diagnosis library;
-  };
-  const auto samples = static_cast<std::size_t>(size.log_duration / kStep);
-  const auto bench = std::make_shared<Bench>();
-  bench->logs = {measuredLog("large", samples, 1.0, 1), measuredLog("small", samples, 0.3, 2)};
-  bench->bare.resize(samples);
-  constexpr int kPasses = 100;  // so that one run is long against what interrupts it
-  Case result;
-  result.name = fmt::format("fit and diagnosis of two logs of {:g} s at 1 kHz, 2 threads", size.log_duration);
-  result.yardstick = "one pass of the plain loop, 1 Maxwell";
-  result.unit = "sample";
-  result.count = 2.0 * static_cast<double>(samples);
-  result.yardstick_count = kPasses * result.count;
-  result.bare = [bench] {
-    for (int i = 0; i < kPasses; ++i) {
-      for (const Log& log : bench->logs) {
-        bareLoop(bench->parameters, kStep, log.displacement, bench->bare);
-      }
+  explicit DiagnosisBench(std::size_t samples, std::size_t count) {
+    constexpr double kScales[] = {1.0, 0.3, 0.6, 0.15, 0.8, 0.45};
+    for (std::size_t i = 0; i < count; ++i) {
+      logs.push_back(measuredLog(fmt::format("log {}", i + 1), samples, kScales[i], static_cast<unsigned>(i) + 1));
     }
-  };
-  result.library = [bench] { bench->library = diagnose(bench->component, bench->logs, {}); };
-  result.error = [bench] { return bench->library.gap.augmented - bench->library.gap.noise_floor; };
+  }
+
+  double samples() const { return static_cast<double>(logs.size() * logs.front().size()); }
+
+  void run(int threads) {
+    DiagnosisOptions options;
+    options.threads = threads;
+    diagnosis = diagnose(component, logs, {}, options);
+  }
+};
+
+// A diagnosis against whatever else; the error is that of the diagnosis.
+Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench) {
+  Case result;
+  result.unit = "sample";
+  result.count = bench->samples();
+  result.library = [bench] { bench->run(2); };
+  result.error = [bench] { return bench->diagnosis.gap.augmented - bench->diagnosis.gap.noise_floor; };
   result.error_meaning = "gap left above the noise floor";
   // The friction left out is a gap of 15 %; the fit's own share of the noise is a tenth of this.
   result.tolerance = 0.02;
   result.clock = Clock::wall;
   result.most_repetitions = 3;
-  return {result};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
+  constexpr int kPasses = 100;  // so that one run is long against what interrupts it
+  const auto samples = static_cast<std::size_t>(size.log_duration / kStep);
+  const auto six = std::make_shared<DiagnosisBench>(samples, 6);
+  const std::string name =
+      fmt::format("fit and diagnosis of six logs of {:g} s at 1 kHz, 2 threads", size.log_duration);
+
+  Case against_loop = diagnosisCase(six);
+  against_loop.name = name;
+  against_loop.yardstick = "one pass of the plain loop, 1 Maxwell";
+  against_loop.yardstick_count = kPasses * six->samples();
+  const auto force = std::make_shared<std::vector<double>>(samples);
+  against_loop.bare = [six, force] {
+    for (int i = 0; i < kPasses; ++i) {
+      for (const Log& log : six->logs) {
+        bareLoop(bareParameters(1), kStep, log.displacement, *force);
+      }
+    }
+  };
+
+  Case against_half = diagnosisCase(six);
+  against_half.name = name;
+  against_half.yardstick = "the same of three of them";
+  const auto three = std::make_shared<DiagnosisBench>(samples, 3);
+  against_half.yardstick_count = three->samples();
+  against_half.bare = [three] { three->run(2); };
+
+  Case against_one_thread = diagnosisCase(six);
+  against_one_thread.name = name;
+  against_one_thread.yardstick = "the same in 1 thread";
+  against_one_thread.yardstick_count = six->samples();
+  against_one_thread.bare = [six] { six->run(1); };
+  return {against_loop, against_half, against_one_thread};
 }
 
 }  // namespace rubber_suspension
