@@ -112,6 +112,7 @@ void ComponentState::restore(double displacement, const std::vector<double>& mem
   }
   displacement_ = displacement;
   std::copy(memory.begin(), memory.end(), memory_.begin());
+  branch_ = {};
 }
 
 Component::Component(const std::vector<ElementDescription>& elements) {
@@ -165,7 +166,12 @@ void Component::placeAll(std::vector<Placed<Law>>& placed) {
 }
 
 void Component::reserveMemory() {
-  reserve(maxwell_stiffness_.size());
+  maxwells_ = maxwell_stiffness_.size();
+  reserve(maxwells_);
+  if (maxwells_ % 2 != 0) {
+    maxwell_stiffness_.push_back(0.0);
+    maxwell_rate_.push_back(0.0);
+  }
   reserve(bergs_.size() * BergFriction::kMemorySize);
   placeAll(specimen_);
   placeAll(force_effects_);
@@ -176,7 +182,7 @@ void Component::reserveMemory() {
   behind_mount_slot_ = reserve(mount_compliance_ > 0.0 ? 1 : 0);
   plain_ = specimen_.empty() && force_effects_.empty() && displacement_effects_.empty() && rig_.empty() &&
            mount_compliance_ == 0.0;
-  lean_ = plain_ && bergs_.size() <= 1;
+  frictionless_ = plain_ && bergs_.empty();
 }
 
 std::size_t Component::reserve(std::size_t size) {
@@ -189,42 +195,40 @@ ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
   state.scratch_.resize(mount_compliance_ > 0.0 ? trial_size_ : 0);
-  state.maxwell_decay_.resize(maxwell_stiffness_.size());
-  state.maxwell_gain_.resize(maxwell_stiffness_.size());
+  state.maxwell_pairs_.resize(maxwell_stiffness_.size() / 2);
   rest(state, 0.0);
   return state;
 }
 
-template <class Relax>
-void Component::prepareMaxwells(ComponentState& state, double dt, Relax relax) const {
-  const std::size_t count = maxwell_stiffness_.size();
-  const double* stiffness = maxwell_stiffness_.data();
-  const double* rate = maxwell_rate_.data();
-  double* decay = state.maxwell_decay_.data();
-  double* gain = state.maxwell_gain_.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    const MaxwellStep step(stiffness[i], relax(dt * rate[i]));
-    decay[i] = step.decay;
-    gain[i] = step.gain;
+void Component::prepareMaxwells(ComponentState& state, double dt) const {
+  // All steps small or not: a branch for each element would keep them from being computed side by side.
+  const bool all_small = dt * fastest_rate_ <= Relaxation::kSmall;
+  for (std::size_t i = 0; i < maxwell_stiffness_.size(); i += 2) {
+    MaxwellPair& pair = state.maxwell_pairs_[i / 2];
+    if (all_small) {
+      const Pair ratio = dt * loadPair(&maxwell_rate_[i]);
+      const Pair mean = Relaxation::smallMean(ratio);
+      pair = {1.0 - ratio * mean, loadPair(&maxwell_stiffness_[i]) * mean};
+    } else {
+      const MaxwellStep first(maxwell_stiffness_[i], Relaxation::over(dt * maxwell_rate_[i]));
+      const MaxwellStep second(maxwell_stiffness_[i + 1], Relaxation::over(dt * maxwell_rate_[i + 1]));
+      pair.decay = Pair{first.decay, second.decay};
+      pair.gain = Pair{first.gain, second.gain};
+    }
   }
 }
 
 void Component::prepare(ComponentState& state, double dt) const {
-  // All steps small or not: a branch for each element would keep the loop from becoming vector instructions.
-  if (dt * fastest_rate_ <= Relaxation::kSmall) {
-    prepareMaxwells(state, dt, [](double x) { return Relaxation::small(x); });
-  } else {
-    prepareMaxwells(state, dt, [](double x) { return Relaxation::over(x); });
-  }
+  prepareMaxwells(state, dt);
   state.dashpot_gain_ = dashpot_damping_ / dt;
   state.prepared_dt_ = dt;
 }
 
 ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {
-  std::fill(memory, memory + maxwell_stiffness_.size(), 0.0);
+  std::fill(memory, memory + maxwells_, 0.0);
   ComponentForce force;
   force.elastic = force.total = spring_stiffness_ * displacement;
-  double* berg_memory = memory + maxwell_stiffness_.size();
+  double* berg_memory = memory + maxwells_;
   for (const BergFriction& berg : bergs_) {
     add(force, Part::friction, berg.rest(displacement, berg_memory));
     berg_memory += BergFriction::kMemorySize;
@@ -243,15 +247,14 @@ ComponentForce Component::specimenRest(double displacement, bool as_new, double*
 }
 
 inline ComponentForce Component::plainStep(const ComponentState& state, const Motion& motion, double* memory) const {
-  const double viscous = stepMaxwells(state, motion.increment, memory);
+  const double viscous = viscousStep(state, motion.increment, memory);
   double friction = 0.0;
-  double* berg_memory = memory + maxwell_stiffness_.size();
+  double* berg_memory = memory + maxwells_;
   for (const BergFriction& berg : bergs_) {
     friction += berg.advance(motion.displacement, berg_memory);
     berg_memory += BergFriction::kMemorySize;
   }
-  const double elastic = spring_stiffness_ * motion.displacement;
-  return {elastic + viscous + friction, elastic, viscous, friction};
+  return sumOf(motion.displacement, viscous, friction);
 }
 
 ComponentForce Component::specimenStep(const ComponentState& state, const Motion& motion, double* memory) const {
@@ -347,6 +350,7 @@ ComponentForce Component::settle(ComponentState& state, double displacement, boo
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
   }
   state.displacement_ = displacement;
+  state.branch_ = {};
   return force;
 }
 
@@ -370,7 +374,12 @@ ComponentForce Component::fullStep(ComponentState& state, double dt, double disp
   }
   const double increment = displacement - state.displacement_;
   state.displacement_ = displacement;
-  return plainStep(state, {dt, displacement, increment}, state.memory_.data());
+  double* memory = state.memory_.data();
+  if (bergs_.size() > 1) {
+    return plainStep(state, {dt, displacement, increment}, memory);
+  }
+  const double friction = bergs_.front().advance(displacement, memory + maxwells_, state.branch_);
+  return sumOf(displacement, viscousStep(state, increment, memory), friction);
 }
 
 ComponentForce Component::stepThroughEffects(ComponentState& state, double dt, double displacement) const {
@@ -415,7 +424,7 @@ std::optional<std::complex<double>> Component::specimenStiffness(double omega) c
     return std::nullopt;
   }
   std::complex<double> sum(spring_stiffness_, omega * dashpot_damping_);
-  for (std::size_t i = 0; i < maxwell_stiffness_.size(); ++i) {
+  for (std::size_t i = 0; i < maxwells_; ++i) {
     const std::complex<double> iwt(0.0, omega / maxwell_rate_[i]);
     sum += maxwell_stiffness_[i] * iwt / (1.0 + iwt);
   }

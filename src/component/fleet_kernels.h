@@ -71,11 +71,9 @@ class Branch {
   Branch(const Group& group, double side)
       : reference_force_(group.row(kReferenceForce)),
         left_(side * group.row(kMaximumForce) - reference_force_),
-        reach_(group.row(kCompliance) * magnitude(left_)) {}
+        reach_(group.row(kCompliance) * magnitude(left_) + std::numeric_limits<double>::min()) {}
 
-  Lanes force(double way) const {
-    return reference_force_ + way * left_ / (reach_ + way + std::numeric_limits<double>::min());
-  }
+  Lanes force(double way) const { return reference_force_ + way * left_ / (reach_ + way); }
 
  private:
   Lanes reference_force_;

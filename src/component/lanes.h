@@ -44,8 +44,8 @@ inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_di
   constexpr double kTiny = std::numeric_limits<double>::min();
   const Lanes way = displacement - reference_displacement;
   const Lanes left = withSignOf(maximum_force, way) - reference_force;
-  const Lanes reach = compliance * magnitude(left);
-  return reference_force + magnitude(way) * left / (reach + magnitude(way) + kTiny);
+  const Lanes reach = compliance * magnitude(left) + kTiny;
+  return reference_force + magnitude(way) * left / (reach + magnitude(way));
 }
 
 /// A force no larger than the maximum, as std::clamp has it.

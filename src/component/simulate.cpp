@@ -21,8 +21,7 @@ struct PlainSteps {
   double spring_stiffness;
   double dashpot_gain;
   std::size_t maxwells;
-  const double* decay;
-  const double* gain;
+  const MaxwellPair* maxwell;
   double* maxwell_force;
   std::size_t bergs;
   const BergFriction* berg;
@@ -50,11 +49,11 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
                    [&](double z) { return stepThroughEffects(state, dt, z).total; });
     return;
   }
-  const std::size_t maxwells = maxwell_stiffness_.size();
   double* memory = state.memory_.data();
   RUBBER_SUSPENSION_KERNEL(simulatePlainSteps)
-  ({displacement, count, force, state.displacement_, spring_stiffness_, state.dashpot_gain_, maxwells,
-    state.maxwell_decay_.data(), state.maxwell_gain_.data(), memory, bergs_.size(), bergs_.data(), memory + maxwells});
+  ({displacement, count, force, state.displacement_, spring_stiffness_, state.dashpot_gain_, maxwells_,
+    state.maxwell_pairs_.data(), memory, bergs_.size(), bergs_.data(), memory + maxwells_});
+  state.branch_ = {};
   state.displacement_ = displacement[count - 1];
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubber_suspension/component/maxwell_pairs.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/maxwell.h"
@@ -24,9 +25,11 @@ class ComponentState {
   /// numbers that are not finite.
   void restore(double displacement, const std::vector<double>& memory);
 
-  /// Take what another state of the same component remembers, and leave alone what is derived; faster than copying all.
+  /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
+  /// faster than copying all.
   void recall(const ComponentState& other) {
     displacement_ = other.displacement_;
+    branch_ = other.branch_;
     std::copy(other.memory_.begin(), other.memory_.end(), memory_.begin());
   }
 
@@ -39,8 +42,10 @@ class ComponentState {
   // Coefficients of dashpot and Maxwell elements for the step length last used; derived, not saved.
   double prepared_dt_ = -1.0;
   double dashpot_gain_ = 0.0;  // c/dt [N/m]
-  std::vector<double> maxwell_decay_;
-  std::vector<double> maxwell_gain_;
+  std::vector<MaxwellPair> maxwell_pairs_;
+  // Of the one element of friction that a component has beside springs, dashpots and Maxwell elements: the branch that
+  // the memory describes, or none; derived, not saved.
+  BergBranch branch_;
 };
 
 /// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
@@ -108,8 +113,7 @@ class Component {
   void placeAll(std::vector<Placed<Law>>& placed);
   std::size_t reserve(std::size_t size);
   void reserveMemory();
-  template <class Relax>
-  void prepareMaxwells(ComponentState& state, double dt, Relax relax) const;
+  void prepareMaxwells(ComponentState& state, double dt) const;
   void prepare(ComponentState& state, double dt) const;
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
@@ -124,8 +128,7 @@ class Component {
 
   /// True where the step is that of springs, dashpots, Maxwell elements and friction that does not turn.
   bool goesOn(const ComponentState& state, double displacement) const {
-    return lean_ &&
-           (bergs_.empty() || bergs_.front().goesOn(displacement, state.memory_.data() + maxwell_stiffness_.size()));
+    return frictionless_ || state.branch_.goesOn(displacement);
   }
 
   /// That step, for coefficients that are prepared. It calls nothing, so that all numbers stay in registers.
@@ -133,25 +136,24 @@ class Component {
     const double increment = displacement - state.displacement_;
     state.displacement_ = displacement;
     double* memory = state.memory_.data();
-    const double viscous = stepMaxwells(state, increment, memory);
-    const double friction =
-        bergs_.empty() ? 0.0 : bergs_.front().follow(displacement, memory + maxwell_stiffness_.size());
+    double friction = 0.0;
+    if (!frictionless_) {
+      memory[maxwells_ + BergFriction::kExtremum] = displacement;
+      friction = state.branch_.follow(displacement);
+    }
+    const double viscous = viscousStep(state, increment, memory);
+    return sumOf(displacement, viscous, friction);
+  }
+
+  /// With that of the springs [N].
+  ComponentForce sumOf(double displacement, double viscous, double friction) const {
     const double elastic = spring_stiffness_ * displacement;
     return {elastic + viscous + friction, elastic, viscous, friction};
   }
 
   /// Advances all Maxwell elements; returns their force and that of the dashpots [N].
-  double stepMaxwells(const ComponentState& state, double increment, double* __restrict memory) const {
-    const double* __restrict decay = state.maxwell_decay_.data();
-    const double* __restrict gain = state.maxwell_gain_.data();
-    const std::size_t count = maxwell_stiffness_.size();
-    double sum = state.dashpot_gain_ * increment;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double force = decay[i] * memory[i] + gain[i] * increment;
-      memory[i] = force;
-      sum += force;
-    }
-    return sum;
+  double viscousStep(const ComponentState& state, double increment, double* memory) const {
+    return stepMaxwells(state.maxwell_pairs_.data(), maxwells_, increment, state.dashpot_gain_ * increment, memory);
   }
 
   std::vector<ElementDescription> descriptions_;
@@ -162,8 +164,9 @@ class Component {
   // step of the series solve changes), then displacement effects, rig, and the two displacements below.
   double spring_stiffness_ = 0.0;
   double dashpot_damping_ = 0.0;
-  std::vector<double> maxwell_stiffness_;  // [N/m]
-  std::vector<double> maxwell_rate_;       // 1/tau [1/s]
+  std::size_t maxwells_ = 0;
+  std::vector<double> maxwell_stiffness_;  // [N/m], with a 0 behind an odd number of elements
+  std::vector<double> maxwell_rate_;       // 1/tau [1/s], likewise
   double fastest_rate_ = 0.0;              // the largest of these
   std::vector<BergFriction> bergs_;
 
@@ -173,7 +176,7 @@ class Component {
   std::vector<Placed<ForceEffect>> force_effects_;
   double mount_compliance_ = 0.0;        // sum of 1/K_s of all series mounts [m/N]
   bool plain_ = true;                    // nothing but springs, dashpots, Maxwell elements and Berg friction
-  bool lean_ = true;                     // the same with one element of friction at most
+  bool frictionless_ = true;             // the same without Berg friction
   std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes
   std::size_t behind_effects_slot_ = 0;  // memory: displacement behind the displacement effects
   std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount

@@ -8,6 +8,33 @@
 
 namespace rubber_suspension {
 
+/// What the forces on one side of a branch's reference point have in common.
+struct BergSide {
+  double reference_force;  ///< F_s [N]
+  double left;             ///< what is left of the way to F_max or -F_max there [N]
+  double reach;            ///< z2 (1 -+ mu), kept above 0 [m]
+
+  /// Force [N] at a way [m] from the reference point, taken without its sign.
+  double force(double way) const { return reference_force + way * left / (reach + way); }
+};
+
+/// A branch of Berg friction in the direction of the motion, made ready for many samples.
+struct BergBranch {
+  double direction = 0.0;  ///< of the motion; 0: there is no branch, and nothing goes on
+  double extremum = 0.0;   ///< [m]
+  double reference_displacement = 0.0;
+  BergSide side{};
+
+  bool goesOn(double displacement) const { return (displacement - extremum) * direction > 0.0; }
+  bool endsAt(double displacement) const { return displacement == extremum && direction != 0.0; }
+
+  /// Go on to a displacement [m]; returns the force [N].
+  double follow(double displacement) {
+    extremum = displacement;
+    return side.force(std::abs(displacement - reference_displacement));
+  }
+};
+
 /// Rate-independent friction that rises smoothly from each reversal towards its maximum.
 ///
 /// From the reference point (z_s, F_s), with mu = F_s/F_max:
@@ -44,24 +71,26 @@ class BergFriction final : public ParallelElement {
 
   /// Advance to a displacement [m]; returns the force [N]. Rate does not matter.
   double advance(double displacement, double* memory) const {
-    const double beyond = (displacement - memory[kExtremum]) * memory[kDirection];
-    if (beyond > 0.0) {
-      memory[kExtremum] = displacement;
-    } else if (beyond < 0.0 || memory[kDirection] == 0.0) {
-      turn(displacement, -beyond, memory);
-    }
+    move(displacement, memory);
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// True where the motion to a displacement [m] goes on in the direction of the branch.
-  bool goesOn(double displacement, const double* memory) const {
-    return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
+  /// advance() that leaves the branch that the element is on then in `current`.
+  double advance(double displacement, double* memory, BergBranch& current) const {
+    move(displacement, memory);
+    current = currentBranch(memory);
+    return current.endsAt(displacement) ? current.follow(displacement)
+                                        : branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// advance() where the motion goes on.
-  double follow(double displacement, double* memory) const {
-    memory[kExtremum] = displacement;
-    return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
+  /// The branch that the element is on; none at rest. Where a motion goes on, the force along it is that of advance(),
+  /// which then changes the extremum alone.
+  BergBranch currentBranch(const double* memory) const {
+    const double direction = memory[kDirection];
+    // The reference point lies behind the extremum, unless the memory was made up.
+    const bool behind = (memory[kExtremum] - memory[kReferenceDisplacement]) * direction >= 0.0;
+    return {behind ? direction : 0.0, memory[kExtremum], memory[kReferenceDisplacement],
+            side(direction, memory[kReferenceForce])};
   }
 
   /// Move along displacements [m] up to, and without, the first that makes the element turn; returns how many these
@@ -70,13 +99,8 @@ class BergFriction final : public ParallelElement {
 
   /// Force [N] at a displacement [m] on the branch that starts at a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
-    // Keeps 0/0 away at the reference point itself once friction is at its maximum.
-    constexpr double kTiny = std::numeric_limits<double>::min();
     const double way = displacement - reference_displacement;
-    // Both branches in one, in the direction of the motion; z2 (1 -+ mu) is z2/F_max times the force that is left.
-    const double left = std::copysign(maximum_force_, way) - reference_force;
-    const double reach = compliance_ * std::abs(left);
-    return reference_force + std::abs(way) * left / (reach + std::abs(way) + kTiny);
+    return side(way, reference_force).force(std::abs(way));
   }
 
   /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
@@ -90,6 +114,25 @@ class BergFriction final : public ParallelElement {
   double settledLoss(double amplitude) const;
 
  private:
+  /// The side of the reference point that a way [m] leads to: both branches in one. z2 (1 -+ mu) is z2/F_max times the
+  /// force that is left.
+  BergSide side(double way, double reference_force) const {
+    // Keeps 0/0 away at the reference point itself once friction is at its maximum.
+    constexpr double kTiny = std::numeric_limits<double>::min();
+    const double left = std::copysign(maximum_force_, way) - reference_force;
+    return {reference_force, left, compliance_ * std::abs(left) + kTiny};
+  }
+
+  /// Bring the memory to a displacement [m].
+  void move(double displacement, double* memory) const {
+    const double beyond = (displacement - memory[kExtremum]) * memory[kDirection];
+    if (beyond > 0.0) {
+      memory[kExtremum] = displacement;
+    } else if (beyond < 0.0 || memory[kDirection] == 0.0) {
+      turn(displacement, -beyond, memory);
+    }
+  }
+
   /// Start from rest, or from a turning point once the motion has backed off far enough.
   void turn(double displacement, double way_back, double* memory) const;
 
