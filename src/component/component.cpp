@@ -168,10 +168,9 @@ void Component::placeAll(std::vector<Placed<Law>>& placed) {
 void Component::reserveMemory() {
   maxwells_ = maxwell_stiffness_.size();
   reserve(maxwells_);
-  if (maxwells_ % 2 != 0) {
-    maxwell_stiffness_.push_back(0.0);
-    maxwell_rate_.push_back(0.0);
-  }
+  const std::size_t blocks = (maxwells_ + MaxwellBlock::kSize - 1) / MaxwellBlock::kSize;
+  maxwell_stiffness_.resize(blocks * MaxwellBlock::kSize);
+  maxwell_rate_.resize(blocks * MaxwellBlock::kSize);
   reserve(bergs_.size() * BergFriction::kMemorySize);
   placeAll(specimen_);
   placeAll(force_effects_);
@@ -195,33 +194,9 @@ ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
   state.scratch_.resize(mount_compliance_ > 0.0 ? trial_size_ : 0);
-  state.maxwell_pairs_.resize(maxwell_stiffness_.size() / 2);
+  state.maxwell_blocks_.resize(maxwell_stiffness_.size() / MaxwellBlock::kSize);
   rest(state, 0.0);
   return state;
-}
-
-void Component::prepareMaxwells(ComponentState& state, double dt) const {
-  // All steps small or not: a branch for each element would keep them from being computed side by side.
-  const bool all_small = dt * fastest_rate_ <= Relaxation::kSmall;
-  for (std::size_t i = 0; i < maxwell_stiffness_.size(); i += 2) {
-    MaxwellPair& pair = state.maxwell_pairs_[i / 2];
-    if (all_small) {
-      const Pair ratio = dt * loadPair(&maxwell_rate_[i]);
-      const Pair mean = Relaxation::smallMean(ratio);
-      pair = {1.0 - ratio * mean, loadPair(&maxwell_stiffness_[i]) * mean};
-    } else {
-      const MaxwellStep first(maxwell_stiffness_[i], Relaxation::over(dt * maxwell_rate_[i]));
-      const MaxwellStep second(maxwell_stiffness_[i + 1], Relaxation::over(dt * maxwell_rate_[i + 1]));
-      pair.decay = Pair{first.decay, second.decay};
-      pair.gain = Pair{first.gain, second.gain};
-    }
-  }
-}
-
-void Component::prepare(ComponentState& state, double dt) const {
-  prepareMaxwells(state, dt);
-  state.dashpot_gain_ = dashpot_damping_ / dt;
-  state.prepared_dt_ = dt;
 }
 
 ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {

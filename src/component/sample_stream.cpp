@@ -53,7 +53,7 @@ SampleStream::SampleStream(const Component& component, double max_gap)
     : component_(component),
       max_gap_(static_cast<std::uint64_t>(std::llround(std::clamp(max_gap, 0.0, kLongestGap) * kNanosecondsPerSecond))),
       state_(component.makeState()),
-      before_(state_) {}
+      saved_(state_) {}
 
 Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
   if (!std::isfinite(displacement)) {
@@ -73,6 +73,9 @@ Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
 
 void SampleStream::count(Verdict verdict) {
   counters_.accepted += isAccepted(verdict) ? 1 : 0;
+  if (verdict == Verdict::accepted) {
+    return;  // nearly all are; what follows is a jump that the processor takes some time for
+  }
   switch (verdict) {
     case Verdict::accepted:
       break;
@@ -94,26 +97,52 @@ void SampleStream::count(Verdict verdict) {
   }
 }
 
-ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
-  if (!started_ || verdict == Verdict::restarted) {
-    return component_.rest(state_, displacement);
+void SampleStream::save() {
+  saved_.recall(state_);
+  step_count_ = 0;
+}
+
+// Undo the last step, or all since the state was saved if that was no step.
+void SampleStream::goBack() {
+  step_count_ -= step_count_ > 0 ? 1 : 0;
+  state_.recall(saved_);
+  for (std::size_t i = 0; i < step_count_; ++i) {
+    component_.step(state_, steps_[i].dt, steps_[i].displacement);
   }
-  return component_.step(state_, secondsBetween(last_stamp_, stamp), displacement);
+}
+
+ComponentForce SampleStream::rest(double displacement) {
+  save();
+  const ComponentForce force = component_.rest(state_, displacement);
+  if (std::isfinite(force.total)) {
+    save();
+  }
+  return force;
+}
+
+inline ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
+  if (!started_ || verdict == Verdict::restarted) {
+    return rest(displacement);
+  }
+  if (step_count_ == kMostSteps) {
+    save();
+  }
+  const double dt = secondsBetween(last_stamp_, stamp);
+  steps_[step_count_++] = {dt, displacement};
+  return component_.step(state_, dt, displacement);
 }
 
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, displacement), {}};
   if (isAccepted(result.verdict)) {
-    before_.recall(state_);
-    const ComponentForce force = advance(result.verdict, stamp, displacement);
-    if (std::isfinite(force.total)) {
-      result.force = force;
+    result.force = advance(result.verdict, stamp, displacement);
+    if (std::isfinite(result.force.total)) {
       last_stamp_ = stamp;
       started_ = true;
     } else {
       // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
-      state_.recall(before_);
-      result.verdict = Verdict::not_finite;
+      goBack();
+      result = {Verdict::not_finite, {}};
     }
   }
   count(result.verdict);
@@ -143,12 +172,13 @@ bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement
   if (!allFinite(displacement, count)) {
     return false;
   }
-  before_.recall(state_);
+  save();
   component_.simulate(state_, secondsBetween(last_stamp_, stamp[0]), displacement, count, force);
   if (!allFinite(force, count)) {
-    state_.recall(before_);
+    goBack();
     return false;
   }
+  save();
   last_stamp_ = stamp[count - 1];
   counters_.accepted += count;
   return true;
@@ -175,11 +205,13 @@ std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displ
 
 void SampleStream::reset() {
   component_.rest(state_, 0.0);
+  save();
   started_ = false;
 }
 
 void SampleStream::restore(std::int64_t last_stamp, double displacement, const std::vector<double>& memory) {
   state_.restore(displacement, memory);
+  save();
   last_stamp_ = last_stamp;
   started_ = true;
 }

@@ -10,7 +10,7 @@ namespace {
 // Samples. The Maxwell elements wait for their own last forces; the processor fills that time with what else there is
 // to do for a block, if the block is short enough for it to see that.
 constexpr std::size_t kSimulationBlock = 32;
-constexpr std::size_t kMostMaxwells = 8;
+constexpr std::size_t kMostMaxwells = MaxwellBlock::kSize;
 
 // Steps of springs, dashpots, Maxwell elements and Berg friction alone.
 struct PlainSteps {
@@ -21,7 +21,7 @@ struct PlainSteps {
   double spring_stiffness;
   double dashpot_gain;
   std::size_t maxwells;
-  const MaxwellPair* maxwell;
+  const MaxwellBlock* maxwell;
   double* maxwell_force;
   std::size_t bergs;
   const BergFriction* berg;
@@ -52,7 +52,7 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
   double* memory = state.memory_.data();
   RUBBER_SUSPENSION_KERNEL(simulatePlainSteps)
   ({displacement, count, force, state.displacement_, spring_stiffness_, state.dashpot_gain_, maxwells_,
-    state.maxwell_pairs_.data(), memory, bergs_.size(), bergs_.data(), memory + maxwells_});
+    state.maxwell_blocks_.data(), memory, bergs_.size(), bergs_.data(), memory + maxwells_});
   state.branch_ = {};
   state.displacement_ = displacement[count - 1];
 }

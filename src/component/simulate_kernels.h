@@ -5,20 +5,10 @@
 template <std::size_t elements>
 class MaxwellVectors {
  public:
-  // Of the elements from number `first` on.
-  MaxwellVectors(const PlainSteps& steps, std::size_t first) {
-    double decay[kPadded] = {};
-    double gain[kPadded] = {};
-    double force[kPadded] = {};
-    for (std::size_t i = 0; i < elements; ++i) {
-      const std::size_t k = first + i;
-      decay[i] = steps.maxwell[k / 2].decay[k % 2];
-      gain[i] = steps.maxwell[k / 2].gain[k % 2];
-      force[i] = steps.maxwell_force[k];
-    }
-    std::memcpy(decay_, decay, sizeof decay);
-    std::memcpy(gain_, gain, sizeof gain);
-    std::memcpy(force_, force, sizeof force);
+  MaxwellVectors(const MaxwellBlock& block, const double* force) {
+    fill(block.decay, decay_);
+    fill(block.gain, gain_);
+    fill(force, force_);
   }
 
   // Adds the forces over a block to the sums, in the order of the elements. Of a single vector they are read from
@@ -61,6 +51,12 @@ class MaxwellVectors {
     }
   }
 
+  static void fill(const void* numbers, Lanes* vectors) {
+    double padded[kPadded] = {};
+    std::memcpy(padded, numbers, elements * sizeof(double));
+    std::memcpy(vectors, padded, sizeof padded);
+  }
+
   Lanes decay_[kVectors];
   Lanes gain_[kVectors];
   Lanes force_[kVectors];
@@ -69,7 +65,7 @@ class MaxwellVectors {
 template <>
 class MaxwellVectors<0> {
  public:
-  MaxwellVectors(const PlainSteps& /*steps*/, std::size_t /*first*/) {}
+  MaxwellVectors(const MaxwellBlock& /*block*/, const double* /*force*/) {}
   void addForces(std::size_t /*count*/, const double* /*increment*/, double* /*sum*/) {}
   void save(double* /*force*/) const {}
 };
@@ -107,7 +103,7 @@ inline void addFriction(const BergFriction& berg, const double* displacement, st
 template <std::size_t last>
 inline void simulatePlain(const PlainSteps& steps) {
   const std::size_t before = steps.maxwells - last;
-  MaxwellVectors<last> maxwells(steps, before);
+  MaxwellVectors<last> maxwells(steps.maxwell[before / kMostMaxwells], steps.maxwell_force + before);
   for (std::size_t first = 0; first < steps.count; first += kSimulationBlock) {
     const double* displacement = steps.displacement + first;
     const std::size_t count = steps.count - first < kSimulationBlock ? steps.count - first : kSimulationBlock;
@@ -122,7 +118,7 @@ inline void simulatePlain(const PlainSteps& steps) {
       viscous[i] = steps.dashpot_gain * increment[i];
     }
     for (std::size_t k = 0; k < before; k += kMostMaxwells) {
-      MaxwellVectors<kMostMaxwells> others(steps, k);
+      MaxwellVectors<kMostMaxwells> others(steps.maxwell[k / kMostMaxwells], steps.maxwell_force + k);
       others.addForces(count, increment, viscous);
       others.save(steps.maxwell_force + k);
     }

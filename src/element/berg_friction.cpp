@@ -21,22 +21,6 @@ double BergFriction::startSettled(double amplitude, double centre, double* memor
   return memory[kReferenceForce];
 }
 
-void BergFriction::turn(double displacement, double way_back, double* memory) const {
-  if (memory[kDirection] == 0.0) {
-    if (displacement != memory[kReferenceDisplacement]) {
-      memory[kDirection] = displacement > memory[kReferenceDisplacement] ? 1.0 : -1.0;
-      memory[kExtremum] = displacement;
-    }
-  } else if (way_back > dead_band_) {
-    const double turning_point = memory[kExtremum];
-    const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
-    memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
-    memory[kReferenceDisplacement] = turning_point;
-    memory[kExtremum] = displacement;
-    memory[kDirection] = -memory[kDirection];
-  }
-}
-
 std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_t count, double* memory) const {
   std::size_t i = 0;
   for (; i < count && memory[kDirection] == 0.0; ++i) {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "support/allocation_counter.h"
 
@@ -176,6 +178,42 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
     EXPECT_EQ(other.push(i * kMs, 1e-3 * std::sin(0.4 * i)).force.total, force(i * kMs, 1e-3 * std::sin(0.4 * i)));
   }
   EXPECT_THROW(other.restore(0, 0.0, {}), std::invalid_argument);
+}
+
+// Samples whose force overflows, at any distance from each other, against a stream that never gets them.
+void expectNoTraceOfOverflows(const Component& component) {
+  constexpr double kTooFar = 1e304;  // [m]; times any stiffness is infinite
+  SampleStream stream(component);
+  SampleStream untouched(component);
+  std::mt19937 random(1);
+  std::int64_t stamp = 0;
+  for (int i = 0; i < 3000; ++i) {
+    stamp += random() % 500 == 0 ? -2000 * kMs : (1 + random() % 3) * kMs;  // with restarts
+    if (random() % 50 == 0) {
+      EXPECT_EQ(stream.push(stamp, kTooFar).verdict, Verdict::not_finite);
+    }
+    std::array<double, 1> force{};
+    const double displacement = 1e-3 * std::sin(0.1 * i);
+    if (random() % 50 == 0) {
+      ASSERT_EQ(stream.pushAll(&stamp, &displacement, 1, force.data()), 1U);
+      ASSERT_EQ(force[0], untouched.push(stamp, displacement).force.total) << i;
+    } else {
+      ASSERT_EQ(stream.push(stamp, displacement).force.total, untouched.push(stamp, displacement).force.total) << i;
+    }
+    ASSERT_EQ(stream.state().memory(), untouched.state().memory()) << i;
+    ASSERT_EQ(stream.state().displacement(), untouched.state().displacement()) << i;
+  }
+  EXPECT_GT(stream.counters().restarted, 2U);
+}
+
+TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
+  expectNoTraceOfOverflows(component_);
+  const std::vector<ElementDescription> softening = {
+      {"spring", {{"stiffness", {3e6}}}},
+      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
+      {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
+      {"stress_softening", {{"reduction", {0.3}}}}};
+  expectNoTraceOfOverflows(Component(softening));
 }
 
 TEST_F(Stream, PushAllocatesNothing) {

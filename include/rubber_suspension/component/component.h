@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubber_suspension/component/maxwell_pairs.h"
+#include "rubber_suspension/component/maxwell_block.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/maxwell.h"
@@ -42,7 +42,7 @@ class ComponentState {
   // Coefficients of dashpot and Maxwell elements for the step length last used; derived, not saved.
   double prepared_dt_ = -1.0;
   double dashpot_gain_ = 0.0;  // c/dt [N/m]
-  std::vector<MaxwellPair> maxwell_pairs_;
+  std::vector<MaxwellBlock> maxwell_blocks_;
   // Of the one element of friction that a component has beside springs, dashpots and Maxwell elements: the branch that
   // the memory describes, or none; derived, not saved.
   BergBranch branch_;
@@ -113,7 +113,6 @@ class Component {
   void placeAll(std::vector<Placed<Law>>& placed);
   std::size_t reserve(std::size_t size);
   void reserveMemory();
-  void prepareMaxwells(ComponentState& state, double dt) const;
   void prepare(ComponentState& state, double dt) const;
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
@@ -153,7 +152,7 @@ class Component {
 
   /// Advances all Maxwell elements; returns their force and that of the dashpots [N].
   double viscousStep(const ComponentState& state, double increment, double* memory) const {
-    return stepMaxwells(state.maxwell_pairs_.data(), maxwells_, increment, state.dashpot_gain_ * increment, memory);
+    return stepMaxwells(state.maxwell_blocks_.data(), maxwells_, increment, state.dashpot_gain_ * increment, memory);
   }
 
   std::vector<ElementDescription> descriptions_;
@@ -165,7 +164,7 @@ class Component {
   double spring_stiffness_ = 0.0;
   double dashpot_damping_ = 0.0;
   std::size_t maxwells_ = 0;
-  std::vector<double> maxwell_stiffness_;  // [N/m], with a 0 behind an odd number of elements
+  std::vector<double> maxwell_stiffness_;  // [N/m], with zeros up to a whole number of blocks
   std::vector<double> maxwell_rate_;       // 1/tau [1/s], likewise
   double fastest_rate_ = 0.0;              // the largest of these
   std::vector<BergFriction> bergs_;

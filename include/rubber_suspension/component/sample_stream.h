@@ -1,6 +1,7 @@
 // The rules for time: which samples of a stream are accepted, in node and replay alike.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "rubber_suspension/component/component.h"
@@ -66,7 +67,17 @@ class SampleStream {
   void restore(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
+  // What a push did to the state since it was saved.
+  struct Step {
+    double dt;            // [s]
+    double displacement;  // [m]
+  };
+  static constexpr std::size_t kMostSteps = 64;  // which all are done again where a force is not finite
+
   Verdict judge(std::int64_t stamp, double displacement) const;
+  void save();
+  void goBack();
+  ComponentForce rest(double displacement);
   ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
   void count(Verdict verdict);
   std::size_t evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const;
@@ -75,7 +86,10 @@ class SampleStream {
   const Component& component_;
   std::uint64_t max_gap_;  // [ns]
   ComponentState state_;
-  ComponentState before_;  // the state to go back to
+  // The way back to the state before a sample: an earlier state, and the steps from there.
+  ComponentState saved_;
+  std::array<Step, kMostSteps> steps_;
+  std::size_t step_count_ = 0;
   StreamCounters counters_;
   std::int64_t last_stamp_ = 0;
   bool started_ = false;

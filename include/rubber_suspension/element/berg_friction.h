@@ -1,6 +1,7 @@
 // Berg's friction element, with a dead band that keeps measurement noise from being taken for reversals.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -134,7 +135,21 @@ class BergFriction final : public ParallelElement {
   }
 
   /// Start from rest, or from a turning point once the motion has backed off far enough.
-  void turn(double displacement, double way_back, double* memory) const;
+  void turn(double displacement, double way_back, double* memory) const {
+    if (memory[kDirection] == 0.0) {
+      if (displacement != memory[kReferenceDisplacement]) {
+        memory[kDirection] = displacement > memory[kReferenceDisplacement] ? 1.0 : -1.0;
+        memory[kExtremum] = displacement;
+      }
+    } else if (way_back > dead_band_) {
+      const double turning_point = memory[kExtremum];
+      const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+      memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
+      memory[kReferenceDisplacement] = turning_point;
+      memory[kExtremum] = displacement;
+      memory[kDirection] = -memory[kDirection];
+    }
+  }
 
   double maximum_force_;
   double displacement_;
