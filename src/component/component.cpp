@@ -256,18 +256,19 @@ double Component::behindMountAtRest(ComponentState& state, double displacement, 
 // The same for springs, dashpots, Maxwell elements and Berg friction, F = held + slope z + friction(z): what is linear
 // in z is summed up once, not for each trial.
 double Component::plainBehindMount(const ComponentState& state, const Motion& motion) const {
-  const std::size_t maxwells = maxwell_stiffness_.size();
   double slope = state.dashpot_gain_;
   double held = 0.0;
-  for (std::size_t i = 0; i < maxwells; ++i) {
-    slope += state.maxwell_gain_[i];
-    held += state.maxwell_decay_[i] * state.memory_[i];
+  for (std::size_t i = 0; i < maxwells_; ++i) {
+    const MaxwellBlock& block = state.maxwell_blocks_[i / MaxwellBlock::kSize];
+    const std::size_t pair = i % MaxwellBlock::kSize / 2;
+    slope += block.gain[pair][i % 2];
+    held += block.decay[pair][i % 2] * state.memory_[i];
   }
   const double before = state.memory_[behind_mount_slot_];
   held -= slope * before;
   slope = 1.0 + mount_compliance_ * (slope + spring_stiffness_);
   const double rest = mount_compliance_ * held - motion.displacement;
-  const double* berg_memory = state.memory_.data() + maxwells;
+  const double* berg_memory = state.memory_.data() + maxwells_;
   if (bergs_.empty()) {
     return -rest / slope;
   }

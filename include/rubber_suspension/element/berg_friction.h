@@ -84,6 +84,11 @@ class BergFriction final : public ParallelElement {
                                         : branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
+  /// True where the motion to a displacement [m] goes on in the direction of the branch.
+  bool goesOn(double displacement, const double* memory) const {
+    return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
+  }
+
   /// The branch that the element is on; none at rest. Where a motion goes on, the force along it is that of advance(),
   /// which then changes the extremum alone.
   BergBranch currentBranch(const double* memory) const {
@@ -105,7 +110,8 @@ class BergFriction final : public ParallelElement {
   }
 
   /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
-  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the way w from the reference point, a quadratic equation.
+  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the way w from the reference point, a quadratic
+  /// equation.
   double meet(double slope, double offset, double compliance, const double* memory) const;
 
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
