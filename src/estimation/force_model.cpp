@@ -131,8 +131,6 @@ ForceModel::ForceModel(std::vector<ElementDescription> elements, const std::vect
     addWhole();
   }
   signed_columns_.push_back(true);
-  basis_ = Eigen::MatrixXd::Zero(size_, static_cast<Eigen::Index>(signed_columns_.size()));
-  basis_.rightCols<1>().setOnes();
 }
 
 bool ForceModel::isHeld(const ElementDescription& element, const ParameterInfo& parameter) const {
@@ -264,6 +262,9 @@ Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Ind
 }
 
 void ForceModel::evaluate(const Eigen::VectorXd& search) {
+  if (basis_.rows() != size_) {
+    basis_ = Eigen::MatrixXd::Ones(size_, static_cast<Eigen::Index>(signed_columns_.size()));
+  }
   rest_ = Eigen::VectorXd::Zero(size_);
   for (Part& part : parts_) {
     const bool changed = simulateIfChanged(part, search);

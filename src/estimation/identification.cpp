@@ -1,7 +1,6 @@
 // Identification: variable projection over several starts, covariance of the best fit, what the log does not show.
 #include "rubber_suspension/estimation/identification.h"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -13,8 +12,10 @@
 #include <stdexcept>
 
 #include "force_model.h"
-#include "linear_least_squares.h"
+#include "noise.h"
+#include "product_fit.h"
 #include "residual_covariance.h"
+#include "residual_fit.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension {
@@ -23,9 +24,10 @@ namespace {
 constexpr double kTail = 0.025;                     // on either side of a 95 % interval
 const double kUndetermined = std::log(2.0) / 1.96;  // deviation of ln(value) whose interval is a factor of 2
 constexpr double kDeadBandInDeviations = 6.0;
-constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
-constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
-constexpr double kSameResidual = 1e-4;      // relative, by which starts count as ended at the same optimum
+constexpr double kSmallestDeadBand = 1e-6;     // relative to the amplitude; below it is rounding, not noise
+constexpr double kRankTolerance = 1e-12;       // of eigenvalues of the correlation form of J'J
+constexpr double kSmallestByProducts = 1e-10;  // TODO
+constexpr double kSameResidual = 1e-4;         // relative, by which starts count as ended at the same optimum
 
 void checkMeasurement(const Measurement& measurement, std::size_t number) {
   const auto fail = [&](const std::string& reason) {
@@ -80,110 +82,6 @@ Eigen::VectorXd stackedForce(const std::vector<Measurement>& measurements) {
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-// One fit: where the search ended, the eliminated coefficients there, and what is left.
-struct Fit {
-  Eigen::VectorXd search;
-  Eigen::VectorXd coefficients;
-  Eigen::VectorXd residual;
-
-  double cost() const { return residual.squaredNorm(); }
-};
-
-Fit fitAt(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd& search) {
-  model.evaluate(search);
-  Fit fit;
-  fit.search = search;
-  fit.coefficients = solveLeastSquares(model.basis(), force - model.rest(), model.signedColumns());
-  fit.residual = force - model.rest() - model.basis() * fit.coefficients;
-  return fit;
-}
-
-// What is left of columns once the basis has taken its share, without the columns of the basis that are held at zero.
-Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coefficients,
-                             const Eigen::MatrixXd& columns) {
-  std::vector<Eigen::Index> taken;
-  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
-    if (coefficients[i] != 0.0 || model.signedColumns()[static_cast<std::size_t>(i)]) {
-      taken.push_back(i);
-    }
-  }
-  Eigen::MatrixXd basis(model.size(), static_cast<Eigen::Index>(taken.size()));
-  for (std::size_t i = 0; i < taken.size(); ++i) {
-    const auto column = model.basis().col(taken[i]);
-    const double length = column.norm();
-    basis.col(static_cast<Eigen::Index>(i)) = column / (length > 0.0 ? length : 1.0);
-  }
-  const Eigen::MatrixXd gram = basis.transpose() * basis;
-  const Eigen::MatrixXd moment = basis.transpose() * columns;
-  return columns - basis * gram.completeOrthogonalDecomposition().solve(moment);
-}
-
-// The projected residual as Ceres calls it, made free of units. Its Jacobian is that of L. Kaufman, BIT 15 (1975)
-// 49-57: the term that it leaves out is across the residual, so the gradient is exact, and so is the optimum.
-class ProjectedResidual final : public ceres::CostFunction {
- public:
-  ProjectedResidual(ForceModel& model, const Eigen::VectorXd& force)
-      : model_(model), force_(force), unit_(force.norm()) {
-    set_num_residuals(static_cast<int>(force.size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(model.nonlinear().size()));
-  }
-
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const auto count = static_cast<Eigen::Index>(model_.nonlinear().size());
-    const Eigen::Map<const Eigen::VectorXd> search(parameters[0], count);
-    if (fit_.search.size() != count || fit_.search != search) {  // the Jacobian is asked for where the residual was
-      fit_ = fitAt(model_, force_, search);
-    }
-    const Fit& fit = fit_;
-    Eigen::Map<Eigen::VectorXd>(residuals, force_.size()) = fit.residual / unit_;
-    if (!fit.residual.allFinite()) {
-      return false;
-    }
-    if (jacobians != nullptr && jacobians[0] != nullptr) {
-      Eigen::MatrixXd derivatives(force_.size(), count);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        derivatives.col(i) = model_.derivative(fit.search, i, fit.coefficients);
-      }
-      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      Eigen::Map<RowMajor>(jacobians[0], force_.size(), count) =
-          withoutBasis(model_, fit.coefficients, derivatives) / -unit_;
-      return derivatives.allFinite();
-    }
-    return true;
-  }
-
- private:
-  ForceModel& model_;
-  const Eigen::VectorXd& force_;
-  double unit_;
-  mutable Fit fit_;  // where it was evaluated last, like the model
-};
-
-Fit search(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd& start) {
-  if (start.size() == 0) {
-    return fitAt(model, force, start);
-  }
-  Eigen::VectorXd x = start;
-  ceres::Problem problem;
-  problem.AddResidualBlock(new ProjectedResidual(model, force), nullptr, x.data());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Unknown& unknown = model.nonlinear()[static_cast<std::size_t>(i)];
-    problem.SetParameterLowerBound(x.data(), static_cast<int>(i), unknown.toSearch(unknown.lower));
-    problem.SetParameterUpperBound(x.data(), static_cast<int>(i), unknown.toSearch(unknown.upper));
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 60;
-  options.function_tolerance = 1e-10;
-  options.parameter_tolerance = 1e-9;
-  options.gradient_tolerance = 1e-14;
-  options.logging_type = ceres::SILENT;
-  options.max_num_line_search_step_size_iterations = 0;  // steps beyond a bound are cut; no search along each step
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  return fitAt(model, force, x);
-}
-
 Eigen::VectorXd startAsGiven(const ForceModel& model) {
   Eigen::VectorXd start(static_cast<Eigen::Index>(model.nonlinear().size()));
   for (Eigen::Index i = 0; i < start.size(); ++i) {
@@ -204,52 +102,76 @@ Eigen::VectorXd randomStart(const ForceModel& model, std::mt19937& generator) {
   return start;
 }
 
+std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const IdentificationOptions& options) {
+  std::mt19937 generator(options.seed);
+  std::vector<Eigen::VectorXd> starts = {startAsGiven(model)};
+  // Without a nonlinear unknown the problem is convex and one start tells all.
+  const std::size_t count = model.nonlinear().empty() ? 1 : static_cast<std::size_t>(std::max(1, options.starts));
+  while (starts.size() < count) {
+    starts.push_back(randomStart(model, generator));
+  }
+  return starts;
+}
+
 struct Searches {
-  Fit best;
-  int starts = 0;
+  Optimum best;
   int at_best = 0;
 };
 
-Searches searchFromSeveralStarts(ForceModel& model, const Eigen::VectorXd& force,
-                                 const IdentificationOptions& options) {
-  std::mt19937 generator(options.seed);
+Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, FitMethod& method, double force_square) {
   Searches searches;
   std::vector<double> costs;
-  // Without a nonlinear unknown the problem is convex and one start tells all.
-  searches.starts = model.nonlinear().empty() ? 1 : std::max(1, options.starts);
-  for (int i = 0; i < searches.starts; ++i) {
-    const Fit fit = search(model, force, i == 0 ? startAsGiven(model) : randomStart(model, generator));
-    if (fit.residual.allFinite()) {
-      costs.push_back(fit.cost());
-      if (costs.size() == 1 || fit.cost() < searches.best.cost()) {
-        searches.best = fit;
+  for (const Eigen::VectorXd& start : starts) {
+    const Optimum optimum = method.search(start);
+    if (std::isfinite(optimum.cost)) {
+      costs.push_back(optimum.cost);
+      if (costs.size() == 1 || optimum.cost < searches.best.cost) {
+        searches.best = optimum;
       }
     }
   }
   if (costs.empty()) {
     throw std::invalid_argument("the simulated force is not finite from any start");
   }
-  const double limit = searches.best.cost() * (1.0 + kSameResidual) + 1e-20 * force.squaredNorm();
+  const double limit = searches.best.cost * (1.0 + kSameResidual) + method.rounding() * force_square;
   searches.at_best = static_cast<int>(std::count_if(costs.begin(), costs.end(), [&](double c) { return c <= limit; }));
   return searches;
 }
 
-// How the value of a coefficient follows from its relative change: the coefficient itself, or 1 where it is zero.
-double relativeUnit(double coefficient) { return coefficient != 0.0 ? std::abs(coefficient) : 1.0; }
+// What the searches lead to: the best fit, and what it knows of the parameters.
+struct BestFit {
+  Fit fit;
+  Eigen::MatrixXd products;  // J'J of FitMethod's Jacobian J
+  Autoregression noise;
+  Eigen::MatrixXd noise_products;  // J'OJ, O being the covariance of the residuals
+};
 
-// Derivatives of the force: by search coordinates of the nonlinear unknowns, then by relative changes of the linear
-// ones and of the offset.
-Eigen::MatrixXd jacobianAt(ForceModel& model, const Fit& fit) {
-  const Eigen::Index nonlinear = fit.search.size();
-  Eigen::MatrixXd jacobian(model.size(), nonlinear + fit.coefficients.size());
-  for (Eigen::Index i = 0; i < nonlinear; ++i) {
-    jacobian.col(i) = model.derivative(fit.search, i, fit.coefficients);
+BestFit describeFit(FitMethod& method, const Fit& fit, const std::vector<Eigen::Index>& runs) {
+  BestFit best{fit, method.jacobianProducts(fit), fitAutoregression(fit.residual, runs), {}};
+  best.noise_products = best.noise.coefficients.empty() ? best.noise.innovation * best.products
+                                                        : projectedCovariance(method.jacobian(fit), runs, best.noise);
+  return best;
+}
+
+BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vector<Measurement>& measurements,
+                const std::vector<Eigen::Index>& runs, const IdentificationOptions& options, Identification& result) {
+  const std::vector<Eigen::VectorXd> starts = startsOf(model, options);
+  result.starts = static_cast<int>(starts.size());
+  const double force_square = force.squaredNorm();
+  ResidualFit by_residuals(model, force);
+  if (!options.by_products || !ProductFit::appliesTo(model, measurements)) {
+    const Searches searches = searchFrom(starts, by_residuals, force_square);
+    result.starts_at_best = searches.at_best;
+    return describeFit(by_residuals, by_residuals.fitAt(searches.best.search), runs);
   }
-  model.evaluate(fit.search);
-  for (Eigen::Index i = 0; i < fit.coefficients.size(); ++i) {
-    jacobian.col(nonlinear + i) = relativeUnit(fit.coefficients[i]) * model.basis().col(i);
+  ProductFit by_products(model, measurements);
+  const Searches searches = searchFrom(starts, by_products, force_square);
+  result.starts_at_best = searches.at_best;
+  const Fit fit = by_products.fitAt(searches.best.search);
+  if (fit.cost() > kSmallestByProducts * force_square) {
+    return describeFit(by_products, fit, runs);
   }
-  return jacobian;
+  return describeFit(by_residuals, by_residuals.fitAt(by_residuals.search(fit.search).search), runs);
 }
 
 // Covariance of the unknowns in the coordinates of the Jacobian, and directions that the log does not show at all.
@@ -259,14 +181,13 @@ struct Covariance {
   double quantile = 1.96;  // of the parameters' deviations, for 95 %
 };
 
-Covariance covarianceOf(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
-                        const Autoregression& noise) {
-  const Eigen::VectorXd length = jacobian.colwise().norm().transpose();
+// From the products J'J and J'OJ of the Jacobian, O being the covariance of the residuals.
+Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& noise_products) {
+  const Eigen::VectorXd length = products.diagonal().cwiseMax(0.0).cwiseSqrt();
   const double largest = length.maxCoeff();
   const Eigen::VectorXd inverse =
       length.unaryExpr([&](double x) { return x > 1e-14 * largest ? 1.0 / x : 1.0 / (1e-14 * largest); });
-  const Eigen::MatrixXd scaled = jacobian * inverse.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.transpose() * scaled);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * products * inverse.asDiagonal());
   Eigen::MatrixXd pseudo_inverse = Eigen::MatrixXd::Zero(length.size(), length.size());
   Covariance covariance;
   for (Eigen::Index i = 0; i < length.size(); ++i) {
@@ -277,8 +198,8 @@ Covariance covarianceOf(const Eigen::MatrixXd& jacobian, const std::vector<Eigen
       covariance.unseen.push_back((inverse.asDiagonal() * direction).normalized());
     }
   }
-  const Eigen::MatrixXd outer = inverse.asDiagonal() * pseudo_inverse;
-  covariance.matrix = outer * projectedCovariance(scaled, runs, noise) * outer.transpose();
+  const Eigen::MatrixXd outer = inverse.asDiagonal() * pseudo_inverse * inverse.asDiagonal();
+  covariance.matrix = outer * noise_products * outer.transpose();
   return covariance;
 }
 
@@ -422,13 +343,15 @@ double standardDeviation(const Eigen::VectorXd& values) {
 void addDeadBands(std::vector<ElementDescription>& elements, const std::vector<Measurement>& measurements,
                   std::vector<std::string>& notes) {
   const double amplitude = scalesOf(measurements).amplitude;
+  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInDeviations;
   double deviation = 0.0;
   for (const Measurement& measurement : measurements) {
-    deviation = std::max(deviation, noiseDeviation(measurement.displacement));
+    if (noisierThan(measurement.displacement, negligible)) {
+      deviation = std::max(deviation, noiseDeviation(measurement.displacement));
+    }
   }
   for (ElementDescription& element : elements) {
-    if (element.type == "friction" && element.value("dead_band") == 0.0 &&
-        kDeadBandInDeviations * deviation > kSmallestDeadBand * amplitude) {
+    if (element.type == "friction" && element.value("dead_band") == 0.0 && deviation > 0.0) {
       element.values["dead_band"] = {kDeadBandInDeviations * deviation};
       notes.push_back(
           fmt::format("friction.dead_band set to {:.3g} m, {:g} standard deviations of the displacement's "
@@ -498,15 +421,12 @@ Identification identify(const std::vector<ElementDescription>& elements, const s
     throw std::invalid_argument("no parameter is left to be found; all are held");
   }
   const Eigen::VectorXd force = stackedForce(measurements);
-  const Searches searches = searchFromSeveralStarts(model, force, options);
-  result.starts = searches.starts;
-  result.starts_at_best = searches.at_best;
-  result.force_offset = searches.best.coefficients[searches.best.coefficients.size() - 1];
-  const Autoregression noise = fitAutoregression(searches.best.residual, runs);
-  Covariance covariance = covarianceOf(jacobianAt(model, searches.best), runs, noise);
-  allowForFewSamples(covariance, independentSamples(searches.best.residual, noise));
-  Summary(model, searches.best, covariance).describe(result);
-  describeResiduals(result, searches.best, force, noise);
+  const BestFit best = bestFit(model, force, measurements, runs, options, result);
+  result.force_offset = best.fit.coefficients[best.fit.coefficients.size() - 1];
+  Covariance covariance = covarianceOf(best.products, best.noise_products);
+  allowForFewSamples(covariance, independentSamples(best.fit.residual, best.noise));
+  Summary(model, best.fit, covariance).describe(result);
+  describeResiduals(result, best.fit, force, best.noise);
   dropElementsWithoutForce(result);
   return result;
 }

@@ -18,12 +18,12 @@ struct ScaledProblem {
   Eigen::VectorXd length;  // of the columns
 };
 
-ScaledProblem scale(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+ScaledProblem scale(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment) {
   ScaledProblem problem;
-  problem.length = a.colwise().norm().transpose();
+  problem.length = gram.diagonal().cwiseSqrt();
   const Eigen::VectorXd inverse = problem.length.unaryExpr([](double x) { return x > 0.0 ? 1.0 / x : 0.0; });
-  problem.gram = inverse.asDiagonal() * (a.transpose() * a) * inverse.asDiagonal();
-  problem.moment = inverse.asDiagonal() * (a.transpose() * b);
+  problem.gram = inverse.asDiagonal() * gram * inverse.asDiagonal();
+  problem.moment = inverse.asDiagonal() * moment;
   return problem;
 }
 
@@ -80,11 +80,16 @@ bool walk(Eigen::VectorXd& x, const Eigen::VectorXd& target, const std::vector<b
 
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                   const std::vector<bool>& signed_unknown) {
-  const ScaledProblem problem = scale(a, b);
-  const Eigen::Index count = a.cols();
+  return solveNormalEquations(a.transpose() * a, a.transpose() * b, b.norm(), signed_unknown);
+}
+
+Eigen::VectorXd solveNormalEquations(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, double norm,
+                                     const std::vector<bool>& signed_unknown) {
+  const ScaledProblem problem = scale(gram, moment);
+  const Eigen::Index count = gram.cols();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(count);
   std::vector<bool> passive = signed_unknown;
-  const double tolerance = kGradientTolerance * b.norm();
+  const double tolerance = kGradientTolerance * norm;
   for (Eigen::Index round = 0; round <= 3 * count; ++round) {
     for (Eigen::Index inner = 0; inner <= count; ++inner) {
       if (walk(x, solvePassive(problem, passive), signed_unknown, passive)) {

@@ -12,4 +12,8 @@ namespace rubber_suspension {
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                   const std::vector<bool>& signed_unknown);
 
+/// The same from A'A, A'b and the norm |b|.
+Eigen::VectorXd solveNormalEquations(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, double norm,
+                                     const std::vector<bool>& signed_unknown);
+
 }  // namespace rubber_suspension

@@ -71,7 +71,9 @@ Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::ve
 Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
   // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
-  Eigen::MatrixXd filtered = jacobian;
+  // Row by row in memory, so that the columns go through the recursion side by side.
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  RowMajor filtered = jacobian;
   const auto order = static_cast<Eigen::Index>(model.coefficients.size());
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {

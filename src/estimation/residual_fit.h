@@ -1,0 +1,26 @@
+// Fit by the residuals of all samples: for any model, exact down to the last bits.
+#pragma once
+
+#include "fit_method.h"
+#include "force_model.h"
+
+namespace rubber_suspension {
+
+/// Variable projection with columns of all samples, the search by Ceres.
+class ResidualFit final : public FitMethod {
+ public:
+  /// Both must outlive this.
+  ResidualFit(ForceModel& model, const Eigen::VectorXd& force) : model_(model), force_(force) {}
+
+  Optimum search(const Eigen::VectorXd& start) override;
+  Fit fitAt(const Eigen::VectorXd& search) override;
+  Eigen::MatrixXd jacobian(const Fit& fit) override;
+  Eigen::MatrixXd jacobianProducts(const Fit& fit) override;
+  double rounding() const override { return 1e-20; }
+
+ private:
+  ForceModel& model_;
+  const Eigen::VectorXd& force_;
+};
+
+}  // namespace rubber_suspension
