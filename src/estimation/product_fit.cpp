@@ -61,17 +61,14 @@ Eigen::VectorXd ProductFit::stepFrom(const Eigen::VectorXd& x, const ProjectedCo
   Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
   for (Eigen::Index round = 0; round <= x.size(); ++round) {
     step = damped.ldlt().solve(descent);
-    const Eigen::VectorXd cut = inside(x + step) - x;
-    if (cut == step) {
-      break;
-    }
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      if (cut[i] != step[i]) {
-        descent -= damped.col(i) * cut[i];
+      if (x[i] + step[i] < lower_[i] || x[i] + step[i] > upper_[i]) {
+        step[i] = (step[i] < 0.0 ? lower_[i] : upper_[i]) - x[i];
+        descent -= damped.col(i) * step[i];
         damped.row(i).setZero();
         damped.col(i).setZero();
         damped(i, i) = 1.0;
-        descent[i] = cut[i];
+        descent[i] = step[i];
       }
     }
   }
@@ -92,8 +89,8 @@ Optimum ProductFit::search(const Eigen::VectorXd& start) {
       return {x + step, here.cost};
     }
     ProjectedCost::Value there = cost_.at(x + step);
-    if (promised > rounding) {
-      const double improvement = (here.cost - there.cost) / promised;
+    if (promised > rounding || promised < 0.0) {
+      const double improvement = promised > 0.0 ? (here.cost - there.cost) / promised : 0.0;
       region.adapt(improvement);
       if (!(improvement > kLeastImprovement)) {
         continue;
