@@ -24,10 +24,13 @@ namespace {
 constexpr double kTail = 0.025;                     // on either side of a 95 % interval
 const double kUndetermined = std::log(2.0) / 1.96;  // deviation of ln(value) whose interval is a factor of 2
 constexpr double kDeadBandInDeviations = 6.0;
-constexpr double kSmallestDeadBand = 1e-6;     // relative to the amplitude; below it is rounding, not noise
-constexpr double kRankTolerance = 1e-12;       // of eigenvalues of the correlation form of J'J
-constexpr double kSmallestByProducts = 1e-10;  // TODO
-constexpr double kSameResidual = 1e-4;         // relative, by which starts count as ended at the same optimum
+constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
+constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
+// Share of the force's sum of squares; a cost below is left to the residuals. Products know the gradient to 1e-15 of
+// |column| |force|, and white noise moves it by |column| sqrt(cost/N): at this limit and for N = 1e6 samples the former
+// is 1e-7 of the latter, so that columns may have a condition of 1e5 before a hundredth of a deviation is lost.
+constexpr double kSmallestByProducts = 1e-10;
+constexpr double kSameResidual = 1e-4;  // relative, by which starts count as ended at the same optimum
 
 void checkMeasurement(const Measurement& measurement, std::size_t number) {
   const auto fail = [&](const std::string& reason) {

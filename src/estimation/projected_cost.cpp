@@ -175,9 +175,17 @@ Eigen::VectorXd ProjectedCost::scales(const Eigen::VectorXd& coefficients) const
   return scales;
 }
 
-ProjectedCost::Value ProjectedCost::at(const Eigen::VectorXd& search) const {
+const Eigen::MatrixXd& ProjectedCost::productsAt(const Eigen::VectorXd& search) {
+  if (last_products_.size() == 0 || last_search_ != search) {
+    last_products_ = columns_.products(valuesAt(search));
+    last_search_ = search;
+  }
+  return last_products_;
+}
+
+ProjectedCost::Value ProjectedCost::at(const Eigen::VectorXd& search) {
   const auto size = static_cast<Eigen::Index>(signed_columns_.size());
-  const Eigen::MatrixXd products = combination_.transpose() * columns_.products(valuesAt(search)) * combination_;
+  const Eigen::MatrixXd products = combination_.transpose() * productsAt(search) * combination_;
   const Eigen::MatrixXd basis = products.block(1, 1, size, size);
   const Eigen::VectorXd moments = products.block(1, 0, size, 1);
   const Eigen::MatrixXd derivatives = products.bottomRightCorner(search.size(), search.size());
@@ -213,10 +221,9 @@ Eigen::MatrixXd ProjectedCost::jacobian(const Eigen::VectorXd& search, const Eig
   return columns_.combined(valuesAt(search), jacobianCombination(coefficients));
 }
 
-Eigen::MatrixXd ProjectedCost::jacobianProducts(const Eigen::VectorXd& search,
-                                                const Eigen::VectorXd& coefficients) const {
+Eigen::MatrixXd ProjectedCost::jacobianProducts(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) {
   const Eigen::MatrixXd combination = jacobianCombination(coefficients);
-  return combination.transpose() * columns_.products(valuesAt(search)) * combination;
+  return combination.transpose() * productsAt(search) * combination;
 }
 
 }  // namespace rubber_suspension

@@ -26,13 +26,13 @@ class ProjectedCost {
   /// For a model that it applies to.
   ProjectedCost(const ForceModel& model, const std::vector<Measurement>& measurements);
 
-  Value at(const Eigen::VectorXd& search) const;
+  Value at(const Eigen::VectorXd& search);
 
   /// At some search coordinates and coefficients: measured less simulated force [N], and the Jacobian of FitMethod,
   /// with its products.
   Eigen::VectorXd residual(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) const;
-  Eigen::MatrixXd jacobianProducts(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) const;
+  Eigen::MatrixXd jacobianProducts(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients);
 
   /// Sum of squares of the measured force [N^2].
   double unit() const { return unit_; }
@@ -49,6 +49,7 @@ class ProjectedCost {
   void addElement(const ForceModel& model, std::size_t position);
   Eigen::Index addColumn(const ForceModel& model, std::size_t position, Eigen::Index unit, double scale);
   UnitColumnValues valuesAt(const Eigen::VectorXd& search) const;
+  const Eigen::MatrixXd& productsAt(const Eigen::VectorXd& search);
   Eigen::VectorXd scales(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd jacobianCombination(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd takenByBasis(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& shared,
@@ -63,6 +64,8 @@ class ProjectedCost {
   // The model in unit columns: measured force less what is held, basis, derivatives of the basis' columns by the search
   // coordinates.
   Eigen::MatrixXd combination_;
+  Eigen::VectorXd last_search_;  // where the products were formed last
+  Eigen::MatrixXd last_products_;
 };
 
 }  // namespace rubber_suspension

@@ -174,8 +174,8 @@ class ColumnPass {
           RUBBER_SUSPENSION_KERNEL(followBranches)(branch_[k], log_.path[k].way().data(), first, count, column);
       column += 2 * kColumnStride;
     }
-    for (const double* law = block_.data(); law < column; law += kColumnStride) {
-      std::fill(const_cast<double*>(law) + count, const_cast<double*>(law) + padded(count), 0.0);
+    for (double* law = block_.data(); law < column; law += kColumnStride) {
+      std::fill(law + count, law + padded(count), 0.0);
     }
   }
 
@@ -206,9 +206,10 @@ EvenLog evenLog(const Measurement& measurement, const std::vector<double>& dead_
   EvenLog log;
   log.size = measurement.stamp.size();
   log.dt = stepOf(measurement);
-  log.column = {AlignedNumbers(measurement.force.begin(), measurement.force.end()),
-                AlignedNumbers(measurement.displacement.begin(), measurement.displacement.end()),
-                AlignedNumbers(log.size, 1.0), rateOf(measurement)};
+  log.column.emplace_back(measurement.force.begin(), measurement.force.end());
+  log.column.emplace_back(measurement.displacement.begin(), measurement.displacement.end());
+  log.column.emplace_back(log.size, 1.0);
+  log.column.push_back(rateOf(measurement));
   for (AlignedNumbers& column : log.column) {
     column.resize(padded(log.size), 0.0);
   }
