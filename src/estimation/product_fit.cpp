@@ -19,6 +19,7 @@ constexpr double kLeastImprovement = 1e-3;  // of what a step promised, for it t
 class TrustRegion {
  public:
   double radius() const { return radius_; }
+
   // After a step that kept this part of what it promised.
   void adapt(double improvement) {
     if (improvement > kLeastImprovement) {
@@ -54,9 +55,8 @@ ProductFit::ProductFit(const ForceModel& model, const std::vector<Measurement>& 
 // The least of the damped quadratic model within the limits: coordinates that a step would take beyond theirs are set
 // to it, one round after the other, and the step of the others is sought anew.
 Eigen::VectorXd ProductFit::stepFrom(const Eigen::VectorXd& x, const ProjectedCost::Value& here, double radius) const {
-  const Eigen::VectorXd damping = here.curvature.diagonal().cwiseMax(kLeastDamped * cost_.unit()) / radius;
   Eigen::MatrixXd damped = here.curvature;
-  damped.diagonal() += damping;
+  damped.diagonal() += here.curvature.diagonal().cwiseMax(kLeastDamped * cost_.unit()) / radius;
   Eigen::VectorXd descent = -here.gradient;
   Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
   for (Eigen::Index round = 0; round <= x.size(); ++round) {

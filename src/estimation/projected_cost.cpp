@@ -66,7 +66,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& mo
   const Scaled scaled(products);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled.products);
   if (cholesky.info() == Eigen::Success && cholesky.matrixLLT().diagonal().array().square().minCoeff() > kIndependent) {
-    const Eigen::VectorXd x = scaled.scale.asDiagonal() * cholesky.solve(scaled.scale.asDiagonal() * moments);
+    Eigen::VectorXd x = scaled.scale.asDiagonal() * cholesky.solve(scaled.scale.asDiagonal() * moments);
     bool inside = true;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       inside = inside && (signed_columns[static_cast<std::size_t>(i)] || x[i] > 0.0);
