@@ -54,7 +54,11 @@ struct PeerBench {
   }
 };
 
-Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, const Solver& solve) {
+constexpr int kRepetitions = 15;
+constexpr int kRepetitionsOfSlow = 5;  // solvers that take more than 10 us for a sample
+
+Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, const Solver& solve,
+              int repetitions = kRepetitions) {
   Case result;
   result.name = "a log with break frequencies up to 1 kHz, `Component::simulate`";
   result.yardstick = name;
@@ -65,7 +69,7 @@ Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, 
   result.error = [bench] { return relativeDifference(bench->library, bench->peer); };
   result.error_meaning = "of the other's largest force";
   result.tolerance = kErrorOfPeers;
-  result.most_repetitions = 15;
+  result.most_repetitions = repetitions;
   return result;
 }
 
@@ -86,6 +90,17 @@ std::vector<Case> peerCases(const BenchmarkSize& size) {
 #endif
 #ifdef RUBBER_SUSPENSION_WITH_CVODE
   cases.push_back(peerCase(bench, "SUNDIALS CVODE, BDF", cvodeBackwardDifferentiation));
+#endif
+#ifdef RUBBER_SUSPENSION_WITH_SIMBODY
+  cases.push_back(peerCase(bench, "Simbody, Runge-Kutta-Merson", simbodyMerson, kRepetitionsOfSlow));
+#endif
+#ifdef RUBBER_SUSPENSION_WITH_MUJOCO
+  for (const int substeps : {3, 10}) {
+    cases.push_back(peerCase(
+        bench, "MuJoCo, RK4, " + std::to_string(substeps) + " steps per sample",
+        [substeps](const PeerWork& work, std::vector<double>& force) { mujocoRungeKutta4(work, substeps, force); },
+        kRepetitionsOfSlow));
+  }
 #endif
   return cases;
 }

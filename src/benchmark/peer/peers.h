@@ -24,6 +24,15 @@ inline void maxwellRates(const PeerWork& work, double velocity, const double* fo
   }
 }
 
+/// The same with the displacements x of the dashpots as states, dx/dt = (z - x)/tau: the sum of forces k (z - x) [N].
+inline double forceOfDashpots(const PeerWork& work, double displacement, const double* dashpot) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < work.stiffness.size(); ++k) {
+    sum += work.stiffness[k] * (displacement - dashpot[k]);
+  }
+  return sum;
+}
+
 constexpr double kRelativeTolerance = 1e-6;
 constexpr double kAbsoluteTolerance = 1e-2;  // [N]; the forces are some kN
 
@@ -40,5 +49,12 @@ void gslFehlberg(const PeerWork& work, std::vector<double>& force);
 
 /// SUNDIALS CVODE, backward differentiation with a dense Jacobian.
 void cvodeBackwardDifferentiation(const PeerWork& work, std::vector<double>& force);
+
+/// Simbody, Runge-Kutta-Merson with control of the step; the dashpots are auxiliary states of a force.
+void simbodyMerson(const PeerWork& work, std::vector<double>& force);
+
+/// MuJoCo, the classical method of Runge and Kutta with so many steps between two samples; the dashpots are activations
+/// of actuators.
+void mujocoRungeKutta4(const PeerWork& work, int substeps, std::vector<double>& force);
 
 }  // namespace rubber_suspension
