@@ -62,7 +62,8 @@ IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys
 # Found where they are, done without where not: no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
 # The same: solvers that the benchmark compares with.
-OPTIONAL |= {"GSL_LIBRARY", "GSL_BLAS_LIBRARY", "gsl", "SUNDIALS", "cvode", "nvector", "sunlinsol", "sunmatrix", "numba"}
+OPTIONAL |= {"GSL_LIBRARY", "GSL_BLAS_LIBRARY", "gsl", "SUNDIALS", "cvode", "nvector", "sunlinsol", "sunmatrix",
+             "MUJOCO_LIBRARY", "MUJOCO_INCLUDE_DIR", "mujoco", "numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libgsl-dev",
          "libsundials-dev", "libmujoco-dev", "python3-numba"}
