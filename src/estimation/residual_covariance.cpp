@@ -9,6 +9,44 @@ namespace {
 
 constexpr Eigen::Index kLargestOrder = 30;
 
+constexpr Eigen::Index kFilterBlock = 256;  // rows that stay in the first-level cache
+
+// y_t = x_t - sum a_i y_(t+i), one block of rows after the other from the last one on; all columns side by side.
+class BackwardFilter {
+ public:
+  BackwardFilter(const Autoregression& model, Eigen::Index columns)
+      : model_(model), rows_(RowMajor::Zero(kFilterBlock + order(), columns)) {}
+
+  // Filters the rows before those of the last call, and adds the products of their columns.
+  void addProducts(const Eigen::Ref<const Eigen::MatrixXd>& rows, Eigen::MatrixXd& sum) {
+    // Those of the last call that the recursion still needs follow the new ones.
+    const RowMajor later = rows_.topRows(order());
+    rows_.topRows(rows.rows()) = rows;
+    rows_.middleRows(rows.rows(), order()) = later;
+    const Eigen::Index columns = rows_.cols();
+    for (Eigen::Index t = rows.rows() - 1; t >= 0; --t) {
+      double* const row = rows_.data() + t * columns;
+      for (std::size_t i = 0; i < model_.coefficients.size(); ++i) {
+        const double coefficient = model_.coefficients[i];
+        const double* const later_row = row + (static_cast<Eigen::Index>(i) + 1) * columns;
+        for (Eigen::Index k = 0; k < columns; ++k) {
+          row[k] -= coefficient * later_row[k];
+        }
+      }
+    }
+    const auto filtered = rows_.topRows(rows.rows());
+    sum += filtered.transpose() * filtered;
+  }
+
+ private:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Eigen::Index order() const { return static_cast<Eigen::Index>(model_.coefficients.size()); }
+
+  const Autoregression& model_;
+  RowMajor rows_;
+};
+
 // Autocovariances at lags 0 to `lags`, products within runs only.
 std::vector<double> autocovariances(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs,
                                     Eigen::Index lags) {
@@ -71,21 +109,17 @@ Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::ve
 Eigen::MatrixXd projectedCovariance(const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
   // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
-  // Row by row in memory, so that the columns go through the recursion side by side.
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  RowMajor filtered = jacobian;
-  const auto order = static_cast<Eigen::Index>(model.coefficients.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
   Eigen::Index begin = 0;
   for (const Eigen::Index length : runs) {
-    const Eigen::Index end = begin + length;
-    for (Eigen::Index t = end - 1; t >= begin; --t) {
-      for (Eigen::Index i = 1; i <= order && t + i < end; ++i) {
-        filtered.row(t) -= model.coefficients[static_cast<std::size_t>(i - 1)] * filtered.row(t + i);
-      }
+    BackwardFilter filter(model, jacobian.cols());
+    for (Eigen::Index end = begin + length; end > begin; end -= kFilterBlock) {
+      const Eigen::Index rows = std::min(kFilterBlock, end - begin);
+      filter.addProducts(jacobian.middleRows(end - rows, rows), sum);
     }
-    begin = end;
+    begin += length;
   }
-  return model.innovation * filtered.transpose() * filtered;
+  return model.innovation * sum;
 }
 
 double correlationFactor(const Autoregression& model, double variance) {

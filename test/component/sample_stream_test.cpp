@@ -208,11 +208,10 @@ void expectNoTraceOfOverflows(const Component& component) {
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
   expectNoTraceOfOverflows(component_);
-  const std::vector<ElementDescription> softening = {
-      {"spring", {{"stiffness", {3e6}}}},
-      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
-      {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
-      {"stress_softening", {{"reduction", {0.3}}}}};
+  const std::vector<ElementDescription> softening = {{"spring", {{"stiffness", {3e6}}}},
+                                                     {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
+                                                     {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
+                                                     {"stress_softening", {{"reduction", {0.3}}}}};
   expectNoTraceOfOverflows(Component(softening));
 }
 

@@ -1,0 +1,40 @@
+// The covariance of estimates whose residuals are autocorrelated, against the dense matrices of its definition.
+#include "../../src/estimation/residual_covariance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+namespace rubber_suspension {
+namespace {
+
+// J'OJ with O = s^2 A^-1 A^-T of a run.
+Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const Autoregression& model) {
+  const Eigen::Index size = jacobian.rows();
+  Eigen::MatrixXd filter = Eigen::MatrixXd::Identity(size, size);
+  for (std::size_t i = 0; i < model.coefficients.size(); ++i) {
+    filter.diagonal(-static_cast<Eigen::Index>(i) - 1).setConstant(model.coefficients[i]);
+  }
+  const Eigen::MatrixXd filtered = filter.transpose().lu().solve(jacobian);
+  return model.innovation * filtered.transpose() * filtered;
+}
+
+TEST(ResidualCovariance, AgreesWithDenseMatrices) {
+  Autoregression model;
+  model.coefficients = {-1.1, 0.5, -0.2};  // roots inside the unit circle
+  model.innovation = 0.7;
+  const std::vector<Eigen::Index> runs = {600, 2, 256};  // more, less and exactly a block of the recursion
+  srand(1);
+  const Eigen::MatrixXd jacobian = Eigen::MatrixXd::Random(858, 4);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
+  Eigen::Index begin = 0;
+  for (const Eigen::Index length : runs) {
+    expected += denseCovariance(jacobian.middleRows(begin, length), model);
+    begin += length;
+  }
+  // Sums of 858 terms that the filter amplifies by less than ten.
+  EXPECT_LT((projectedCovariance(jacobian, runs, model) - expected).norm(), 1e-12 * expected.norm());
+}
+
+}  // namespace
+}  // namespace rubber_suspension
