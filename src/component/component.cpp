@@ -168,7 +168,8 @@ void Component::placeAll(std::vector<Placed<Law>>& placed) {
 void Component::reserveMemory() {
   maxwells_ = maxwell_stiffness_.size();
   reserve(maxwells_);
-  const std::size_t blocks = (maxwells_ + MaxwellBlock::kSize - 1) / MaxwellBlock::kSize;
+  // One at least, so that there is something to point to.
+  const std::size_t blocks = std::max<std::size_t>(1, (maxwells_ + MaxwellBlock::kSize - 1) / MaxwellBlock::kSize);
   maxwell_stiffness_.resize(blocks * MaxwellBlock::kSize);
   maxwell_rate_.resize(blocks * MaxwellBlock::kSize);
   reserve(bergs_.size() * BergFriction::kMemorySize);
