@@ -233,15 +233,27 @@ inline ComponentForce Component::plainStep(const ComponentState& state, const Mo
   return sumOf(motion.displacement, viscous, friction);
 }
 
-ComponentForce Component::specimenStep(const ComponentState& state, const Motion& motion, double* memory) const {
-  ComponentForce force = plainStep(state, motion, memory);
+void Component::specimenSteps(const ComponentState& state, const Motion* motion, std::size_t count, double* memory,
+                              ComponentForce* force) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    force[i] = plainStep(state, motion[i], memory);
+  }
   for (const auto& element : specimen_) {
-    add(force, element.law->part(), element.law->step(motion, memory + element.offset));
+    addSteps(element, motion, count, memory, force);
   }
   for (const auto& effect : force_effects_) {
-    scale(force, effect.law->step(motion, force, memory + effect.offset));
+    for (std::size_t i = 0; i < count; ++i) {
+      scale(force[i], effect.law->step(motion[i], force[i], memory + effect.offset));
+    }
   }
-  return force;
+}
+
+void Component::addSteps(const Placed<ParallelElement>& element, const Motion* motion, std::size_t count,
+                         double* memory, ComponentForce* force) {
+  const Part part = element.law->part();
+  for (std::size_t i = 0; i < count; ++i) {
+    add(force[i], part, element.law->step(motion[i], memory + element.offset));
+  }
 }
 
 double Component::behindMountAtRest(ComponentState& state, double displacement, bool as_new) const {
@@ -303,8 +315,9 @@ double Component::behindMount(ComponentState& state, const Motion& motion) const
       [&](double specimen) {
         std::copy_n(state.memory_.begin(), trial_size_, state.scratch_.begin());
         const Motion trial{motion.dt, specimen, specimen - before};
-        return specimen + mount_compliance_ * specimenStep(state, trial, state.scratch_.data()).total -
-               motion.displacement;
+        ComponentForce force;
+        specimenSteps(state, &trial, 1, state.scratch_.data(), &force);
+        return specimen + mount_compliance_ * force.total - motion.displacement;
       },
       before + motion.increment);
 }
@@ -347,7 +360,9 @@ ComponentForce Component::fullStep(ComponentState& state, double dt, double disp
     return leanStep(state, displacement);
   }
   if (!plain_) {
-    return stepThroughEffects(state, dt, displacement);
+    ComponentForce force;
+    stepsThroughEffects(state, dt, &displacement, 1, &force);
+    return force;
   }
   const double increment = displacement - state.displacement_;
   state.displacement_ = displacement;
@@ -359,28 +374,44 @@ ComponentForce Component::fullStep(ComponentState& state, double dt, double disp
   return sumOf(displacement, viscousStep(state, increment, memory), friction);
 }
 
-ComponentForce Component::stepThroughEffects(ComponentState& state, double dt, double displacement) const {
+// Increments of displacements [m], the one before the first being kept in `last`.
+void Component::takeIncrements(Motion* motion, std::size_t count, double& last) {
+  for (std::size_t i = 0; i < count; ++i) {
+    motion[i].increment = motion[i].displacement - last;
+    last = motion[i].displacement;
+  }
+}
+
+void Component::stepsThroughEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
+                                    ComponentForce* force) const {
   double* memory = state.memory_.data();
-  const Motion actuator{dt, displacement, displacement - state.displacement_};
-  Motion specimen = actuator;
+  std::array<Motion, kEffectBlock> actuator;
+  std::array<Motion, kEffectBlock> specimen;
+  for (std::size_t i = 0; i < count; ++i) {
+    actuator[i] = {dt, displacement[i], 0.0};
+  }
+  takeIncrements(actuator.data(), count, state.displacement_);
+  std::copy_n(actuator.begin(), count, specimen.begin());
   if (!displacement_effects_.empty()) {
     for (const auto& effect : displacement_effects_) {
-      specimen.displacement = effect.law->step(specimen, memory + effect.offset);
+      for (std::size_t i = 0; i < count; ++i) {
+        specimen[i].displacement = effect.law->step(specimen[i], memory + effect.offset);
+      }
     }
-    specimen.increment = specimen.displacement - memory[behind_effects_slot_];
-    memory[behind_effects_slot_] = specimen.displacement;
+    takeIncrements(specimen.data(), count, memory[behind_effects_slot_]);
   }
   if (mount_compliance_ > 0.0) {
-    specimen.displacement = behindMount(state, specimen);
-    specimen.increment = specimen.displacement - memory[behind_mount_slot_];
-    memory[behind_mount_slot_] = specimen.displacement;
+    for (std::size_t i = 0; i < count; ++i) {
+      specimen[i].displacement = behindMount(state, specimen[i]);
+      takeIncrements(&specimen[i], 1, memory[behind_mount_slot_]);
+      specimenSteps(state, &specimen[i], 1, memory, force + i);
+    }
+  } else {
+    specimenSteps(state, specimen.data(), count, memory, force);
   }
-  ComponentForce force = specimenStep(state, specimen, memory);
   for (const auto& element : rig_) {
-    add(force, element.law->part(), element.law->step(actuator, memory + element.offset));
+    addSteps(element, actuator.data(), count, memory, force);
   }
-  state.displacement_ = displacement;
-  return force;
 }
 
 Tangent Component::tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const {

@@ -1,6 +1,7 @@
 // Many steps of equal length at once: the sums of Component::step, law after law over a block of samples, so that what
 // the laws remember stays in registers. The same bits as step by step.
 #include <algorithm>
+#include <array>
 
 #include "rubber_suspension/component/component.h"
 
@@ -45,8 +46,7 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
     prepare(state, dt);
   }
   if (!plain_) {
-    std::transform(displacement, displacement + count, force,
-                   [&](double z) { return stepThroughEffects(state, dt, z).total; });
+    simulateEffects(state, dt, displacement, count, force);
     return;
   }
   double* memory = state.memory_.data();
@@ -55,6 +55,17 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
     state.maxwell_blocks_.data(), memory, bergs_.size(), bergs_.data(), memory + maxwells_});
   state.branch_ = {};
   state.displacement_ = displacement[count - 1];
+}
+
+void Component::simulateEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
+                                double* force) const {
+  std::array<ComponentForce, kEffectBlock> forces;
+  for (std::size_t first = 0; first < count; first += kEffectBlock) {
+    const std::size_t size = std::min(kEffectBlock, count - first);
+    stepsThroughEffects(state, dt, displacement + first, size, forces.data());
+    std::transform(forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(size), force + first,
+                   [](const ComponentForce& parts) { return parts.total; });
+  }
 }
 
 }  // namespace rubber_suspension

@@ -2,7 +2,8 @@
 #include "rubber_suspension/element/self_heating.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension {
 namespace {
@@ -21,11 +22,10 @@ void SelfHeating::rest(double /*displacement*/, double* memory) const { memory[k
 double SelfHeating::step(const Motion& motion, const ComponentForce& force, double* memory) const {
   const double loss_force = force.viscous + force.friction;
   const double mean_force = 0.5 * (loss_force + memory[kLossForce]) * factorAt(memory[kRise]);
-  const double ratio = motion.dt / time_constant_;
-  const double one_minus_decay = -std::expm1(-ratio);
+  const Relaxation cooling = Relaxation::over(motion.dt / time_constant_);
   const double heating = energy_sensitivity_ * mean_force * motion.increment;
   // At constant power over the step: x+ = x e + s P T (1 - e).
-  const double rise = memory[kRise] + heating * (one_minus_decay / ratio) - memory[kRise] * one_minus_decay;
+  const double rise = memory[kRise] * cooling.decay + heating * cooling.mean;
   memory[kRise] = std::clamp(rise, -kLargestRise, kLargestRise);
   memory[kLossForce] = loss_force;
   return factorAt(memory[kRise]);

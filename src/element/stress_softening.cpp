@@ -11,6 +11,9 @@ enum Slot { kLargest, kReach };
 
 }  // namespace
 
+StressSoftening::StressSoftening(double reduction, double width, double path)
+    : reduction_(reduction), width_(width), path_(path), deepest_(std::tanh(1.0 / width)) {}
+
 void StressSoftening::rest(double displacement, double* memory) const {
   memory[kLargest] = memory[kReach] = std::abs(displacement);
 }
@@ -29,7 +32,7 @@ double StressSoftening::factor(double displacement, double reach) const {
     return 1.0;
   }
   const double ratio = displacement / reach;
-  return 1.0 - reduction_ * std::tanh((1.0 - ratio * ratio) / width_) / std::tanh(1.0 / width_);
+  return 1.0 - reduction_ * std::tanh((1.0 - ratio * ratio) / width_) / deepest_;
 }
 
 double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {

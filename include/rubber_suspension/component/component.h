@@ -117,8 +117,19 @@ class Component {
   ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
   ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
   ComponentForce fullStep(ComponentState& state, double dt, double displacement) const;
-  ComponentForce stepThroughEffects(ComponentState& state, double dt, double displacement) const;
-  ComponentForce specimenStep(const ComponentState& state, const Motion& motion, double* memory) const;
+
+  static constexpr std::size_t kEffectBlock = 64;  // most steps at once through effects
+
+  /// Steps through whatever there is, law after law, so that each finds what it needs at hand.
+  void stepsThroughEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
+                           ComponentForce* force) const;
+  void specimenSteps(const ComponentState& state, const Motion* motion, std::size_t count, double* memory,
+                     ComponentForce* force) const;
+  void simulateEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
+                       double* force) const;
+  static void addSteps(const Placed<ParallelElement>& element, const Motion* motion, std::size_t count, double* memory,
+                       ComponentForce* force);
+  static void takeIncrements(Motion* motion, std::size_t count, double& last);
   ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
   double behindMount(ComponentState& state, const Motion& motion) const;

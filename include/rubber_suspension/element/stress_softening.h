@@ -19,8 +19,7 @@ namespace rubber_suspension {
 /// latter.
 class StressSoftening final : public ForceEffect {
  public:
-  StressSoftening(double reduction /* R [-] */, double width /* w [-] */, double path /* L [m] */)
-      : reduction_(reduction), width_(width), path_(path) {}
+  StressSoftening(double reduction /* R [-] */, double width /* w [-] */, double path /* L [m] */);
 
   std::size_t memorySize() const override { return 2; }
   void rest(double displacement, double* memory) const override;
@@ -34,6 +33,7 @@ class StressSoftening final : public ForceEffect {
   double reduction_;
   double width_;
   double path_;
+  double deepest_;  // tanh(1/w)
 };
 
 ElementType stressSofteningType();
