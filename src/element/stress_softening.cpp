@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/relaxation.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -37,8 +39,12 @@ double StressSoftening::factor(double displacement, double reach) const {
 
 double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {
   memory[kLargest] = std::max(memory[kLargest], std::abs(motion.displacement));
-  const double approach = path_ > 0.0 ? -std::expm1(-std::abs(motion.increment) / path_) : 1.0;
-  memory[kReach] += (memory[kLargest] - memory[kReach]) * approach;
+  if (path_ > 0.0) {
+    const double ways = std::abs(motion.increment) / path_;
+    memory[kReach] += (memory[kLargest] - memory[kReach]) * ways * Relaxation::over(ways).mean;
+  } else {
+    memory[kReach] = memory[kLargest];
+  }
   return factor(motion.displacement, memory[kReach]);
 }
 
