@@ -81,7 +81,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& mo
 }  // namespace
 
 bool ProjectedCost::appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements) {
-  return !model.nonlinear().empty() && UnitColumns::evenlySampled(measurements) &&
+  return !model.nonlinear().empty() && UnitColumns::steady(measurements) &&
          std::all_of(model.elements().begin(), model.elements().end(), [](const ElementDescription& element) {
            return element.type == "spring" || (element.type == "dashpot" && element.value("order") == 1.0) ||
                   element.type == kMaxwellName.type || element.type == kFrictionName.type;

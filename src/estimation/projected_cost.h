@@ -20,8 +20,8 @@ class ProjectedCost {
     Eigen::MatrixXd curvature;     ///< J'J, J as in L. Kaufman, BIT 15 (1975) 49-57
   };
 
-  /// True for springs, dashpots, Maxwell elements and Berg friction over evenly sampled logs, if there is anything to
-  /// search for.
+  /// True for springs, dashpots, Maxwell elements and Berg friction over logs with few step lengths, if there is
+  /// anything to search for.
   static bool appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements);
 
   /// For a model that it applies to.

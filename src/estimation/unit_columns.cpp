@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "rubber_suspension/element/relaxation.h"
 
@@ -14,7 +15,8 @@ namespace {
 constexpr std::size_t kColumnLanes = 8;    // sums that run side by side, on any processor
 constexpr std::size_t kColumnBlock = 256;  // samples; a dozen columns stay in the first-level cache
 constexpr std::size_t kColumnStride = kColumnBlock + kColumnLanes;  // branches write some samples more than asked for
-constexpr std::size_t kTile = 3;  // columns on either side whose sums stay in registers
+constexpr std::size_t kTile = 3;        // columns on either side whose sums stay in registers
+constexpr std::size_t kMostSteps = 16;  // lengths in a log
 constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
 
 // Step of a Maxwell element of unit stiffness and what it changes by with ln(f_b).
@@ -61,18 +63,47 @@ struct FrictionBranch {
         reach_change(reach + displacement * side * left_change) {}
 };
 
-// F+ = decay F + gain v of a Maxwell element, v being the rate of the displacement, and the derivative of that step by
-// ln(f_b): all elements of a group side by side, so that none waits for its own last force alone.
-template <std::size_t elements>
-void relaxTogether(const RelaxationStep* step, RelaxationState* state, const double* rate, std::size_t count,
-                   double* columns) {
+// Steps of Maxwell elements for each step length of a log.
+class RelaxationSteps {
+ public:
+  RelaxationSteps(const SteadyLog& log, const std::vector<double>& break_frequency)
+      : elements_(break_frequency.size()), one_(log.dt.size() == 1), which_(log.which.data()) {
+    for (const double dt : log.dt) {
+      for (const double frequency : break_frequency) {
+        steps_.emplace_back(dt, frequency);
+      }
+    }
+  }
+
+  std::size_t elements() const { return elements_; }
+  bool one() const { return one_; }
+  // Those of all elements for the step to a sample.
+  const RelaxationStep* at(std::size_t sample) const { return steps_.data() + which_[sample] * elements_; }
+
+ private:
+  std::size_t elements_;
+  bool one_;
+  const std::uint8_t* which_;
+  std::vector<RelaxationStep> steps_;
+};
+
+// F+ = decay F + gain v of Maxwell elements, v being the rate of the displacement, and the derivatives of that step by
+// ln(f_b): some elements from `first_element` on side by side, so that none waits for its own last force alone.
+template <std::size_t elements, bool one_step>
+void relaxTogether(const RelaxationSteps& steps, std::size_t first_element, RelaxationState* state, const double* rate,
+                   std::size_t first, std::size_t count, double* columns) {
   double force[elements];
   double change[elements];
   for (std::size_t k = 0; k < elements; ++k) {
-    force[k] = state[k].force;
-    change[k] = state[k].change;
+    force[k] = state[first_element + k].force;
+    change[k] = state[first_element + k].change;
   }
+  columns += 2 * first_element * kColumnStride;
+  const RelaxationStep* step = steps.at(first) + first_element;
   for (std::size_t i = 0; i < count; ++i) {
+    if constexpr (!one_step) {
+      step = steps.at(first + i) + first_element;
+    }
     for (std::size_t k = 0; k < elements; ++k) {
       change[k] = step[k].decay * change[k] + (step[k].decay_change * force[k] + step[k].gain_change * rate[i]);
       force[k] = step[k].decay * force[k] + step[k].gain * rate[i];
@@ -81,24 +112,24 @@ void relaxTogether(const RelaxationStep* step, RelaxationState* state, const dou
     }
   }
   for (std::size_t k = 0; k < elements; ++k) {
-    state[k] = {force[k], change[k]};
+    state[first_element + k] = {force[k], change[k]};
   }
 }
 
-// Forces of Maxwell elements of unit stiffness and their derivatives by ln(f_b), two columns for each.
-void relax(const RelaxationStep* step, RelaxationState* state, std::size_t elements, const double* rate,
+// Forces of Maxwell elements of unit stiffness and their derivatives by ln(f_b), two columns for each, from sample
+// `first` of the log on.
+template <bool one_step>
+void relax(const RelaxationSteps& steps, RelaxationState* state, const double* rate, std::size_t first,
            std::size_t count, double* columns) {
   constexpr std::size_t kTogether = 3;
-  for (; elements >= kTogether; elements -= kTogether) {
-    relaxTogether<kTogether>(step, state, rate, count, columns);
-    step += kTogether;
-    state += kTogether;
-    columns += 2 * kTogether * kColumnStride;
+  std::size_t k = 0;
+  for (; k + kTogether <= steps.elements(); k += kTogether) {
+    relaxTogether<kTogether, one_step>(steps, k, state, rate, first, count, columns);
   }
-  if (elements == 2) {
-    relaxTogether<2>(step, state, rate, count, columns);
-  } else if (elements == 1) {
-    relaxTogether<1>(step, state, rate, count, columns);
+  if (k + 2 == steps.elements()) {
+    relaxTogether<2, one_step>(steps, k, state, rate, first, count, columns);
+  } else if (k + 1 == steps.elements()) {
+    relaxTogether<1, one_step>(steps, k, state, rate, first, count, columns);
   }
 }
 
@@ -113,17 +144,34 @@ namespace {
 
 std::size_t padded(std::size_t size) { return (size + kColumnLanes - 1) / kColumnLanes * kColumnLanes; }
 
-double stepOf(const Measurement& measurement) {
-  return static_cast<double>(measurement.stamp[1] - measurement.stamp[0]) * 1e-9;
+// The different step lengths [ns] of a log, up to one more than are few.
+std::vector<std::int64_t> stepLengths(const std::vector<std::int64_t>& stamp) {
+  std::vector<std::int64_t> lengths;
+  std::int64_t last = 0;
+  for (std::size_t i = 1; i < stamp.size() && lengths.size() <= kMostSteps; ++i) {
+    const std::int64_t length = stamp[i] - stamp[i - 1];
+    if (length != last && std::find(lengths.begin(), lengths.end(), length) == lengths.end()) {
+      lengths.push_back(length);
+    }
+    last = length;
+  }
+  return lengths;
 }
 
-AlignedNumbers rateOf(const Measurement& measurement) {
-  AlignedNumbers rate(measurement.displacement.size(), 0.0);
-  const double dt = stepOf(measurement);
-  for (std::size_t i = 1; i < rate.size(); ++i) {
-    rate[i] = (measurement.displacement[i] - measurement.displacement[i - 1]) / dt;
+// Step lengths and rates of the displacement.
+void addSteps(const Measurement& measurement, SteadyLog& log) {
+  const std::vector<std::int64_t> lengths = stepLengths(measurement.stamp);
+  for (const std::int64_t length : lengths) {
+    log.dt.push_back(1e-9 * static_cast<double>(length));
   }
-  return rate;
+  log.which.resize(log.size, 0);
+  AlignedNumbers rate(log.size, 0.0);
+  for (std::size_t i = 1; i < log.size; ++i) {
+    const std::int64_t length = measurement.stamp[i] - measurement.stamp[i - 1];
+    log.which[i] = static_cast<std::uint8_t>(std::find(lengths.begin(), lengths.end(), length) - lengths.begin());
+    rate[i] = (measurement.displacement[i] - measurement.displacement[i - 1]) / log.dt[log.which[i]];
+  }
+  log.column.push_back(std::move(rate));
 }
 
 // The branch that begins where another one is left.
@@ -152,23 +200,21 @@ std::vector<FrictionBranch> branchesOf(const FrictionPath& path, double displace
 // The columns of one pass of a log: those of the laws, a block at a time.
 class ColumnPass {
  public:
-  ColumnPass(const EvenLog& log, const UnitColumnValues& values) : log_(log), state_(values.break_frequency.size()) {
-    for (const double frequency : values.break_frequency) {
-      step_.emplace_back(log.dt, frequency);
-    }
+  ColumnPass(const SteadyLog& log, const UnitColumnValues& values)
+      : log_(log), steps_(log, values.break_frequency), state_(steps_.elements()) {
     for (std::size_t k = 0; k < log.path.size(); ++k) {
       branches_.push_back(branchesOf(log.path[k], values.displacement[k]));
       branch_.push_back(branches_.back().data());
     }
-    block_.resize((2 * (step_.size() + branches_.size()) + 1) * kColumnStride, 0.0);  // the last one stays zero
+    block_.resize((2 * (steps_.elements() + branches_.size()) + 1) * kColumnStride, 0.0);  // the last one stays zero
   }
 
   // Of the samples from `first` on; all blocks have to come in their order.
   void fill(std::size_t first, std::size_t count) {
     double* column = block_.data();
     const double* rate = log_.column[UnitColumns::kRate].data() + first;
-    relax(step_.data(), state_.data(), step_.size(), rate, count, column);
-    column += 2 * step_.size() * kColumnStride;
+    (steps_.one() ? relax<true> : relax<false>)(steps_, state_.data(), rate, first, count, column);
+    column += 2 * steps_.elements() * kColumnStride;
     for (std::size_t k = 0; k < branches_.size(); ++k) {
       branch_[k] =
           RUBBER_SUSPENSION_KERNEL(followBranches)(branch_[k], log_.path[k].way().data(), first, count, column);
@@ -194,22 +240,21 @@ class ColumnPass {
   }
 
  private:
-  const EvenLog& log_;
-  std::vector<RelaxationStep> step_;
+  const SteadyLog& log_;
+  RelaxationSteps steps_;
   std::vector<RelaxationState> state_;
   std::vector<std::vector<FrictionBranch>> branches_;
   std::vector<const FrictionBranch*> branch_;  // that the next sample is on
   AlignedNumbers block_;
 };
 
-EvenLog evenLog(const Measurement& measurement, const std::vector<double>& dead_bands) {
-  EvenLog log;
+SteadyLog steadyLog(const Measurement& measurement, const std::vector<double>& dead_bands) {
+  SteadyLog log;
   log.size = measurement.stamp.size();
-  log.dt = stepOf(measurement);
   log.column.emplace_back(measurement.force.begin(), measurement.force.end());
   log.column.emplace_back(measurement.displacement.begin(), measurement.displacement.end());
   log.column.emplace_back(log.size, 1.0);
-  log.column.push_back(rateOf(measurement));
+  addSteps(measurement, log);
   for (AlignedNumbers& column : log.column) {
     column.resize(padded(log.size), 0.0);
   }
@@ -221,15 +266,9 @@ EvenLog evenLog(const Measurement& measurement, const std::vector<double>& dead_
 
 }  // namespace
 
-bool UnitColumns::evenlySampled(const std::vector<Measurement>& measurements) {
+bool UnitColumns::steady(const std::vector<Measurement>& measurements) {
   return std::all_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
-    const std::vector<std::int64_t>& stamp = measurement.stamp;
-    for (std::size_t i = 2; i < stamp.size(); ++i) {
-      if (stamp[i] - stamp[i - 1] != stamp[1] - stamp[0]) {
-        return false;
-      }
-    }
-    return true;
+    return stepLengths(measurement.stamp).size() <= kMostSteps;
   });
 }
 
@@ -240,7 +279,7 @@ UnitColumns::UnitColumns(const std::vector<Measurement>& measurements, std::size
       tiles_((static_cast<std::size_t>(count()) + kTile - 1) / kTile),
       fixed_sums_(tiles_ * (tiles_ + 1) / 2 * kTileSums, 0.0) {
   for (const Measurement& measurement : measurements) {
-    logs_.push_back(evenLog(measurement, dead_bands));
+    logs_.push_back(steadyLog(measurement, dead_bands));
     const std::array<const double*, kTile> first = {logs_.back().column[0].data(), logs_.back().column[1].data(),
                                                     logs_.back().column[2].data()};
     RUBBER_SUSPENSION_KERNEL(addTile)(first.data(), first.data(), padded(logs_.back().size), fixed_sums_.data());
@@ -249,7 +288,7 @@ UnitColumns::UnitColumns(const std::vector<Measurement>& measurements, std::size
 
 Eigen::MatrixXd UnitColumns::products(const UnitColumnValues& values) const {
   std::vector<double> sums = fixed_sums_;
-  for (const EvenLog& log : logs_) {
+  for (const SteadyLog& log : logs_) {
     ColumnPass pass(log, values);
     for (std::size_t first = 0; first < log.size; first += kColumnBlock) {
       const std::size_t size = std::min(kColumnBlock, log.size - first);
@@ -277,10 +316,10 @@ Eigen::MatrixXd UnitColumns::products(const UnitColumnValues& values) const {
 
 Eigen::MatrixXd UnitColumns::combined(const UnitColumnValues& values, const Eigen::MatrixXd& weights) const {
   const std::size_t samples = std::accumulate(logs_.begin(), logs_.end(), std::size_t{0},
-                                              [](std::size_t sum, const EvenLog& log) { return sum + log.size; });
+                                              [](std::size_t sum, const SteadyLog& log) { return sum + log.size; });
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples), weights.cols());
   Eigen::Index row = 0;
-  for (const EvenLog& log : logs_) {
+  for (const SteadyLog& log : logs_) {
     ColumnPass pass(log, values);
     for (std::size_t first = 0; first < log.size; first += kColumnBlock) {
       const std::size_t size = std::min(kColumnBlock, log.size - first);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <boost/align/aligned_allocator.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "friction_path.h"
@@ -20,15 +21,16 @@ struct UnitColumnValues {
 /// Numbers that vectors of eight are read from: these begin at a line of the cache.
 using AlignedNumbers = std::vector<double, boost::alignment::aligned_allocator<double, 64>>;
 
-/// A log with one step length.
-struct EvenLog {
+/// A log whose steps have few lengths: of constant rate, but for stamps that are rounded, and gaps.
+struct SteadyLog {
   std::size_t size;
-  double dt;                           // [s]
+  std::vector<double> dt;              // different step lengths [s]
+  std::vector<std::uint8_t> which;     // of these the step to each sample has
   std::vector<AlignedNumbers> column;  // those of UnitColumns::Fixed; zeros follow for a multiple of eight samples
   std::vector<FrictionPath> path;      // of each friction
 };
 
-/// Columns over evenly sampled logs, each specimen at rest at its first sample: measured force, displacement, ones,
+/// Columns over steady logs, each specimen at rest at its first sample: measured force, displacement, ones,
 /// rate of the displacement; then for each Maxwell element the force at unit stiffness and its derivative by ln(f_b);
 /// then for each Berg friction the force at unit maximum and its derivative by ln(z2).
 ///
@@ -38,10 +40,10 @@ class UnitColumns {
  public:
   enum Fixed : Eigen::Index { kForce, kDisplacement, kOne, kRate, kFirstLaw };
 
-  /// Whether each log has one step length.
-  static bool evenlySampled(const std::vector<Measurement>& measurements);
+  /// Whether each log has sixteen step lengths at most.
+  static bool steady(const std::vector<Measurement>& measurements);
 
-  /// For evenly sampled logs; dead bands [m] of the frictions.
+  /// For steady logs; dead bands [m] of the frictions.
   UnitColumns(const std::vector<Measurement>& measurements, std::size_t maxwells,
               const std::vector<double>& dead_bands);
 
@@ -61,7 +63,7 @@ class UnitColumns {
   std::size_t maxwells_;
   std::size_t frictions_;
   std::size_t tiles_;  // of columns
-  std::vector<EvenLog> logs_;
+  std::vector<SteadyLog> logs_;
   std::vector<double> fixed_sums_;  // those of the tiles, where no law has a part
 };
 

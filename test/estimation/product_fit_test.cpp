@@ -25,11 +25,12 @@ ElementDescription friction(double maximum_force, double displacement, double de
           {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}};
 }
 
-// A log of two sines of growing amplitude at a constant rate, from its own start.
-Measurement motion(std::size_t samples, std::int64_t step, double phase) {
+// A log of sines of growing amplitude at a constant rate, its stamps rounded to microseconds, with a gap in the middle.
+Measurement motion(std::size_t samples, std::int64_t step, double phase, std::int64_t gap = 0) {
   Measurement measurement;
   for (std::size_t i = 0; i < samples; ++i) {
-    measurement.stamp.push_back(static_cast<std::int64_t>(i) * step);
+    const std::int64_t stamp = static_cast<std::int64_t>(i) * step + (i < samples / 2 ? 0 : gap);
+    measurement.stamp.push_back(stamp / 1000 * 1000);
     const double t = 1e-9 * static_cast<double>(measurement.stamp.back());
     measurement.displacement.push_back((0.4e-3 + 0.2e-3 * t) * std::sin(2.0 * M_PI * 0.7 * t + phase) +
                                        0.3e-3 * std::sin(2.0 * M_PI * 5.3 * t) +
@@ -97,23 +98,11 @@ void expectSame(const Identification& expected, const Identification& actual) {
 class RandomModel {
  public:
   explicit RandomModel(unsigned seed) : random_(seed) {
-    truth.push_back(spring(between(1e6, 5e6)));
-    if (chance()) {
-      truth.push_back(dashpot(between(1e3, 1e4)));
-    }
-    const int maxwells = static_cast<int>(between(0.0, 3.99));
-    for (int i = 0; i < maxwells; ++i) {
-      truth.push_back(maxwell(between(2e5, 1e6), between(0.7, 1.5) * 0.3 * std::pow(10.0, i)));
-    }
-    if (chance()) {
-      truth.push_back(friction(between(200.0, 2000.0), between(1e-4, 1e-3), chance() ? between(1e-5, 5e-5) : 0.0));
-    }
+    chooseElements();
     const int logs = chance() ? 1 : 2;
     const double noise = std::pow(10.0, between(-6.0, -1.0));
     for (int i = 0; i < logs; ++i) {
-      const double samples = between(600.0, 1500.0);
-      measurements.push_back(motion(static_cast<std::size_t>(samples), (1 + i) * 4000000, between(0.0, 3.0)));
-      measure(truth, noise, random_, measurements.back());
+      addLog((1 + i) * 4000000, noise);
     }
     guess = truth;
     for (ElementDescription& element : guess) {
@@ -130,6 +119,32 @@ class RandomModel {
  private:
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   bool chance() { return between(0.0, 1.0) < 0.5; }
+
+  // One draw a line: the order of those among the arguments of a call is the compiler's choice.
+  void chooseElements() {
+    truth.push_back(spring(between(1e6, 5e6)));
+    if (chance()) {
+      truth.push_back(dashpot(between(1e3, 1e4)));
+    }
+    const int maxwells = static_cast<int>(between(0.0, 3.99));
+    for (int i = 0; i < maxwells; ++i) {
+      const double stiffness = between(2e5, 1e6);
+      truth.push_back(maxwell(stiffness, between(0.7, 1.5) * 0.3 * std::pow(10.0, i)));
+    }
+    if (chance()) {
+      const double maximum_force = between(200.0, 2000.0);
+      const double displacement = between(1e-4, 1e-3);
+      truth.push_back(friction(maximum_force, displacement, chance() ? 3e-5 : 0.0));
+    }
+  }
+
+  void addLog(std::int64_t step, double noise) {
+    const auto samples = static_cast<std::size_t>(between(600.0, 1500.0));
+    step += chance() ? 1300 : 0;
+    const std::int64_t gap = chance() ? 0 : 20 * step;
+    measurements.push_back(motion(samples, step, between(0.0, 3.0), gap));
+    measure(truth, noise, random_, measurements.back());
+  }
 
   std::mt19937 random_;
 };
