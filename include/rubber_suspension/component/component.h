@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -78,8 +80,8 @@ class Component {
   /// The force is not a number, from there on, where the specimen has given way behind a series mount: where its
   /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the mount can hold.
   ComponentForce step(ComponentState& state, double dt, double displacement) const {
-    return dt == state.prepared_dt_ && goesOn(state, displacement) ? leanStep(state, displacement)
-                                                                   : fullStep(state, dt, displacement);
+    return sameBits(dt, state.prepared_dt_) && goesOn(state, displacement) ? leanStep(state, displacement)
+                                                                           : fullStep(state, dt, displacement);
   }
 
   /// As many steps of dt [s] as there are displacements [m]; the total forces [N] go to `force`. The same bits as
@@ -135,6 +137,15 @@ class Component {
   double behindMount(ComponentState& state, const Motion& motion) const;
   double plainBehindMount(const ComponentState& state, const Motion& motion) const;
   std::optional<std::complex<double>> specimenStiffness(double omega) const;
+
+  /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
+  static bool sameBits(double one, double other) {
+    std::uint64_t bits = 0;
+    std::uint64_t other_bits = 0;
+    std::memcpy(&bits, &one, sizeof bits);
+    std::memcpy(&other_bits, &other, sizeof other_bits);
+    return bits == other_bits;
+  }
 
   /// True where the step is that of springs, dashpots, Maxwell elements and friction that does not turn.
   bool goesOn(const ComponentState& state, double displacement) const {

@@ -26,29 +26,26 @@ struct alignas(64) MaxwellBlock {
     sum += forces[1];
   }
 
-  /// Advance the first elements, eight at most, likewise. There is no loop: it would cost as much as the elements do.
+  /// Advance the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
+  /// and nested, so that no address is computed.
   void stepFirst(std::size_t count, double increment, double* force, double& sum) const {
-    const std::size_t pairs = count / 2;
-    double* end = force + 2 * pairs;
-    switch (pairs) {
-      case 4:
-        stepPair(pairs - 4, increment, end - 8, sum);
-        [[fallthrough]];
-      case 3:
-        stepPair(pairs - 3, increment, end - 6, sum);
-        [[fallthrough]];
-      case 2:
-        stepPair(pairs - 2, increment, end - 4, sum);
-        [[fallthrough]];
-      case 1:
-        stepPair(pairs - 1, increment, end - 2, sum);
-        [[fallthrough]];
-      default:
-        break;
+    if (count >= 2) {
+      stepPair(0, increment, force, sum);
+      if (count >= 4) {
+        stepPair(1, increment, force + 2, sum);
+        if (count >= 6) {
+          stepPair(2, increment, force + 4, sum);
+          if (count >= 8) {
+            stepPair(3, increment, force + 6, sum);
+          }
+        }
+      }
     }
     if (count % 2 != 0) {
-      *end = decay[pairs][0] * *end + gain[pairs][0] * increment;
-      sum += *end;
+      const std::size_t last = count - 1;
+      force[last] = reinterpret_cast<const double*>(decay)[last] * force[last] +
+                    reinterpret_cast<const double*>(gain)[last] * increment;
+      sum += force[last];
     }
   }
 };
