@@ -54,11 +54,7 @@ struct PeerBench {
   }
 };
 
-constexpr int kRepetitions = 15;
-constexpr int kRepetitionsOfSlow = 5;  // solvers that take more than 10 us for a sample
-
-Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, const Solver& solve,
-              int repetitions = kRepetitions) {
+Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, const Solver& solve) {
   Case result;
   result.name = "a log with break frequencies up to 1 kHz, `Component::simulate`";
   result.yardstick = name;
@@ -69,7 +65,7 @@ Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, 
   result.error = [bench] { return relativeDifference(bench->library, bench->peer); };
   result.error_meaning = "of the other's largest force";
   result.tolerance = kErrorOfPeers;
-  result.most_repetitions = repetitions;
+  result.most_repetitions = 15;
   return result;
 }
 
@@ -78,6 +74,9 @@ Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, 
 std::vector<Case> peerCases(const BenchmarkSize& size) {
   constexpr std::size_t kMostSamples = 20000;
   const auto bench = std::make_shared<PeerBench>(std::min(kMostSamples, size.samples));
+  // For those that take microseconds for a sample.
+  constexpr std::size_t kMostSamplesOfSlow = 2000;
+  [[maybe_unused]] const auto slow = std::make_shared<PeerBench>(std::min(kMostSamplesOfSlow, size.samples));
   std::vector<Case> cases;
   for (const int substeps : {3, 10}) {
     cases.push_back(peerCase(
@@ -92,14 +91,13 @@ std::vector<Case> peerCases(const BenchmarkSize& size) {
   cases.push_back(peerCase(bench, "SUNDIALS CVODE, BDF", cvodeBackwardDifferentiation));
 #endif
 #ifdef RUBBER_SUSPENSION_WITH_SIMBODY
-  cases.push_back(peerCase(bench, "Simbody, Runge-Kutta-Merson", simbodyMerson, kRepetitionsOfSlow));
+  cases.push_back(peerCase(slow, "Simbody, Runge-Kutta-Merson", simbodyMerson));
 #endif
 #ifdef RUBBER_SUSPENSION_WITH_MUJOCO
   for (const int substeps : {3, 10}) {
     cases.push_back(peerCase(
-        bench, "MuJoCo, RK4, " + std::to_string(substeps) + " steps per sample",
-        [substeps](const PeerWork& work, std::vector<double>& force) { mujocoRungeKutta4(work, substeps, force); },
-        kRepetitionsOfSlow));
+        slow, "MuJoCo, RK4, " + std::to_string(substeps) + " steps per sample",
+        [substeps](const PeerWork& work, std::vector<double>& force) { mujocoRungeKutta4(work, substeps, force); }));
   }
 #endif
   return cases;
