@@ -188,7 +188,7 @@ void expectNoTraceOfOverflows(const Component& component) {
   std::mt19937 random(1);
   std::int64_t stamp = 0;
   for (int i = 0; i < 3000; ++i) {
-    stamp += random() % 500 == 0 ? -2000 * kMs : (1 + random() % 3) * kMs;  // with restarts
+    stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
     if (random() % 50 == 0) {
       EXPECT_EQ(stream.push(stamp, kTooFar).verdict, Verdict::not_finite);
     }
