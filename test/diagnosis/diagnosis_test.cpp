@@ -59,6 +59,16 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
   EXPECT_GE(result.closed_interval[1], result.closed);
 }
 
+// What the logs of the fit do not show cannot be named, but is no agreement either.
+TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotBearOut) {
+  const Diagnosis result =
+      diagnose(rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
+  EXPECT_GT(result.gap.as_configured, 0.05);
+  EXPECT_EQ(result.verdict, "unknown");
+  EXPECT_TRUE(result.effects.empty());
+  EXPECT_NE(result.sentence.find("unseen"), std::string::npos) << result.sentence;
+}
+
 TEST(Diagnosis, NamesDryFriction) {
   double force = 0.0;
   double last = 0.0;
