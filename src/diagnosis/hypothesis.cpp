@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -11,80 +10,18 @@
 #include "rubber_suspension/diagnosis/bounded_least_squares.h"
 #include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/element/catalogue.h"
+#include "unit_effect.h"
 
 namespace rubber_suspension {
 namespace {
 
 constexpr double kOwnStep = 1e-4;     // of a logarithm, for difference quotients
 constexpr double kAtomStep = 0.02;    // of the typical scale
-constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
-constexpr double kBlockLength = 1.5;  // [s]
 constexpr double kEnoughGain = 1e-3;  // of the gap, to go on
 constexpr double kLongestStep = 0.4;  // of a logarithm: the model is far from linear beyond
 constexpr double kOwnPrice = 5.0;     // times the noise of the force, between hypotheses
 constexpr double kOwnTether = 2.0;    // the same within a fit, where it must not keep parameters from what logs tell
 constexpr double kLeastNoise = 1e-3;  // of the force's deviation: no model is better than that
-constexpr int kMostBlocks = 24;
-constexpr int kFewestBlocks = 8;
-
-int blocksOf(const Record& record) {
-  const int count = static_cast<int>(std::lround(record.duration() / kBlockLength));
-  return std::clamp(count, kFewestBlocks, kMostBlocks);
-}
-
-// Samples of a log.
-struct Rows {
-  std::size_t record;
-  Eigen::Index first;
-  Eigen::Index last;  // the one after them
-};
-
-// A log's zero, ramp and half cosines.
-void fillTrends(const Record& record, const Rows& rows, double weight, Eigen::Ref<Eigen::MatrixXd> columns) {
-  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(rows.last - rows.first, static_cast<double>(rows.first),
-                                                        static_cast<double>(rows.last - 1)) /
-                              static_cast<double>(record.size() - 1);
-  columns.col(0).setConstant(weight);
-  columns.col(1) = weight * (time - 0.5);
-  for (int k = 2; k < kTrendsPerLog; ++k) {
-    columns.col(k) = weight * (time * M_PI * static_cast<double>(k - 1)).cos();
-  }
-}
-
-// Share of the specimen's force that a softening atom takes at scale 1, by the factors of its law.
-std::vector<Eigen::VectorXd> softenedShare(const Atom& atom, const std::vector<Record>& records) {
-  const auto law = std::get<std::shared_ptr<const ForceEffect>>(makeElement(atom.at(atom.typical)));
-  std::vector<double> memory(law->memorySize());
-  std::vector<Eigen::VectorXd> result;
-  for (const Record& record : records) {
-    const Eigen::VectorXd& z = record.displacement;
-    Eigen::VectorXd factor(z.size());
-    if (result.empty()) {
-      law->rest(z[0], memory.data());
-      factor[0] = 1.0;
-    } else {
-      factor[0] = law->recover(z[0], memory.data());
-    }
-    for (Eigen::Index i = 1; i < z.size(); ++i) {
-      factor[i] = law->step({record.dt, z[i], z[i] - z[i - 1]}, {}, memory.data());
-    }
-    result.emplace_back((1.0 - factor.array()) / atom.typical);
-  }
-  return result;
-}
-
-std::vector<Eigen::VectorXd> addedForce(const Atom& atom, const std::vector<Record>& records) {
-  std::vector<Eigen::VectorXd> result;
-  if (atom.exact) {
-    std::transform(records.begin(), records.end(), std::back_inserter(result), atom.exact);
-    return result;
-  }
-  result = simulate({atom.at(atom.typical)}, records);
-  for (Eigen::VectorXd& force : result) {
-    force /= atom.typical;
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -102,20 +39,6 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<ElementDescription>& ele
     forces.push_back(std::move(force));
   }
   return forces;
-}
-
-// Sums, not differences: what is zero without a fold has to be so to the last bit.
-void BlockGrams::sumUp() {
-  sum = prior;
-  without_fold.assign(kFolds, prior);
-  for (std::size_t b = 0; b < gram.size(); ++b) {
-    sum += gram[b];
-    for (int other = 0; other < kFolds; ++other) {
-      if (other != fold[b]) {
-        without_fold[static_cast<std::size_t>(other)] += gram[b];
-      }
-    }
-  }
 }
 
 Fitter::Fitter(std::vector<Record> records, const OwnParameters& own) : records_(std::move(records)), own_(own) {
@@ -164,8 +87,7 @@ void Fitter::precompute(std::vector<Candidate>& candidates, int threads) const {
   }
   parallelFor(known.size(), threads, [&](std::size_t i) {
     Atom& atom = *known[i];
-    atom.unit_effect = std::make_shared<const std::vector<Eigen::VectorXd>>(
-        atom.softening ? softenedShare(atom, records_) : addedForce(atom, records_));
+    atom.unit_effect = std::make_shared<const std::vector<Eigen::VectorXd>>(unitEffect(atom, records_));
   });
 }
 
@@ -247,7 +169,7 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
     throw std::invalid_argument("the model has no solution at the point of linearisation");
   }
   const auto own = static_cast<std::size_t>(own_.size());
-  std::vector<Columns> columns(own + atoms.size());
+  std::vector<Column> columns(own + atoms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
     if (j < own) {
       columns[j] = ownColumn(point, atoms, static_cast<Eigen::Index>(j), *base);
@@ -255,7 +177,7 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
       columns[j] = atomColumn(point, atoms, j - own, *base);
     }
   });
-  BlockGrams result = normalEquations(*base, columns, trends, threads);
+  BlockGrams result = normalEquations(records_, weights_, *base, columns, trends, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
   result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   for (Eigen::Index j = 0; j < own_.size(); ++j) {
@@ -266,8 +188,8 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
   return result;
 }
 
-Fitter::Columns Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
-                                  const std::vector<Eigen::VectorXd>& base) const {
+Column Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                         const std::vector<Eigen::VectorXd>& base) const {
   Point moved = point;
   double step = kOwnStep;
   moved.own[j] += step;
@@ -286,8 +208,8 @@ Fitter::Columns Fitter::ownColumn(const Point& point, const std::vector<Atom>& a
   return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(*column));
 }
 
-Fitter::Columns Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                                   const std::vector<Eigen::VectorXd>& base) const {
+Column Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                          const std::vector<Eigen::VectorXd>& base) const {
   const Company company = companyOf(point, atoms);
   if (isKnown(atoms[a], company)) {
     return knownColumn(point, atoms, a, base);
@@ -305,8 +227,8 @@ Fitter::Columns Fitter::atomColumn(const Point& point, const std::vector<Atom>& 
 }
 
 // Where an atom's effect is known the force is linear in its scale.
-Fitter::Columns Fitter::knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                                    const std::vector<Eigen::VectorXd>& base) const {
+Column Fitter::knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                           const std::vector<Eigen::VectorXd>& base) const {
   const Atom& atom = atoms[a];
   if (atom.on_rig || !(atom.softening || companyOf(point, atoms).softens)) {
     return atom.unit_effect;
@@ -325,65 +247,6 @@ Fitter::Columns Fitter::knownColumn(const Point& point, const std::vector<Atom>&
     }
   }
   return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(column));
-}
-
-BlockGrams Fitter::normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns,
-                                   bool trends, int threads) const {
-  const auto modelled = static_cast<Eigen::Index>(columns.size());
-  const Eigen::Index trend_columns = trends ? kTrendsPerLog * static_cast<Eigen::Index>(records_.size()) : 0;
-  const Eigen::Index width = modelled + trend_columns + 1;
-  BlockGrams result;
-  std::vector<Rows> blocks;
-  for (std::size_t r = 0; r < records_.size(); ++r) {
-    const Eigen::Index size = records_[r].size();
-    const int count = blocksOf(records_[r]);
-    for (int b = 0; b < count; ++b) {
-      blocks.push_back({r, size * b / count, size * (b + 1) / count});
-      result.fold.push_back((b + static_cast<int>(r)) % kFolds);
-      result.record.push_back(static_cast<int>(r));
-      result.weight.push_back(static_cast<double>(blocks.back().last - blocks.back().first) /
-                              (static_cast<double>(size) * static_cast<double>(records_.size())));
-    }
-  }
-  result.gram.resize(blocks.size());
-  parallelFor(blocks.size(), threads, [&](std::size_t b) {
-    const Rows& rows = blocks[b];
-    const Record& record = records_[rows.record];
-    std::vector<Eigen::Index> place;  // of the columns that are not zero in this block, in the whole matrix
-    for (Eigen::Index j = 0; j < modelled; ++j) {
-      if (columns[static_cast<std::size_t>(j)]) {
-        place.push_back(j);
-      }
-    }
-    const auto from_model = static_cast<Eigen::Index>(place.size());
-    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
-    for (Eigen::Index j = 0; j < own_trends; ++j) {  // those of the other logs are zero here
-      place.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
-    }
-    place.push_back(width - 1);
-    const Eigen::Index size = rows.last - rows.first;
-    const double weight = weights_[rows.record];
-    Eigen::MatrixXd local(size, static_cast<Eigen::Index>(place.size()));
-    for (Eigen::Index j = 0; j < from_model; ++j) {
-      const auto& column = *columns[static_cast<std::size_t>(place[static_cast<std::size_t>(j)])];
-      local.col(j) = weight * column[rows.record].segment(rows.first, size);
-    }
-    if (trends) {
-      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
-    }
-    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
-    Eigen::MatrixXd small = Eigen::MatrixXd::Zero(local.cols(), local.cols());
-    small.selfadjointView<Eigen::Lower>().rankUpdate(local.transpose());
-    small.triangularView<Eigen::StrictlyUpper>() = small.transpose();
-    Eigen::MatrixXd& gram = result.gram[b];
-    gram = Eigen::MatrixXd::Zero(width, width);
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      for (std::size_t j = 0; j < place.size(); ++j) {
-        gram(place[i], place[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      }
-    }
-  });
-  return result;
 }
 
 void Fitter::stepBounds(const Point& point, const std::vector<Atom>& atoms, Eigen::Index columns,
@@ -490,43 +353,6 @@ Fit Fitter::fit(const std::vector<Atom>& atoms, const Point& start, int iteratio
   result.departure = departure(result.point);
   result.gap = gapAt(result.point, atoms);
   return result;
-}
-
-std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const auto count = static_cast<Eigen::Index>(columns.size());
-  const Eigen::Index last = blocks.gram[0].rows() - 1;
-  std::vector<double> errors(blocks.gram.size());
-  Eigen::MatrixXd small(count, count);
-  Eigen::VectorXd moment(count);
-  for (int fold = 0; fold < kFolds; ++fold) {
-    const Eigen::MatrixXd& total = blocks.without_fold[static_cast<std::size_t>(fold)];
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const auto row = columns[static_cast<std::size_t>(i)];
-      moment[i] = total(row, last);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        small(i, j) = total(row, columns[static_cast<std::size_t>(j)]);
-      }
-    }
-    const Eigen::VectorXd x = boundedLeastSquares(small, moment, lower, upper);
-    for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
-      if (blocks.fold[b] != fold) {
-        continue;
-      }
-      const Eigen::MatrixXd& gram = blocks.gram[b];
-      double error = gram(last, last);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        const auto row = columns[static_cast<std::size_t>(i)];
-        error -= 2.0 * x[i] * gram(row, last);
-        for (Eigen::Index j = 0; j < count; ++j) {
-          error += x[i] * x[j] * gram(row, columns[static_cast<std::size_t>(j)]);
-        }
-      }
-      errors[b] =
-          std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
-    }
-  }
-  return errors;
 }
 
 }  // namespace rubber_suspension

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubber_suspension/diagnosis/candidate.h"
+#include "rubber_suspension/diagnosis/normal_equations.h"
 #include "rubber_suspension/diagnosis/own_parameters.h"
 #include "rubber_suspension/diagnosis/record.h"
 
@@ -28,23 +29,6 @@ struct Point {
 
   /// Largest magnitude among the logarithms: how far an own parameter is from its configured value.
   double furthestMove() const { return own.size() > 0 ? own.cwiseAbs().maxCoeff() : 0.0; }
-};
-
-/// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
-/// parameters, atoms, nuisance trends, and last the residual at the point of linearisation. Each log is weighted such
-/// that residuals are in units of its force's standard deviation, and all logs count alike.
-struct BlockGrams {
-  std::vector<Eigen::MatrixXd> gram;
-  std::vector<int> fold;
-  std::vector<int> record;
-  std::vector<double> weight;  ///< share of the block in all samples, weighted
-  Eigen::MatrixXd prior;       ///< what departing from the configured own parameters costs
-
-  Eigen::MatrixXd sum;                        ///< of all blocks and the prior
-  std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
-
-  /// Fill in the sums.
-  void sumUp();
 };
 
 /// The fitted hypothesis.
@@ -109,20 +93,16 @@ class Fitter {
                   Eigen::VectorXd& upper) const;
 
  private:
-  using Columns = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
-
   /// Gauss-Newton steps from `point`, to where they end; normal equations there.
   BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
                      const std::vector<bool>& first_active, Point& point) const;
   double cost(const Point& point, const std::vector<Atom>& atoms) const;
-  Columns ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+  Column ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                   const std::vector<Eigen::VectorXd>& base) const;
+  Column atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
                     const std::vector<Eigen::VectorXd>& base) const;
-  Columns atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+  Column knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
                      const std::vector<Eigen::VectorXd>& base) const;
-  Columns knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                      const std::vector<Eigen::VectorXd>& base) const;
-  BlockGrams normalEquations(const std::vector<Eigen::VectorXd>& base, const std::vector<Columns>& columns, bool trends,
-                             int threads) const;
 
   /// What else is at work in a model, besides elements of the specimen that add up.
   struct Company {
@@ -148,11 +128,5 @@ class Fitter {
   std::vector<double> weights_;  // per record: 1/(force deviation sqrt(samples records))
   double force_noise_ = 0.0;     // of the measured force, in units of its deviation
 };
-
-/// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
-std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
-                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
-
-constexpr int kFolds = 4;
 
 }  // namespace rubber_suspension
