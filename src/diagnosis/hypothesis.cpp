@@ -169,7 +169,7 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
     throw std::invalid_argument("the model has no solution at the point of linearisation");
   }
   const auto own = static_cast<std::size_t>(own_.size());
-  std::vector<Column> columns(own + atoms.size());
+  std::vector<ForceColumn> columns(own + atoms.size());
   parallelFor(columns.size(), threads, [&](std::size_t j) {
     if (j < own) {
       columns[j] = ownColumn(point, atoms, static_cast<Eigen::Index>(j), *base);
@@ -188,8 +188,8 @@ BlockGrams Fitter::linearise(const Point& point, const std::vector<Atom>& atoms,
   return result;
 }
 
-Column Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
-                         const std::vector<Eigen::VectorXd>& base) const {
+ForceColumn Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                              const std::vector<Eigen::VectorXd>& base) const {
   Point moved = point;
   double step = kOwnStep;
   moved.own[j] += step;
@@ -208,8 +208,8 @@ Column Fitter::ownColumn(const Point& point, const std::vector<Atom>& atoms, Eig
   return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(*column));
 }
 
-Column Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                          const std::vector<Eigen::VectorXd>& base) const {
+ForceColumn Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                               const std::vector<Eigen::VectorXd>& base) const {
   const Company company = companyOf(point, atoms);
   if (isKnown(atoms[a], company)) {
     return knownColumn(point, atoms, a, base);
@@ -227,8 +227,8 @@ Column Fitter::atomColumn(const Point& point, const std::vector<Atom>& atoms, st
 }
 
 // Where an atom's effect is known the force is linear in its scale.
-Column Fitter::knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                           const std::vector<Eigen::VectorXd>& base) const {
+ForceColumn Fitter::knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                                const std::vector<Eigen::VectorXd>& base) const {
   const Atom& atom = atoms[a];
   if (atom.on_rig || !(atom.softening || companyOf(point, atoms).softens)) {
     return atom.unit_effect;

@@ -54,7 +54,7 @@ std::vector<Rows> cut(const std::vector<Record>& records) {
 
 // Which columns of the whole matrix are not zero in a block: those of the model, the trends of its own log, and last
 // the residual.
-std::vector<Eigen::Index> placesIn(const Rows& rows, const std::vector<Column>& columns, Eigen::Index trends,
+std::vector<Eigen::Index> placesIn(const Rows& rows, const std::vector<ForceColumn>& columns, Eigen::Index trends,
                                    Eigen::Index width) {
   std::vector<Eigen::Index> places;
   const auto modelled = static_cast<Eigen::Index>(columns.size());
@@ -105,8 +105,8 @@ void BlockGrams::sumUp() {
 }
 
 BlockGrams normalEquations(const std::vector<Record>& records, const std::vector<double>& weights,
-                           const std::vector<Eigen::VectorXd>& base, const std::vector<Column>& columns, bool trends,
-                           int threads) {
+                           const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
+                           bool trends, int threads) {
   const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
   const auto logs = static_cast<Eigen::Index>(records.size());
   const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + own_trends * logs + 1;

@@ -39,12 +39,8 @@ double StressSoftening::factor(double displacement, double reach) const {
 
 double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {
   memory[kLargest] = std::max(memory[kLargest], std::abs(motion.displacement));
-  if (path_ > 0.0) {
-    const double ways = std::abs(motion.increment) / path_;
-    memory[kReach] += (memory[kLargest] - memory[kReach]) * ways * Relaxation::over(ways).mean;
-  } else {
-    memory[kReach] = memory[kLargest];
-  }
+  const double kept = path_ > 0.0 ? Relaxation::over(std::abs(motion.increment) / path_).decay : 0.0;
+  memory[kReach] += (memory[kLargest] - memory[kReach]) * (1.0 - kept);
   return factor(motion.displacement, memory[kReach]);
 }
 

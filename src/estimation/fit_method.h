@@ -20,7 +20,7 @@ struct Optimum {
 };
 
 /// The eliminated coefficients at some search coordinates, and what is left.
-struct Fit {
+struct ModelFit {
   Eigen::VectorXd search;
   Eigen::VectorXd coefficients;  ///< of the basis of the ForceModel
   Eigen::VectorXd residual;      ///< [N]
@@ -39,10 +39,10 @@ class FitMethod {
 
   /// The optimum that a search within the limits of the unknowns reaches from a start.
   virtual Optimum search(const Eigen::VectorXd& start) = 0;
-  virtual Fit fitAt(const Eigen::VectorXd& search) = 0;
-  virtual Eigen::MatrixXd jacobian(const Fit& fit) = 0;
+  virtual ModelFit fitAt(const Eigen::VectorXd& search) = 0;
+  virtual Eigen::MatrixXd jacobian(const ModelFit& fit) = 0;
   /// J'J, with the Jacobian or without.
-  virtual Eigen::MatrixXd jacobianProducts(const Fit& fit) = 0;
+  virtual Eigen::MatrixXd jacobianProducts(const ModelFit& fit) = 0;
   /// Of costs, relative to the sum of squares of the measured force.
   virtual double rounding() const = 0;
 };

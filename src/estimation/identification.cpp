@@ -143,13 +143,13 @@ Searches searchFrom(const std::vector<Eigen::VectorXd>& starts, FitMethod& metho
 
 // What the searches lead to: the best fit, and what it knows of the parameters.
 struct BestFit {
-  Fit fit;
+  ModelFit fit;
   Eigen::MatrixXd products;  // J'J of FitMethod's Jacobian J
   Autoregression noise;
   Eigen::MatrixXd noise_products;  // J'OJ, O being the covariance of the residuals
 };
 
-BestFit describeFit(FitMethod& method, const Fit& fit, const std::vector<Eigen::Index>& runs) {
+BestFit describeFit(FitMethod& method, const ModelFit& fit, const std::vector<Eigen::Index>& runs) {
   BestFit best{fit, method.jacobianProducts(fit), fitAutoregression(fit.residual, runs), {}};
   best.noise_products = best.noise.coefficients.empty() ? best.noise.innovation * best.products
                                                         : projectedCovariance(method.jacobian(fit), runs, best.noise);
@@ -170,7 +170,7 @@ BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vect
   ProductFit by_products(model, measurements);
   const Searches searches = searchFrom(starts, by_products, force_square);
   result.starts_at_best = searches.at_best;
-  const Fit fit = by_products.fitAt(searches.best.search);
+  const ModelFit fit = by_products.fitAt(searches.best.search);
   if (fit.cost() > kSmallestByProducts * force_square) {
     return describeFit(by_products, fit, runs);
   }
@@ -242,7 +242,7 @@ bool atLimit(const Unknown& unknown, double value) {
 // Puts together what the best fit says.
 class Summary {
  public:
-  Summary(ForceModel& model, const Fit& fit, const Covariance& covariance)
+  Summary(ForceModel& model, const ModelFit& fit, const Covariance& covariance)
       : model_(model), fit_(fit), covariance_(covariance) {}
 
   void describe(Identification& result) const {
@@ -320,7 +320,7 @@ class Summary {
   }
 
   ForceModel& model_;
-  const Fit& fit_;
+  const ModelFit& fit_;
   const Covariance& covariance_;
 };
 
@@ -386,7 +386,7 @@ void dropElementsWithoutForce(Identification& result) {
   }
 }
 
-void describeResiduals(Identification& result, const Fit& fit, const Eigen::VectorXd& force,
+void describeResiduals(Identification& result, const ModelFit& fit, const Eigen::VectorXd& force,
                        const Autoregression& noise) {
   const auto count = static_cast<double>(force.size());
   const double variance = fit.residual.squaredNorm() / count;

@@ -106,14 +106,14 @@ Optimum ProductFit::search(const Eigen::VectorXd& start) {
   return {x, here.cost};
 }
 
-Fit ProductFit::fitAt(const Eigen::VectorXd& search) {
+ModelFit ProductFit::fitAt(const Eigen::VectorXd& search) {
   const ProjectedCost::Value value = cost_.at(search);
   return {search, value.coefficients, cost_.residual(search, value.coefficients)};
 }
 
-Eigen::MatrixXd ProductFit::jacobian(const Fit& fit) { return cost_.jacobian(fit.search, fit.coefficients); }
+Eigen::MatrixXd ProductFit::jacobian(const ModelFit& fit) { return cost_.jacobian(fit.search, fit.coefficients); }
 
-Eigen::MatrixXd ProductFit::jacobianProducts(const Fit& fit) {
+Eigen::MatrixXd ProductFit::jacobianProducts(const ModelFit& fit) {
   return cost_.jacobianProducts(fit.search, fit.coefficients);
 }
 

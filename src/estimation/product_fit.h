@@ -19,9 +19,9 @@ class ProductFit final : public FitMethod {
   ProductFit(const ForceModel& model, const std::vector<Measurement>& measurements);
 
   Optimum search(const Eigen::VectorXd& start) override;
-  Fit fitAt(const Eigen::VectorXd& search) override;
-  Eigen::MatrixXd jacobian(const Fit& fit) override;
-  Eigen::MatrixXd jacobianProducts(const Fit& fit) override;
+  ModelFit fitAt(const Eigen::VectorXd& search) override;
+  Eigen::MatrixXd jacobian(const ModelFit& fit) override;
+  Eigen::MatrixXd jacobianProducts(const ModelFit& fit) override;
   double rounding() const override { return 10.0 * UnitColumns::rounding(); }
 
  private:

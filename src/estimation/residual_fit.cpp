@@ -8,9 +8,9 @@
 namespace rubber_suspension {
 namespace {
 
-Fit evaluate(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd& search) {
+ModelFit evaluate(ForceModel& model, const Eigen::VectorXd& force, const Eigen::VectorXd& search) {
   model.evaluate(search);
-  Fit fit;
+  ModelFit fit;
   fit.search = search;
   fit.coefficients = solveLeastSquares(model.basis(), force - model.rest(), model.signedColumns());
   fit.residual = force - model.rest() - model.basis() * fit.coefficients;
@@ -53,7 +53,7 @@ class ProjectedResidual final : public ceres::CostFunction {
     if (fit_.search.size() != count || fit_.search != search) {  // the Jacobian is asked for where the residual was
       fit_ = evaluate(model_, force_, search);
     }
-    const Fit& fit = fit_;
+    const ModelFit& fit = fit_;
     Eigen::Map<Eigen::VectorXd>(residuals, force_.size()) = fit.residual / unit_;
     if (!fit.residual.allFinite()) {
       return false;
@@ -75,7 +75,7 @@ class ProjectedResidual final : public ceres::CostFunction {
   ForceModel& model_;
   const Eigen::VectorXd& force_;
   double unit_;
-  mutable Fit fit_;  // where it was evaluated last, like the model
+  mutable ModelFit fit_;  // where it was evaluated last, like the model
 };
 
 }  // namespace
@@ -105,9 +105,9 @@ Optimum ResidualFit::search(const Eigen::VectorXd& start) {
   return {x, fitAt(x).cost()};
 }
 
-Fit ResidualFit::fitAt(const Eigen::VectorXd& search) { return evaluate(model_, force_, search); }
+ModelFit ResidualFit::fitAt(const Eigen::VectorXd& search) { return evaluate(model_, force_, search); }
 
-Eigen::MatrixXd ResidualFit::jacobian(const Fit& fit) {
+Eigen::MatrixXd ResidualFit::jacobian(const ModelFit& fit) {
   const Eigen::Index nonlinear = fit.search.size();
   Eigen::MatrixXd jacobian(model_.size(), nonlinear + fit.coefficients.size());
   for (Eigen::Index i = 0; i < nonlinear; ++i) {
@@ -120,7 +120,7 @@ Eigen::MatrixXd ResidualFit::jacobian(const Fit& fit) {
   return jacobian;
 }
 
-Eigen::MatrixXd ResidualFit::jacobianProducts(const Fit& fit) {
+Eigen::MatrixXd ResidualFit::jacobianProducts(const ModelFit& fit) {
   const Eigen::MatrixXd derivatives = jacobian(fit);
   return derivatives.transpose() * derivatives;
 }

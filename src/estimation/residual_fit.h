@@ -13,9 +13,9 @@ class ResidualFit final : public FitMethod {
   ResidualFit(ForceModel& model, const Eigen::VectorXd& force) : model_(model), force_(force) {}
 
   Optimum search(const Eigen::VectorXd& start) override;
-  Fit fitAt(const Eigen::VectorXd& search) override;
-  Eigen::MatrixXd jacobian(const Fit& fit) override;
-  Eigen::MatrixXd jacobianProducts(const Fit& fit) override;
+  ModelFit fitAt(const Eigen::VectorXd& search) override;
+  Eigen::MatrixXd jacobian(const ModelFit& fit) override;
+  Eigen::MatrixXd jacobianProducts(const ModelFit& fit) override;
   double rounding() const override { return 1e-20; }
 
  private:

@@ -97,12 +97,12 @@ class Fitter {
   BlockGrams descend(const std::vector<Atom>& atoms, int iterations, bool trends, bool own_fixed,
                      const std::vector<bool>& first_active, Point& point) const;
   double cost(const Point& point, const std::vector<Atom>& atoms) const;
-  Column ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
-                   const std::vector<Eigen::VectorXd>& base) const;
-  Column atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                    const std::vector<Eigen::VectorXd>& base) const;
-  Column knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
-                     const std::vector<Eigen::VectorXd>& base) const;
+  ForceColumn ownColumn(const Point& point, const std::vector<Atom>& atoms, Eigen::Index j,
+                        const std::vector<Eigen::VectorXd>& base) const;
+  ForceColumn atomColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                         const std::vector<Eigen::VectorXd>& base) const;
+  ForceColumn knownColumn(const Point& point, const std::vector<Atom>& atoms, std::size_t a,
+                          const std::vector<Eigen::VectorXd>& base) const;
 
   /// What else is at work in a model, besides elements of the specimen that add up.
   struct Company {

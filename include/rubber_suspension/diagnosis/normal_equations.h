@@ -29,13 +29,13 @@ struct BlockGrams {
 };
 
 /// Derivative of the force by an unknown, per log; null: zero everywhere.
-using Column = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
+using ForceColumn = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
 
 /// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
 /// residuals of each log comparable [1/N]. `trends`: a zero, a ramp and some half cosines per log are unknown, too.
 BlockGrams normalEquations(const std::vector<Record>& records, const std::vector<double>& weights,
-                           const std::vector<Eigen::VectorXd>& base, const std::vector<Column>& columns, bool trends,
-                           int threads);
+                           const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
+                           bool trends, int threads);
 
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
