@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace rubber_suspension {
 namespace {
@@ -12,8 +13,9 @@ namespace {
 Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const Autoregression& model) {
   const Eigen::Index size = jacobian.rows();
   Eigen::MatrixXd filter = Eigen::MatrixXd::Identity(size, size);
-  for (std::size_t i = 0; i < model.coefficients.size(); ++i) {
-    filter.diagonal(-static_cast<Eigen::Index>(i) - 1).setConstant(model.coefficients[i]);
+  const auto order = static_cast<Eigen::Index>(model.coefficients.size());
+  for (Eigen::Index lag = 1; lag <= std::min(order, size - 1); ++lag) {
+    filter.diagonal(-lag).setConstant(model.coefficients[static_cast<std::size_t>(lag - 1)]);
   }
   const Eigen::MatrixXd filtered = filter.transpose().lu().solve(jacobian);
   return model.innovation * filtered.transpose() * filtered;
