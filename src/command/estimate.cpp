@@ -79,7 +79,7 @@ std::string elementText(const ElementDescription& element) {
   std::string text;
   for (const ParameterInfo& parameter : type->parameters) {
     std::string values;
-    for (const double value : element.values.at(parameter.name)) {
+    for (const double value : element.list(parameter.name)) {
       values += fmt::format("{}{:.6g}", values.empty() ? "" : ", ", value);
     }
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", parameter.name, values,
@@ -136,7 +136,7 @@ nlohmann::ordered_json pointsJson(const std::vector<SweepPoint>& points) {
 nlohmann::ordered_json elementJson(const ElementDescription& element) {
   nlohmann::ordered_json json = {{"type", element.type}};
   for (const ParameterInfo& parameter : findElementType(element.type)->parameters) {
-    const std::vector<double>& values = element.values.at(parameter.name);
+    const std::vector<double>& values = element.list(parameter.name);
     json[parameter.name] = parameter.is_list ? nlohmann::ordered_json(values) : nlohmann::ordered_json(values.at(0));
   }
   return json;

@@ -140,8 +140,8 @@ std::map<std::string, double> parametersOf(const std::vector<ElementDescription>
   for (const ElementDescription& entry : entries) {
     if (entry.type == "iwan_table") {
       double force = 0.0;
-      for (std::size_t i = 0; i < entry.values.at("stiffness").size(); ++i) {
-        force += entry.values.at("stiffness")[i] * entry.values.at("yield_displacement")[i];
+      for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
+        force += entry.list("stiffness")[i] * entry.list("yield_displacement")[i];
       }
       result["maximum_force"] = force;
       continue;

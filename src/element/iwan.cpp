@@ -21,8 +21,8 @@ int sliderCount(const ElementDescription& description) {
 }
 
 std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& description) {
-  const std::vector<double>& yield = description.values.at("yield_displacement");
-  const std::vector<double>& stiffness = description.values.at("stiffness");
+  const std::vector<double>& yield = description.list("yield_displacement");
+  const std::vector<double>& stiffness = description.list("stiffness");
   if (yield.empty() || yield.size() > kMaximumSliders || stiffness.size() != yield.size()) {
     throw std::invalid_argument(fmt::format(
         "{}.stiffness: {} values for {} yield displacements; accepted: two lists of one length from 1 to {}",

@@ -1,10 +1,14 @@
 // What a user may write for a parameter: one table from which checks, errors and reference pages follow.
 #pragma once
 
+#include <boost/container/flat_map.hpp>
+#include <boost/container/small_vector.hpp>
+#include <functional>
 #include <limits>
-#include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rubber_suspension {
@@ -38,8 +42,11 @@ struct ParameterInfo {
   bool is_list = false;                 ///< takes a list of numbers in place of one
 };
 
-/// Values by parameter name; a scalar is a list of one.
-using ParameterValues = std::map<std::string, std::vector<double>>;
+/// Values by parameter name, in the order of the names; a scalar is a list of one. Most laws have one or two parameters:
+/// these take no memory of their own, since fits make descriptions by the thousand.
+using ParameterValues =
+    boost::container::flat_map<std::string, std::vector<double>, std::less<>,
+                               boost::container::small_vector<std::pair<std::string, std::vector<double>>, 2>>;
 
 /// An entry of `elements:` or `add:`: the name of a law and the values of its parameters [SI].
 struct ElementDescription {
@@ -47,7 +54,13 @@ struct ElementDescription {
   ParameterValues values;
 
   /// The scalar parameter of that name. Throws std::out_of_range where it is missing.
-  double value(const std::string& name) const { return values.at(name).at(0); }
+  double value(const std::string& name) const { return list(name).at(0); }
+
+  /// All values of the parameter of that name. Throws std::out_of_range where it is missing.
+  const std::vector<double>& list(const std::string& name) const {
+    const auto found = values.find(name);
+    return found != values.end() ? found->second : throw std::out_of_range(name);
+  }
 };
 
 /// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.
