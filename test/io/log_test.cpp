@@ -8,7 +8,10 @@
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <random>
 
 #include "io/temporary_file.h"
@@ -175,9 +178,32 @@ double processorTime() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Rows of 17 digits: the reader has to be fast enough never to be what a user waits for.
-TEST(ReadCsvLog, Reads130000RowsInLessThan100Milliseconds) {
-  std::string text = "time_s,displacement_m,force_N\n";
+// The shortest of some attempts, since the machine may be busy with other things.
+double shortestTime(const std::function<void()>& work) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    const double start = processorTime();
+    work();
+    shortest = std::min(shortest, processorTime() - start);
+  }
+  return shortest;
+}
+
+// The sum of all numbers of a text, as the C library reads them.
+double sumOfNumbers(const std::string& text) {
+  double sum = 0.0;
+  for (const char* at = text.c_str(); *at != '\0';) {
+    char* end = nullptr;
+    sum += std::strtod(at, &end);
+    at = end == at ? at + 1 : end;
+  }
+  return sum;
+}
+
+// Rows of 17 digits: the reader has to be fast enough never to be what a user waits for. It takes about as long as the
+// C library takes for the numbers alone; three times that is for machines whose cores are shared.
+TEST(ReadCsvLog, Reads130000RowsAboutAsFastAsTheirNumbers) {
+  std::string text;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 130000; ++i) {
@@ -185,17 +211,15 @@ TEST(ReadCsvLog, Reads130000RowsInLessThan100Milliseconds) {
     std::snprintf(row, sizeof row, "%.6f,%.17g,%.17g\n", i * 1e-3, 1e-3 * normal(random), 1e3 * normal(random));
     text += row;
   }
-  const TemporaryFile file("log.csv", text);
-  double best = 1e9;
-  for (int attempt = 0; attempt < 5; ++attempt) {  // the best of some: the machine may be busy with other things
-    const double start = processorTime();
-    ASSERT_EQ(readCsvLog(file.path()).size(), 130000u);
-    best = std::min(best, processorTime() - start);
-  }
-  RecordProperty("seconds", std::to_string(best));
-  std::printf("130,000 rows in %.1f ms\n", 1e3 * best);
+  const TemporaryFile file("log.csv", "time_s,displacement_m,force_N\n" + text);
+  double sum = 0.0;
+  const double numbers = shortestTime([&] { sum += sumOfNumbers(text); });
+  const double reading = shortestTime([&] { ASSERT_EQ(readCsvLog(file.path()).size(), 130000U); });
+  EXPECT_TRUE(std::isfinite(sum));
+  RecordProperty("seconds", std::to_string(reading));
+  std::printf("130,000 rows in %.1f ms, their numbers alone in %.1f ms\n", 1e3 * reading, 1e3 * numbers);
 #ifdef NDEBUG
-  EXPECT_LT(best, 0.1);
+  EXPECT_LT(reading, 3.0 * numbers);
 #endif
 }
 
