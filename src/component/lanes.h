@@ -17,6 +17,23 @@ inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &l
 /// The same number in each lane.
 inline Lanes spread(double number) { return number - Lanes{}; }
 
+/// Each number in the lane before its own, and in the last lane the first one of what follows.
+inline Lanes shifted(const Lanes& lanes, const Lanes& following) {
+#ifdef __clang__
+  Lanes result;
+  for (std::size_t i = 0; i < kWidth; ++i) {
+    result[i] = i + 1 < kWidth ? lanes[i + 1] : following[0];
+  }
+  return result;
+#else
+  LaneMask from;
+  for (std::size_t i = 0; i < kWidth; ++i) {
+    from[i] = static_cast<std::int64_t>(i) + 1;
+  }
+  return __builtin_shuffle(lanes, following, from);
+#endif
+}
+
 inline Lanes select(const LaneMask& mask, const Lanes& yes, const Lanes& no) {
   return reinterpret_cast<Lanes>((mask & reinterpret_cast<LaneMask>(yes)) | (~mask & reinterpret_cast<LaneMask>(no)));
 }

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(With, Simulate, testing::Values(Instructions::any, Inst
 TEST_P(Simulate, HasTheBitsOfStepsForRandomLaws) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 100; ++trial) {
-    const std::size_t samples = 1 + random() % 1000;
+    const std::size_t samples = 1 + random() % 3000;
     expectSameBits(Component(randomLaws(random)), randomPath(random, samples));
   }
 }

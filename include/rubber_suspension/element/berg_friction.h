@@ -103,6 +103,15 @@ class BergFriction final : public ParallelElement {
   /// are. The force at each is branch().
   std::size_t followUntilTurn(const double* displacement, std::size_t count, double* memory) const;
 
+  /// Turn at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then the
+  /// caller's to set.
+  void turnAt(double turning_point, double* memory) const {
+    const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+    memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
+    memory[kReferenceDisplacement] = turning_point;
+    memory[kDirection] = -memory[kDirection];
+  }
+
   /// Force [N] at a displacement [m] on the branch that starts at a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
     const double way = displacement - reference_displacement;
@@ -148,12 +157,8 @@ class BergFriction final : public ParallelElement {
         memory[kExtremum] = displacement;
       }
     } else if (way_back > dead_band_) {
-      const double turning_point = memory[kExtremum];
-      const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
-      memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
-      memory[kReferenceDisplacement] = turning_point;
+      turnAt(memory[kExtremum], memory);
       memory[kExtremum] = displacement;
-      memory[kDirection] = -memory[kDirection];
     }
   }
 
