@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
+
+#include "rubber_suspension/component/sample_checks.h"
 
 namespace rubber_suspension {
 namespace {
@@ -18,33 +18,6 @@ std::uint64_t between(std::int64_t earlier, std::int64_t later) {
 
 double secondsBetween(std::int64_t earlier, std::int64_t later) {
   return static_cast<double>(between(earlier, later)) / static_cast<double>(SampleStream::kNanosecondsPerSecond);
-}
-
-// One added to an exponent of ones only, that of infinity and of what is not a number, carries into the sign bit. A sum
-// of bits has no branch, so that the loop becomes vector instructions.
-bool allFinite(const double* value, std::size_t count) {
-  constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
-  constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52U;
-  std::uint64_t seen = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, value + i, sizeof bits);
-    seen |= (bits & ~kSign) + kOneInExponent;
-  }
-  return (seen & kSign) == 0;
-}
-
-constexpr std::size_t kPortion = 128;  // stamps that are looked at together
-
-// True where each of so many stamps follows the one before it at one distance. Without a branch for each, like
-// allFinite(): steps are so small that stamps which wrap around do not increase from the first to the last one.
-bool allEven(const std::int64_t* stamp, std::uint64_t step) {
-  constexpr std::uint64_t kLargestStep = std::numeric_limits<std::int64_t>::max() / kPortion;
-  std::uint64_t differences = 0;
-  for (std::size_t i = 1; i <= kPortion; ++i) {
-    differences |= between(stamp[i - 1], stamp[i]) ^ step;
-  }
-  return differences == 0 && step <= kLargestStep && stamp[kPortion] > stamp[0];
 }
 
 }  // namespace
@@ -151,15 +124,16 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
 
 // How many of the samples follow the last one at equal distance, all accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
-  constexpr std::size_t kMost = 4096;  // after a run whose force is not finite, its samples are pushed anew
+  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed anew
+  constexpr std::size_t kTogether = 128;  // steps
   if (!started_ || judge(stamp[0], displacement[0]) != Verdict::accepted) {
     return 0;
   }
   const std::uint64_t step = between(last_stamp_, stamp[0]);
   std::size_t size = 1;
   const std::size_t most = std::min(kMost, count);
-  while (size + kPortion <= most && allEven(stamp + size - 1, step)) {
-    size += kPortion;
+  while (size + kTogether <= most && allEven(stamp + size - 1, kTogether, step)) {
+    size += kTogether;
   }
   while (size < most && between(stamp[size - 1], stamp[size]) == step && stamp[size] > stamp[size - 1]) {
     ++size;

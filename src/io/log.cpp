@@ -12,23 +12,42 @@
 #include <sstream>
 
 #include "log_columns.h"
+#include "rubber_suspension/component/sample_checks.h"
 #include "rubber_suspension/io/units.h"
 #include "text.h"
 
 namespace rubber_suspension {
 namespace {
 
-void checkValues(const Log& log, const char* name, const std::vector<double>& values, bool may_be_missing) {
-  if (values.empty() && may_be_missing) {
-    return;
-  }
-  if (values.size() != log.size()) {
+void checkLength(const Log& log, const char* name, const std::vector<double>& values, bool may_be_missing) {
+  if (values.size() != log.size() && !(values.empty() && may_be_missing)) {
     throw LogError(
         fmt::format("{}: {} has {} values; accepted: {}, one per stamp", log.name, name, values.size(), log.size()));
   }
-  const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  if (bad != values.end()) {
-    throw LogError(fmt::format("{}: sample {}: {} {} is not finite", log.name, bad - values.begin() + 1, name, *bad));
+}
+
+void checkStamps(const Log& log, std::size_t first, std::size_t count) {
+  const std::size_t before = first == 0 ? 0 : first - 1;
+  if (allIncreasing(log.stamp.data() + before, first + count - before)) {
+    return;
+  }
+  for (std::size_t i = before + 1; i < first + count; ++i) {
+    if (log.stamp[i] <= log.stamp[i - 1]) {
+      throw LogError(fmt::format("{}: sample {}: time {} after {}; accepted: time that increases", log.name, i + 1,
+                                 formatStamp(log.stamp[i]), formatStamp(log.stamp[i - 1])));
+    }
+  }
+}
+
+void checkValues(const Log& log, const char* name, const std::vector<double>& values, std::size_t first,
+                 std::size_t count) {
+  if (values.empty() || allFinite(values.data() + first, count)) {
+    return;
+  }
+  for (std::size_t i = first; i < first + count; ++i) {
+    if (!std::isfinite(values[i])) {
+      throw LogError(fmt::format("{}: sample {}: {} {} is not finite", log.name, i + 1, name, values[i]));
+    }
   }
 }
 
@@ -97,18 +116,24 @@ Log readLog(const std::string& path, const LogFormat& format) {
 }
 
 void checkLog(const Log& log) {
+  checkLengths(log);
+  checkSamples(log, 0, log.size());
+}
+
+void checkLengths(const Log& log) {
   if (log.size() < 2) {
     throw LogError(fmt::format("{}: {} samples; accepted: at least 2", log.name, log.size()));
   }
-  for (std::size_t i = 1; i < log.size(); ++i) {
-    if (log.stamp[i] <= log.stamp[i - 1]) {
-      throw LogError(fmt::format("{}: sample {}: time {} after {}; accepted: time that increases", log.name, i + 1,
-                                 formatStamp(log.stamp[i]), formatStamp(log.stamp[i - 1])));
-    }
-  }
-  checkValues(log, "displacement", log.displacement, false);
-  checkValues(log, "force", log.force, true);
-  checkValues(log, "temperature", log.temperature, true);
+  checkLength(log, "displacement", log.displacement, false);
+  checkLength(log, "force", log.force, true);
+  checkLength(log, "temperature", log.temperature, true);
+}
+
+void checkSamples(const Log& log, std::size_t first, std::size_t count) {
+  checkStamps(log, first, count);
+  checkValues(log, "displacement", log.displacement, first, count);
+  checkValues(log, "force", log.force, first, count);
+  checkValues(log, "temperature", log.temperature, first, count);
 }
 
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force) {

@@ -83,16 +83,19 @@ Axes closeUpAxes(const Log& log, const std::vector<double>& force) {
 }  // namespace
 
 std::vector<double> simulateLog(const Component& component, const Log& log, StreamCounters* counters) {
-  checkLog(log);
+  checkLengths(log);
   SampleStream stream(component);
   Progress progress("simulating " + log.name, log.size());
-  std::vector<double> force(log.size());
-  constexpr std::size_t kPortion = 10000;  // samples between two looks at the progress
+  std::vector<double> force;
+  force.reserve(log.size());
+  constexpr std::size_t kPortion = 4096;  // samples that are checked and simulated while they are near the processor
   for (std::size_t first = 0; first < log.size(); first += kPortion) {
     const std::size_t size = std::min(kPortion, log.size() - first);
+    checkSamples(log, first, size);
+    force.resize(first + size);
     const std::size_t accepted =
         stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, size, force.data() + first);
-    // The log is checked, so every sample is accepted but one whose force is too large for a double.
+    // All samples are checked, so every sample is accepted but one whose force is too large for a double.
     if (accepted < size) {
       throw LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name,
                                  first + accepted + 1, log.displacement[first + accepted]));

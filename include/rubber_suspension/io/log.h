@@ -69,6 +69,10 @@ Log readLog(const std::string& path, const LogFormat& format = {});
 /// Throws LogError that names log, sample and value.
 void checkLog(const Log& log);
 
+/// checkLog() in pieces, for who goes through a log anyhow: first its lengths, then its samples from `first` on.
+void checkLengths(const Log& log);
+void checkSamples(const Log& log, std::size_t first, std::size_t count);
+
 /// Writes `time_s,displacement_m` and, if wanted, `force_N`, piece by piece; time as exact decimal, the others with 17
 /// digits: all reads back bit by bit. All calls throw LogError.
 class LogCsvWriter {

@@ -1,0 +1,33 @@
+// Checks of many samples, for one kind of processor. See instruction_sets.h. None of them has a branch for each sample,
+// so that the loops become vector instructions.
+
+// One added to an exponent of ones only, that of infinity and of what is not a number, carries into the sign bit.
+inline bool finite(const double* value, std::size_t count) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
+  constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52U;
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, value + i, sizeof bits);
+    seen |= (bits & ~kSign) + kOneInExponent;
+  }
+  return (seen & kSign) == 0;
+}
+
+inline bool increasing(const std::int64_t* stamp, std::size_t count) {
+  std::int64_t against = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    against |= stamp[i] > stamp[i - 1] ? 0 : 1;
+  }
+  return against == 0;
+}
+
+// Steps are so small that stamps which wrap around do not increase from the first to the last one.
+inline bool even(const std::int64_t* stamp, std::size_t count, std::uint64_t step) {
+  const std::uint64_t largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / count;
+  std::uint64_t differences = 0;
+  for (std::size_t i = 1; i <= count; ++i) {
+    differences |= (static_cast<std::uint64_t>(stamp[i]) - static_cast<std::uint64_t>(stamp[i - 1])) ^ step;
+  }
+  return differences == 0 && step <= largest && stamp[count] > stamp[0];
+}
