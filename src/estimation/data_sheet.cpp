@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "models.h"

@@ -119,6 +119,7 @@ bool embraces(const std::vector<double>& break_frequencies, double frequency) {
 // The solved model in the terms of Eqs. 17 to 19.
 struct Solution {
   double high_frequency;
+  std::vector<double> break_frequencies;
   double maximum_stiffness;
   double alpha;
 };
@@ -139,14 +140,13 @@ std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::
 
 // |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one. Newton's
 // method for |K*|^2 over ln(alpha), within bounds.
-double alphaForStiffness(const Inputs& inputs, double high_frequency) {
+double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_frequencies) {
   constexpr double kWidest = 60.0;  // of ln(alpha); elements with less of a share than kMargin need 21 at most
   constexpr int kDigits = 50;
   const double k_st = inputs.static_stiffness;
   const double added = inputs.maximum_stiffness.value() - k_st;
   const double target = inputs.dynamic_stiffness;
-  const std::vector<Complex> of_each =
-      relativeStiffnesses(breakFrequencies(inputs, high_frequency), inputs.nominal_frequency);
+  const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, inputs.nominal_frequency);
   boost::uintmax_t iterations = 200;
   const double root = boost::math::tools::newton_raphson_iterate(
       [&](double log_alpha) {
@@ -162,9 +162,9 @@ double alphaForStiffness(const Inputs& inputs, double high_frequency) {
 // Loss angle at f_n of the model with this high frequency that meets K_n and K_max.
 double angleForBand(const Inputs& inputs, double high_frequency) {
   const double k_st = inputs.static_stiffness;
-  const double alpha = alphaForStiffness(inputs, high_frequency);
-  const std::vector<Complex> of_each =
-      relativeStiffnesses(breakFrequencies(inputs, high_frequency), inputs.nominal_frequency);
+  const std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
+  const double alpha = alphaForStiffness(inputs, break_frequencies);
+  const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, inputs.nominal_frequency);
   return std::arg(k_st + (inputs.maximum_stiffness.value() - k_st) * relativeStiffness(alpha, of_each));
 }
 
@@ -209,7 +209,8 @@ std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
 Solution solveForMaximum(const Inputs& inputs) {
   const double f_n = inputs.nominal_frequency;
   const double high_frequency = inputs.high_frequency.value();
-  const std::vector<Complex> of_each = relativeStiffnesses(breakFrequencies(inputs, high_frequency), f_n);
+  std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
+  const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, f_n);
   // Loss over storage of the elements is the mean of f_b/f_n weighted by their storage; it falls with alpha.
   const double ratio = breakFrequencyForLossAngle(inputs.specification) / f_n;
   const double alpha = solveAlpha([&](double trial) {
@@ -219,7 +220,7 @@ Solution solveForMaximum(const Inputs& inputs) {
   const Complex dynamic = std::polar(inputs.dynamic_stiffness, lossAngle(inputs.specification));
   const double k_st = inputs.static_stiffness;
   const double added = (dynamic.real() - k_st) / relativeStiffness(alpha, of_each).real();
-  return {high_frequency, k_st + added, alpha};
+  return {high_frequency, std::move(break_frequencies), k_st + added, alpha};
 }
 
 Solution solve(const Inputs& inputs) {
@@ -228,7 +229,9 @@ Solution solve(const Inputs& inputs) {
   }
   const double high_frequency =
       inputs.high_frequency.has_value() ? inputs.high_frequency.value() : highFrequencyForAngle(inputs).value();
-  return {high_frequency, inputs.maximum_stiffness.value(), alphaForStiffness(inputs, high_frequency)};
+  std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
+  const double alpha = alphaForStiffness(inputs, break_frequencies);
+  return {high_frequency, std::move(break_frequencies), inputs.maximum_stiffness.value(), alpha};
 }
 
 std::optional<Obstacle> orderObstacle(const Inputs& inputs) {
@@ -303,15 +306,18 @@ std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specif
   const Inputs inputs(specification);
   const Solution solution = solve(inputs);
   const double k_st = inputs.static_stiffness;
-  const std::vector<double> break_frequencies = breakFrequencies(inputs, solution.high_frequency);
+  const std::vector<double>& break_frequencies = solution.break_frequencies;
+  const auto add = [](ElementDescription& element, const char* last_name, double value) {
+    element.values.emplace_hint(element.values.end(), last_name, std::vector<double>(1, value));
+  };
   std::vector<ElementDescription> elements(1 + break_frequencies.size());
   elements[0].type = "spring";
-  elements[0].values["stiffness"] = {k_st};
+  add(elements[0], "stiffness", k_st);
   forEachShare(solution.alpha, break_frequencies.size(), [&](std::size_t i, double share) {
     ElementDescription& element = elements[1 + i];
     element.type = "maxwell";
-    element.values["stiffness"] = {share * (solution.maximum_stiffness - k_st)};
-    element.values["break_frequency"] = {break_frequencies[i]};
+    add(element, "break_frequency", break_frequencies[i]);
+    add(element, "stiffness", share * (solution.maximum_stiffness - k_st));
   });
   return elements;
 }

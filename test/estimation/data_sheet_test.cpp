@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 
 #include "rubber_suspension/component/component.h"
 

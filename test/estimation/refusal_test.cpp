@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 #include <regex>
 
 #include "rubber_suspension/estimation/specification.h"

@@ -1,6 +1,7 @@
 // A vehicle on a generated track, stepped against the running node over the bundled topics: the forces of the library
 // in one process to the last bit, and those of a run without delay but for what the delay explains.
 #include <cstdlib>
+#include <map>
 
 #include "apps/topic_exchange.h"
 #include "bench.h"

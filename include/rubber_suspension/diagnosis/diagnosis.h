@@ -1,6 +1,7 @@
 // Where the model fails, which unmodelled effect causes it, how far the gap shrinks: the diagnosis as one call.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,9 @@
 // From what a data sheet says to the elements of a model: the specification, the models, the estimation.
 #pragma once
 
+#include <algorithm>
+#include <boost/container/flat_map.hpp>
 #include <functional>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -34,16 +35,16 @@ std::optional<Model> modelFromString(const std::string& name);
 /// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
 class Specification {
  public:
-  using Values = std::map<std::string, double, std::less<>>;
+  using Values = boost::container::flat_map<std::string, double, std::less<>>;
 
-  bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
+  bool has(std::string_view name) const { return position(name) != values_.end(); }
   std::optional<double> find(std::string_view name) const {
-    const auto found = values_.find(name);
+    const auto found = position(name);
     return found == values_.end() ? std::nullopt : std::optional<double>(found->second);
   }
   /// Throws std::out_of_range where it is missing.
   double at(std::string_view name) const {
-    const auto found = values_.find(name);
+    const auto found = position(name);
     return found != values_.end() ? found->second : throw std::out_of_range(std::string(name));
   }
   double valueOr(std::string_view name, double fallback) const { return find(name).value_or(fallback); }
@@ -52,6 +53,11 @@ class Specification {
   const Values& values() const { return values_; }
 
  private:
+  /// One after the other: of so few names most differ in their length.
+  Values::const_iterator position(std::string_view name) const {
+    return std::find_if(values_.begin(), values_.end(), [&](const auto& value) { return value.first == name; });
+  }
+
   Values values_;
 };
 
