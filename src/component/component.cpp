@@ -124,7 +124,7 @@ Component::Component(const std::vector<ElementDescription>& elements) {
     } else if (const auto* factor = std::get_if<std::shared_ptr<const ForceEffect>>(&element)) {
       force_effects_.push_back({*factor, 0});
     } else if (const auto* mount = std::get_if<std::shared_ptr<const SeriesElement>>(&element)) {
-      mount_compliance_ += 1.0 / (*mount)->stiffness();
+      placeMount(*mount);
     } else {
       const auto& law = std::get<std::shared_ptr<const ParallelElement>>(element);
       if (law->onRig()) {
@@ -135,6 +135,16 @@ Component::Component(const std::vector<ElementDescription>& elements) {
     }
   }
   reserveMemory();
+}
+
+void Component::placeMount(const std::shared_ptr<const SeriesElement>& mount) {
+  mounted_ = true;
+  if (const auto compliance = mount->compliance()) {
+    mount_compliance_.tension += compliance->tension;
+    mount_compliance_.compression += compliance->compression;
+  } else {
+    joints_.push_back(mount);
+  }
 }
 
 void Component::placeSpecimen(const std::shared_ptr<const ParallelElement>& law) {
@@ -179,10 +189,10 @@ void Component::reserveMemory() {
   placeAll(displacement_effects_);
   placeAll(rig_);
   behind_effects_slot_ = reserve(displacement_effects_.empty() ? 0 : 1);
-  behind_mount_slot_ = reserve(mount_compliance_ > 0.0 ? 1 : 0);
-  plain_ = specimen_.empty() && force_effects_.empty() && displacement_effects_.empty() && rig_.empty() &&
-           mount_compliance_ == 0.0;
+  behind_mount_slot_ = reserve(mounted_ ? 1 : 0);
+  plain_ = specimen_.empty() && force_effects_.empty() && displacement_effects_.empty() && rig_.empty() && !mounted_;
   frictionless_ = plain_ && bergs_.empty();
+  mount_is_linear_ = joints_.empty() && mount_compliance_.tension == mount_compliance_.compression;
 }
 
 std::size_t Component::reserve(std::size_t size) {
@@ -194,7 +204,7 @@ std::size_t Component::reserve(std::size_t size) {
 ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
-  state.scratch_.resize(mount_compliance_ > 0.0 ? trial_size_ : 0);
+  state.scratch_.resize(mounted_ ? trial_size_ : 0);
   state.maxwell_blocks_.resize(maxwell_stiffness_.size() / MaxwellBlock::kSize);
   rest(state, 0.0);
   return state;
@@ -256,19 +266,43 @@ void Component::addSteps(const Placed<ParallelElement>& element, const Motion* m
   }
 }
 
+// Compliance of mounts that are linear to either side, by the force without them: they take from it, never its sign.
+inline double Component::complianceAt(double force) const {
+  return force > 0.0 ? mount_compliance_.tension : mount_compliance_.compression;
+}
+
+inline double Component::mountDeflection(double force) const {
+  double deflection = complianceAt(force) * force;
+  for (const auto& joint : joints_) {
+    deflection += joint->deflection(force);
+  }
+  return deflection;
+}
+
 double Component::behindMountAtRest(ComponentState& state, double displacement, bool as_new) const {
   return solveSeries(
       [&](double specimen) {
         std::copy_n(state.memory_.begin(), trial_size_, state.scratch_.begin());
-        return specimen + mount_compliance_ * specimenRest(specimen, as_new, state.scratch_.data()).total -
-               displacement;
+        return specimen + mountDeflection(specimenRest(specimen, as_new, state.scratch_.data()).total) - displacement;
       },
       displacement);
 }
 
-// The same for springs, dashpots, Maxwell elements and Berg friction, F = held + slope z + friction(z): what is linear
-// in z is summed up once, not for each trial.
-double Component::plainBehindMount(const ComponentState& state, const Motion& motion) const {
+// Force of friction at the end of a trial step [N], from the memory of all elements of that kind.
+inline double Component::trialFriction(double specimen, const double* memory) const {
+  double friction = 0.0;
+  for (const BergFriction& berg : bergs_) {
+    std::array<double, BergFriction::kMemorySize> trial;
+    std::copy_n(memory, trial.size(), trial.begin());
+    friction += berg.advance(specimen, trial.data());
+    memory += trial.size();
+  }
+  return friction;
+}
+
+// Force of springs, dashpots, Maxwell elements and Berg friction at the end of a trial step [N]: what is linear in the
+// displacement is summed up once, not for each trial.
+inline Component::Line Component::lineOf(const ComponentState& state) const {
   double slope = state.dashpot_gain_;
   double held = 0.0;
   for (std::size_t i = 0; i < maxwells_; ++i) {
@@ -277,38 +311,52 @@ double Component::plainBehindMount(const ComponentState& state, const Motion& mo
     slope += block.gain[pair][i % 2];
     held += block.decay[pair][i % 2] * state.memory_[i];
   }
-  const double before = state.memory_[behind_mount_slot_];
-  held -= slope * before;
-  slope = 1.0 + mount_compliance_ * (slope + spring_stiffness_);
-  const double rest = mount_compliance_ * held - motion.displacement;
+  return {held - slope * state.memory_[behind_mount_slot_], slope + spring_stiffness_};
+}
+
+inline double Component::forceAt(double specimen, Line line, const double* berg_memory) const {
+  return line.held + line.slope * specimen + trialFriction(specimen, berg_memory);
+}
+
+// Displacement of such a specimen behind a mount of this compliance.
+inline double Component::meet(Line line, double compliance, const ComponentState& state, const Motion& motion) const {
+  const double slope = 1.0 + compliance * line.slope;
+  const double rest = compliance * line.held - motion.displacement;
   const double* berg_memory = state.memory_.data() + maxwells_;
   if (bergs_.empty()) {
     return -rest / slope;
   }
   if (bergs_.size() == 1) {
-    const double specimen = bergs_.front().meet(slope, rest, mount_compliance_, berg_memory);
+    const double specimen = bergs_.front().meet(slope, rest, compliance, berg_memory);
     if (bergs_.front().goesOn(specimen, berg_memory)) {
       return specimen;
     }
   }
   return solveSeries(
+      [&](double specimen) { return slope * specimen + rest + compliance * trialFriction(specimen, berg_memory); },
+      state.memory_[behind_mount_slot_] + motion.increment, slope);
+}
+
+double Component::plainBehindMount(const ComponentState& state, const Motion& motion) const {
+  return meet(lineOf(state), mount_compliance_.tension, state, motion);
+}
+
+double Component::plainBehindUnevenMount(const ComponentState& state, const Motion& motion) const {
+  const Line line = lineOf(state);
+  const double* berg_memory = state.memory_.data() + maxwells_;
+  if (joints_.empty()) {
+    return meet(line, complianceAt(forceAt(motion.displacement, line, berg_memory)), state, motion);
+  }
+  return solveSeries(
       [&](double specimen) {
-        const double* memory = berg_memory;
-        double friction = 0.0;
-        for (const BergFriction& berg : bergs_) {
-          std::array<double, BergFriction::kMemorySize> trial;
-          std::copy_n(memory, trial.size(), trial.begin());
-          friction += berg.advance(specimen, trial.data());
-          memory += trial.size();
-        }
-        return slope * specimen + rest + mount_compliance_ * friction;
+        return specimen + mountDeflection(forceAt(specimen, line, berg_memory)) - motion.displacement;
       },
-      before + motion.increment, slope);
+      state.memory_[behind_mount_slot_] + motion.increment);
 }
 
 double Component::behindMount(ComponentState& state, const Motion& motion) const {
   if (specimen_.empty() && force_effects_.empty()) {
-    return plainBehindMount(state, motion);
+    return mount_is_linear_ ? plainBehindMount(state, motion) : plainBehindUnevenMount(state, motion);
   }
   const double before = state.memory_[behind_mount_slot_];
   return solveSeries(
@@ -317,7 +365,7 @@ double Component::behindMount(ComponentState& state, const Motion& motion) const
         const Motion trial{motion.dt, specimen, specimen - before};
         ComponentForce force;
         specimenSteps(state, &trial, 1, state.scratch_.data(), &force);
-        return specimen + mount_compliance_ * force.total - motion.displacement;
+        return specimen + mountDeflection(force.total) - motion.displacement;
       },
       before + motion.increment);
 }
@@ -331,7 +379,7 @@ ComponentForce Component::settle(ComponentState& state, double displacement, boo
   if (!displacement_effects_.empty()) {
     memory[behind_effects_slot_] = specimen;
   }
-  if (mount_compliance_ > 0.0) {
+  if (mounted_) {
     specimen = behindMountAtRest(state, specimen, as_new);
     memory[behind_mount_slot_] = specimen;
   }
@@ -400,7 +448,7 @@ void Component::stepsThroughEffects(ComponentState& state, double dt, const doub
     }
     takeIncrements(specimen.data(), count, memory[behind_effects_slot_]);
   }
-  if (mount_compliance_ > 0.0) {
+  if (mounted_) {
     for (std::size_t i = 0; i < count; ++i) {
       specimen[i].displacement = behindMount(state, specimen[i]);
       takeIncrements(&specimen[i], 1, memory[behind_mount_slot_]);
@@ -449,10 +497,10 @@ std::optional<std::complex<double>> Component::specimenStiffness(double omega) c
 std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
   const double omega = 2.0 * M_PI * frequency;
   const auto specimen = specimenStiffness(omega);
-  if (!specimen) {
+  if (!specimen || !mount_is_linear_) {
     return std::nullopt;
   }
-  std::complex<double> total = *specimen / (1.0 + mount_compliance_ * *specimen);
+  std::complex<double> total = *specimen / (1.0 + mount_compliance_.tension * *specimen);
   for (const auto& effect : displacement_effects_) {
     const auto transfer = effect.law->transfer(omega);
     if (!transfer) {

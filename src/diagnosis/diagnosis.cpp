@@ -111,6 +111,30 @@ std::array<double, 2> closedInterval(const std::vector<BlockError>& before, cons
   return {at(0.025), at(0.975)};
 }
 
+// What mounts of either side have in common as one mount, and one for the rest of the softer side.
+void writeCommonPartOfMounts(std::vector<ElementDescription>& entries) {
+  const auto mountOf = [&](double side) {
+    return std::find_if(entries.begin(), entries.end(), [&](const ElementDescription& entry) {
+      return entry.type == "series_compliance" && entry.values.count("side") != 0 && entry.value("side") == side;
+    });
+  };
+  auto stiff = mountOf(1.0);
+  auto soft = mountOf(-1.0);
+  if (stiff == entries.end() || soft == entries.end()) {
+    return;
+  }
+  if (stiff->value("stiffness") < soft->value("stiffness")) {
+    std::swap(stiff, soft);
+  }
+  const double rest = 1.0 / soft->value("stiffness") - 1.0 / stiff->value("stiffness");
+  stiff->values.erase("side");
+  if (rest > 0.0) {
+    soft->values["stiffness"] = {1.0 / rest};
+  } else {
+    entries.erase(soft);
+  }
+}
+
 // The entries of a fitted trial as a user would write them: sliders of one friction in one table.
 std::vector<ElementDescription> entriesOf(const Trial& trial) {
   std::vector<ElementDescription> entries;
@@ -132,6 +156,7 @@ std::vector<ElementDescription> entriesOf(const Trial& trial) {
   if (!sliders.values["stiffness"].empty()) {
     entries.insert(entries.begin(), sliders);
   }
+  writeCommonPartOfMounts(entries);
   return entries;
 }
 

@@ -19,6 +19,8 @@ constexpr double kShows = 0.67;              // of the gap: an effect that leave
 constexpr double kMovedFar = 0.14;           // logarithm of an own parameter: beyond what a specification errs by
 constexpr std::size_t kFewAtoms = 3;         // of an effect that is a simpler explanation than moved own parameters
 constexpr double kHides = 0.3;               // part of what re-estimation leaves that a hidden effect may leave
+constexpr double kMovedLittle = 0.06;        // logarithm of an own parameter: as specified
+constexpr double kHidesAsSpecified = 0.6;    // as kHides, where own parameters stay as specified
 
 }  // namespace
 
@@ -79,8 +81,9 @@ const Trial* hiddenEffect(const Search& search) {
   for (const Trial& trial : search.singles) {
     const bool simple = trial.atoms.size() <= kFewAtoms && !hasTrends(search.candidates, trial.members);
     const double left = excess(search, trial);
-    if (simple && trial.fit.point.furthestMove() < kMovedFar && left < kHides * re_estimated &&
-        (best == nullptr || left < excess(search, *best))) {
+    const double move = trial.fit.point.furthestMove();
+    const double hides = move < kMovedLittle ? kHidesAsSpecified : move < kMovedFar ? kHides : 0.0;
+    if (simple && left < hides * re_estimated && (best == nullptr || left < excess(search, *best))) {
       best = &trial;
     }
   }

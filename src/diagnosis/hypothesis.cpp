@@ -324,8 +324,10 @@ BlockGrams Fitter::descend(const std::vector<Atom>& atoms, int iterations, bool 
 }
 
 Point Fitter::scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const {
+  std::vector<bool> active(atoms.size());
+  std::transform(atoms.begin(), atoms.end(), active.begin(), [](const Atom& atom) { return !atom.refines; });
   Point point = start;
-  descend(atoms, iterations, false, true, {}, point);
+  descend(atoms, iterations, false, true, active, point);
   return point;
 }
 

@@ -1,14 +1,47 @@
 // Mount that yields in series with the specimen.
 #include "rubber_suspension/element/series_compliance.h"
 
+#include <cmath>
+
 namespace rubber_suspension {
+namespace {
+
+SeriesCompliance::Side sideFrom(const ElementDescription& description) {
+  const double side = description.value("side");
+  if (side != -1.0 && side != 0.0 && side != 1.0) {
+    refuseValue(description.type, "side", side, "1", "1 (F > 0 only), -1 (F < 0 only) or 0 (both)");
+  }
+  return static_cast<SeriesCompliance::Side>(static_cast<int>(side));
+}
+
+}  // namespace
+
+double SeriesCompliance::deflection(double force) const {
+  if ((side_ == Side::tension && force < 0.0) || (side_ == Side::compression && force > 0.0)) {
+    return 0.0;
+  }
+  const double closure = closing_force_ > 0.0 ? 1.0 + std::abs(force) / closing_force_ : 1.0;
+  return force / (stiffness_ * closure);
+}
+
+std::optional<SeriesElement::Compliance> SeriesCompliance::compliance() const {
+  if (closing_force_ > 0.0) {
+    return std::nullopt;
+  }
+  const double compliance = 1.0 / stiffness_;
+  return Compliance{side_ == Side::compression ? 0.0 : compliance, side_ == Side::tension ? 0.0 : compliance};
+}
 
 ElementType seriesComplianceType() {
   return {"series_compliance",
-          "Bracket or rig that yields in series with the specimen.",
-          {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness K_s of what is in series"}},
+          "Bracket, joint or rig that yields in series with the specimen: u = F/(K_s (1 + |F|/F_c)).",
+          {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness K_s of what is in series"},
+           {"closing_force", "N", Range::nonNegative(), 0.0,
+            "force F_c that halves its compliance, as of a joint that closes under load; 0: linear"},
+           {"side", "1", Range::closed(-1.0, 1.0), 0.0, "1: yields to F > 0 only, -1: to F < 0 only, 0: to both"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SeriesCompliance>(description.value("stiffness"));
+            return std::make_shared<const SeriesCompliance>(description.value("stiffness"),
+                                                            description.value("closing_force"), sideFrom(description));
           }};
 }
 

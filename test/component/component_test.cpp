@@ -182,10 +182,68 @@ TEST(SeriesMount, ForceBalanceHoldsWithFriction) {
   }
 }
 
+// With an idle stop the general way is taken, without it that of springs, Maxwell elements and friction.
+TEST(SeriesMount, ForceBalanceHoldsForUnevenAndClosingJointsWithFriction) {
+  const ElementDescription opens{"series_compliance", {{"stiffness", {8e6}}, {"side", {1.0}}}};
+  const ElementDescription closes{"series_compliance", {{"stiffness", {5e6}}, {"closing_force", {2e3}}}};
+  const ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
+  const auto opening = [](double force) { return std::max(force, 0.0) / 8e6 + force / 3e7; };
+  const auto closing = [](double force) { return force / (5e6 * (1.0 + std::abs(force) / 2e3)); };
+  const auto both = [&](double force) { return std::max(force, 0.0) / 8e6 + closing(force); };
+  const std::vector<std::pair<std::vector<ElementDescription>, std::function<double(double)>>> mounts = {
+      {{opens, kMount}, opening}, {{opens, closes}, both}, {{opens, kMount, idle}, opening}, {{closes, idle}, closing}};
+  for (const auto& [mount, deflection] : mounts) {
+    std::vector<ElementDescription> laws = {kSpring, kMaxwell, kFriction};
+    const Component bare(laws);
+    laws.insert(laws.end(), mount.begin(), mount.end());
+    const Component mounted(laws);
+    ComponentState state = mounted.makeState();
+    ComponentState specimen = bare.makeState();
+    for (int i = 1; i <= 400; ++i) {
+      const double z = sineAt(i, 100, 2e-3);
+      const double force = mounted.step(state, 1e-3, z).total;
+      ASSERT_NEAR(bare.step(specimen, 1e-3, z - deflection(force)).total, force, 1e-8 * 1e4) << i;
+    }
+  }
+}
+
 TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
   const Component component({kSpring, kMount, {"series_compliance", {{"stiffness", {6e6}}}}});
   ComponentState state = component.makeState();
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
+}
+
+// F = K z' and z = z' + F/(K_s (1 + |F|/F_c)) make a quadratic equation in F.
+TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
+  constexpr double kStiffness = 4e6;
+  constexpr double kClosing = 800.0;
+  const Component component(
+      {kSpring, {"series_compliance", {{"stiffness", {kStiffness}}, {"closing_force", {kClosing}}}}});
+  ComponentState state = component.makeState();
+  for (const double z : {1e-3, -2e-3, 1e-6, 0.05, -1e-9}) {
+    // |F|^2/(K F_c) + |F| (1/K + 1/K_s - |z|/F_c) - |z| = 0
+    const double square = 1.0 / (3e6 * kClosing);
+    const double half = 0.5 * (1.0 / 3e6 + 1.0 / kStiffness - std::abs(z) / kClosing);
+    const double force = std::copysign(std::abs(z) / (half + std::sqrt(half * half + square * std::abs(z))), z);
+    EXPECT_NEAR(component.step(state, 1e-3, z).total / force, 1.0, 1e-11) << z;
+    EXPECT_NEAR(component.rest(state, z).total / force, 1.0, 1e-11) << z;
+  }
+  EXPECT_FALSE(component.linear());
+}
+
+TEST(SeriesMount, OfOneSideYieldsThereAlone) {
+  const Component component({kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kMount});
+  ComponentState state = component.makeState();
+  EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
+  EXPECT_NEAR(component.step(state, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 3e7), 1e-9);
+  EXPECT_FALSE(component.complexStiffness(1.0));
+  // One for each side is one for both.
+  const Component both({kSpring,
+                        {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}},
+                        {"series_compliance", {{"stiffness", {6e6}}, {"side", {-1.0}}}}});
+  EXPECT_TRUE(both.linear());
+  ComponentState of_both = both.makeState();
+  EXPECT_NEAR(both.step(of_both, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
 }
 
 // A stop that is never reached adds nothing, but is no law that the mount's balance has a closed form for.
@@ -198,6 +256,10 @@ TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
     };
     std::vector<ElementDescription> laws{
         kSpring, kDashpot, {"series_compliance", {{"stiffness", {between(1e5, 1e9)}}}}};
+    if (trial % 3 == 1) {
+      laws.push_back(
+          {"series_compliance", {{"stiffness", {between(1e5, 1e9)}}, {"side", {trial % 2 == 0 ? 1.0 : -1.0}}}});
+    }
     for (unsigned i = 0; i < trial % 4; ++i) {
       laws.push_back({"maxwell", {{"stiffness", {between(1e5, 1e7)}}, {"break_frequency", {between(0.01, 1e3)}}}});
     }

@@ -96,19 +96,68 @@ void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
 
 // With a mount in series a linear component is again linear: own parameters far from the configured ones would do as
 // well, but a mount does it with them where they are.
+// A log of the rig behind a mount that yields by `deflection` [m] to a force [N].
+Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
+               const RigEffect& effect = nothing) {
+  Log log = runRig(name, seed, effect, 0.0);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    log.displacement[i] += deflection(log.force[i]);
+  }
+  addNoise(log.force, 5.0, seed);
+  return log;
+}
+
+Diagnosis diagnoseOnMount(const std::function<double(double)>& deflection) {
+  return diagnose(rigComponent(), {runOnMount("one", 1, deflection), runOnMount("two", 2, deflection)},
+                  {runOnMount("unseen", 3, deflection)});
+}
+
 TEST(Diagnosis, FindsAMountThatReEstimationHides) {
-  const auto onMount = [](const std::string& name, unsigned seed) {
-    constexpr double kMount = 6e6;  // [N/m]
-    Log log = runRig(name, seed, nothing, 0.0);
-    for (std::size_t i = 0; i < log.size(); ++i) {
-      log.displacement[i] += log.force[i] / kMount;
-    }
-    addNoise(log.force, 5.0, seed);
-    return log;
-  };
-  const Diagnosis result = diagnose(rigComponent(), {onMount("one", 1), onMount("two", 2)}, {onMount("unseen", 3)});
+  constexpr double kMount = 6e6;  // [N/m]
+  const Diagnosis result = diagnoseOnMount([](double force) { return force / kMount; });
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
+}
+
+// Beside stiffening that the model knows a mount is no wrong value of a spring: it takes most where the force is large.
+TEST(Diagnosis, FindsAMountBesideStiffening) {
+  constexpr double kMount = 2e7;   // [N/m], a fifteenth of the compliance
+  constexpr double kCubic = 2e11;  // [N/m^3], 1.6 kN of 4 kN
+  const auto stiffening = [](double, double z, double) { return kCubic * z * z * z; };
+  const auto deflection = [](double force) { return force / kMount; };
+  ComponentDescription component = rigComponent();
+  component.add.push_back({"progressive_stiffness", {{"cubic", {kCubic}}}});
+  const Diagnosis result =
+      diagnose(component, {runOnMount("one", 1, deflection, stiffening), runOnMount("two", 2, deflection, stiffening)},
+               {runOnMount("unseen", 3, deflection, stiffening)});
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
+  EXPECT_GT(result.closed, 0.9);
+}
+
+// A joint that yields more to tension, without the kink that the candidate has.
+TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
+  constexpr double kMount = 5e6;  // [N/m]
+  const Diagnosis result =
+      diagnoseOnMount([](double force) { return force / kMount * (1.0 + 0.2 * std::tanh(force / 400.0)); });
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
+  EXPECT_EQ(result.effects.size(), 1U) << result.sentence;
+  // As a user would write it: one mount for both sides, and what tension opens beyond.
+  double opening = 0.0;
+  double even = 0.0;
+  for (const ElementDescription& entry : result.augmented.add) {
+    ASSERT_EQ(entry.type, "series_compliance");
+    const auto side = entry.values.find("side");
+    if (side != entry.values.end()) {
+      EXPECT_EQ(side->second.front(), 1.0);
+      opening += 1.0 / entry.value("stiffness");
+    } else {
+      even += 1.0 / entry.value("stiffness");
+    }
+  }
+  EXPECT_NEAR(even, 0.85 / kMount, 0.1 / kMount);  // tanh averages to 0.5 to 0.8 at 1 to 2 kN
+  EXPECT_NEAR(opening, 0.3 / kMount, 0.1 / kMount);
 }
 
 TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {

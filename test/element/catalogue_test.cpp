@@ -60,6 +60,12 @@ INSTANTIATE_TEST_SUITE_P(
                 {"creep.longest_time", "0.5"}},
         Refused{
             "side", {"bump_stop", {{"stiffness", {1.0}}, {"gap", {0.0}}, {"side", {0.3}}}}, {"bump_stop.side", "0.3"}},
+        Refused{"mount_side",
+                {"series_compliance", {{"stiffness", {1.0}}, {"side", {0.5}}}},
+                {"series_compliance.side", "0.5", "-1"}},
+        Refused{"closing_force",
+                {"series_compliance", {{"stiffness", {1.0}}, {"closing_force", {-2.0}}}},
+                {"series_compliance.closing_force", "-2", "at least 0"}},
         Refused{"nothing_progressive", {"progressive_stiffness", {}}, {"progressive_stiffness.cubic", "quintic"}},
         Refused{"delay", {"time_delay", {{"delay", {1.0}}}}, {"time_delay.delay", "0.05"}}),
     [](const testing::TestParamInfo<Refused>& test) { return test.param.name; });

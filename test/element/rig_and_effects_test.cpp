@@ -12,11 +12,49 @@
 #include "rubber_suspension/element/inertia.h"
 #include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/self_heating.h"
+#include "rubber_suspension/element/series_compliance.h"
 #include "rubber_suspension/element/stress_softening.h"
 #include "rubber_suspension/element/time_delay.h"
 
 namespace rubber_suspension::test {
 namespace {
+
+TEST(SeriesCompliance, HalvesAtItsClosingForceAndClosesNoMoreThanTheHyperbola) {
+  const SeriesCompliance joint(2e7, 500.0);
+  EXPECT_DOUBLE_EQ(joint.deflection(500.0), 0.5 * 500.0 / 2e7);
+  EXPECT_DOUBLE_EQ(joint.deflection(-500.0), -0.5 * 500.0 / 2e7);
+  EXPECT_NEAR(joint.deflection(1e-6) / (1e-6 / 2e7), 1.0, 1.01 * 1e-6 / 500.0);  // first term of the expansion
+  EXPECT_NEAR(joint.deflection(5e9) / (500.0 / 2e7), 1.0, 1.01e-7);              // 1 - F_c/F of the asymptote
+  EXPECT_FALSE(joint.compliance());
+}
+
+TEST(SeriesCompliance, OfOneSideYieldsToOneSignOfForceAlone) {
+  const SeriesCompliance opens(2e7, 0.0, SeriesCompliance::Side::tension);
+  EXPECT_DOUBLE_EQ(opens.deflection(300.0), 300.0 / 2e7);
+  EXPECT_EQ(opens.deflection(-300.0), 0.0);
+  EXPECT_EQ(opens.compliance()->tension, 1.0 / 2e7);
+  EXPECT_EQ(opens.compliance()->compression, 0.0);
+  const SeriesCompliance pad(2e7, 0.0, SeriesCompliance::Side::compression);
+  EXPECT_EQ(pad.deflection(300.0), 0.0);
+  EXPECT_EQ(pad.compliance()->compression, 1.0 / 2e7);
+  const SeriesCompliance bracket(2e7);
+  EXPECT_EQ(bracket.compliance()->tension, bracket.compliance()->compression);
+}
+
+TEST(SeriesCompliance, NeverYieldsLessToALargerForce) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> decade(-6.0, 9.0);
+  for (int i = 0; i < 2000; ++i) {
+    const SeriesCompliance joint(std::pow(10.0, decade(random)), std::pow(10.0, decade(random)),
+                                 static_cast<SeriesCompliance::Side>(i % 3 - 1));
+    const double force = (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, decade(random));
+    const double larger = force + std::pow(10.0, decade(random));
+    // Two roundings of F/(K_s (1 + F/F_c)), at the larger of both.
+    const double rounding = 1e-15 * std::abs(joint.deflection(larger));
+    ASSERT_GE(joint.deflection(larger), joint.deflection(force) - rounding) << i;
+    ASSERT_GE(joint.deflection(force) * force, 0.0) << i;
+  }
+}
 
 TEST(Inertia, IsExactForACubicAtUnequalSteps) {
   const Inertia law(12.0);

@@ -44,6 +44,8 @@ inline std::vector<ElementDescription> typicalElements() {
       {"free_play", {{"gap", {2e-4}}}},
       {"free_play", {{"gap", {4e-4}}, {"share", {0.6}}}},
       {"series_compliance", {{"stiffness", {3e7}}}},
+      {"series_compliance", {{"stiffness", {1e7}}, {"side", {-1.0}}}},
+      {"series_compliance", {{"stiffness", {1e7}}, {"closing_force", {2e3}}}},
       {"time_delay", {{"delay", {3.3e-3}}}},
       {"time_delay", {{"delay", {-2.5e-4}}}},
       {"inertia", {{"mass", {12.0}}}},

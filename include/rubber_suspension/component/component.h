@@ -110,6 +110,7 @@ class Component {
     std::size_t offset;  // of its memory in the state
   };
 
+  void placeMount(const std::shared_ptr<const SeriesElement>& mount);
   void placeSpecimen(const std::shared_ptr<const ParallelElement>& law);
   template <class Law>
   void placeAll(std::vector<Placed<Law>>& placed);
@@ -133,9 +134,21 @@ class Component {
                        ComponentForce* force);
   static void takeIncrements(Motion* motion, std::size_t count, double& last);
   ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
+  /// A force that is linear in a displacement.
+  struct Line {
+    double held;   // [N]
+    double slope;  // [N/m]
+  };
+  Line lineOf(const ComponentState& state) const;
+  double forceAt(double specimen, Line line, const double* berg_memory) const;
+  double meet(Line line, double compliance, const ComponentState& state, const Motion& motion) const;
+  double complianceAt(double force) const;
+  double mountDeflection(double force) const;
+  double trialFriction(double specimen, const double* memory) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
   double behindMount(ComponentState& state, const Motion& motion) const;
   double plainBehindMount(const ComponentState& state, const Motion& motion) const;
+  double plainBehindUnevenMount(const ComponentState& state, const Motion& motion) const;
   std::optional<std::complex<double>> specimenStiffness(double omega) const;
 
   /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
@@ -195,7 +208,10 @@ class Component {
   std::vector<Placed<ParallelElement>> rig_;
   std::vector<Placed<DisplacementEffect>> displacement_effects_;
   std::vector<Placed<ForceEffect>> force_effects_;
-  double mount_compliance_ = 0.0;        // sum of 1/K_s of all series mounts [m/N]
+  SeriesElement::Compliance mount_compliance_ = {0.0, 0.0};   // sums over the series mounts that are linear to a side
+  std::vector<std::shared_ptr<const SeriesElement>> joints_;  // the others
+  bool mounted_ = false;                                      // any of both
+  bool mount_is_linear_ = true;                               // alike to both sides, and none of the others
   bool plain_ = true;                    // nothing but springs, dashpots, Maxwell elements and Berg friction
   bool frictionless_ = true;             // the same without Berg friction
   std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes

@@ -35,6 +35,7 @@ struct Atom {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
+  bool refines = false;  ///< much like its fellows, so that a fit far from its end would confuse them
   bool on_rig = false;   ///< additive whatever effects act on the specimen
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;

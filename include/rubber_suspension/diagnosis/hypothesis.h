@@ -70,7 +70,7 @@ class Fitter {
   Fit fit(const std::vector<Atom>& atoms, const Point& start, int iterations, bool trends = false,
           const std::vector<bool>& active = {}) const;
 
-  /// Where the scales arrive from a start while the own parameters stay as they are.
+  /// Where the scales arrive from a start while the own parameters stay as they are; atoms that refine stay, too.
   Point scalesAlone(const std::vector<Atom>& atoms, const Point& start, int iterations) const;
 
   /// Find the unit effects of additive and softening atoms once, so that hypotheses need not simulate them.

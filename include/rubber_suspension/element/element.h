@@ -86,10 +86,20 @@ class ForceEffect : public Element {
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 };
 
-/// A spring in series with the whole specimen: bracket, mount or rig that yields.
+/// An elastic law in series with the whole specimen: bracket, mount, joint or rig that yields.
 class SeriesElement : public Element {
  public:
-  virtual double stiffness() const = 0;  ///< [N/m]
+  /// Deflection per force [m/N].
+  struct Compliance {
+    double tension;      ///< for F > 0
+    double compression;  ///< for F < 0
+  };
+
+  /// By how much it yields to a force [m]: of the force's sign, and nowhere falling with it.
+  virtual double deflection(double force) const = 0;
+
+  /// Of a law that is linear to either side; nothing for another.
+  virtual std::optional<Compliance> compliance() const = 0;
 };
 
 }  // namespace rubber_suspension

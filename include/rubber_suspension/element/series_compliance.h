@@ -1,19 +1,33 @@
-// Mount that yields in series with the specimen: bracket, rig frame, adapter.
+// Mount that yields in series with the specimen: bracket, rig frame, adapter, joint.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension {
 
-/// 1/K*_measured = 1/K* + 1/K_s: lowers stiffness and loss angle, alike at all frequencies.
-/// The component solves for the displacement of the specimen at each step. Several mounts add their compliances.
+/// Deflection u = F/(K_s (1 + |F|/F_c)), towards one side alone if so asked. The component solves for the displacement
+/// of the specimen at each step. Several mounts add their deflections.
+///
+/// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, alike at all
+/// frequencies. With one, contact closes under load: tangent compliance 1/(K_s (1 + |F|/F_c)^2), half the secant
+/// compliance at F_c, no more closure than F_c/K_s. A bolted joint, which opens towards tension, or a pad that is not
+/// held is a mount of one side beside one of both.
+/// Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20 (1983) 249-268.
 class SeriesCompliance final : public SeriesElement {
  public:
-  explicit SeriesCompliance(double stiffness /* K_s [N/m] */) : stiffness_(stiffness) {}
-  double stiffness() const override { return stiffness_; }
+  enum class Side { compression = -1, both = 0, tension = 1 };
+
+  explicit SeriesCompliance(double stiffness /* K_s [N/m] */, double closing_force = 0.0 /* F_c [N], 0: none */,
+                            Side side = Side::both)
+      : stiffness_(stiffness), closing_force_(closing_force), side_(side) {}
+
+  double deflection(double force) const override;
+  std::optional<Compliance> compliance() const override;
 
  private:
   double stiffness_;
+  double closing_force_;
+  Side side_;
 };
 
 ElementType seriesComplianceType();
