@@ -18,6 +18,8 @@ namespace {
 constexpr double kRounding = 1e-11;
 
 enum class Yardstick { plain, vectors };
+// A log with its stamps, all checked and judged, or displacements at a constant distance alone.
+enum class Offline { log, displacements };
 constexpr int kMaxwellElements = 5;
 
 struct ReplayBench {
@@ -32,14 +34,21 @@ struct ReplayBench {
     log.stamp = evenStamps(samples);
     log.displacement = benchmarkDisplacement(samples);
   }
+
+  void simulate() {
+    ComponentState state = component.makeState();
+    library.resize(log.size());
+    library[0] = component.rest(state, log.displacement[0]).total;
+    component.simulate(state, kStep, log.displacement.data() + 1, log.size() - 1, library.data() + 1);
+  }
 };
 
-Case replayCase(const BenchmarkSize& size, Yardstick yardstick) {
+Case replayCase(const BenchmarkSize& size, Offline offline, Yardstick yardstick) {
   const std::size_t samples = std::max<std::size_t>(size.samples, 16) / 8 * 8 + 1;
   const auto bench = std::make_shared<ReplayBench>(samples);
   const bool plain = yardstick == Yardstick::plain;
   Case result;
-  result.name = "a log offline, `simulateLog`";
+  result.name = offline == Offline::log ? "a log offline, `simulateLog`" : "a log offline, `Component::simulate`";
   result.yardstick = plain ? "plain loop, constant dt" : "state-space form over blocks of samples, by vectors";
   result.unit = "step";
   result.count = result.yardstick_count = static_cast<double>(samples);
@@ -50,7 +59,13 @@ Case replayCase(const BenchmarkSize& size, Yardstick yardstick) {
       bareBlockLoop(bench->parameters, kStep, bench->log.displacement, bench->bare);
     }
   };
-  result.library = [bench] { bench->library = simulateLog(bench->component, bench->log); };
+  result.library = [bench, offline] {
+    if (offline == Offline::log) {
+      bench->library = simulateLog(bench->component, bench->log);
+    } else {
+      bench->simulate();
+    }
+  };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
   result.error_meaning = "of the largest force";
   result.tolerance = kRounding;
@@ -246,7 +261,8 @@ std::vector<Case> replayCases(const BenchmarkSize& size) {
   std::vector<Case> cases;
   cases.push_back(fleetCase(many, ticks, "`Component::step`", &FleetBench::stepOneByOne, Yardstick::plain));
   for (const Yardstick yardstick : {Yardstick::plain, Yardstick::vectors}) {
-    cases.push_back(replayCase(size, yardstick));
+    cases.push_back(replayCase(size, Offline::displacements, yardstick));
+    cases.push_back(replayCase(size, Offline::log, yardstick));
     cases.push_back(fleetCase(many, ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
     cases.push_back(fleetCase(64, 16 * ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
     cases.push_back(candidateCase(size.samples, yardstick));
