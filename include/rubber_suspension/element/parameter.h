@@ -1,14 +1,11 @@
 // What a user may write for a parameter: one table from which checks, errors and reference pages follow.
 #pragma once
 
-#include <boost/container/flat_map.hpp>
-#include <boost/container/small_vector.hpp>
-#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rubber_suspension {
@@ -42,11 +39,8 @@ struct ParameterInfo {
   bool is_list = false;                 ///< takes a list of numbers in place of one
 };
 
-/// Values by parameter name, in the order of the names; a scalar is a list of one. Most laws have one or two parameters:
-/// these take no memory of their own, since fits make descriptions by the thousand.
-using ParameterValues =
-    boost::container::flat_map<std::string, std::vector<double>, std::less<>,
-                               boost::container::small_vector<std::pair<std::string, std::vector<double>>, 2>>;
+/// Values by parameter name; a scalar is a list of one.
+using ParameterValues = std::map<std::string, std::vector<double>>;
 
 /// An entry of `elements:` or `add:`: the name of a law and the values of its parameters [SI].
 struct ElementDescription {

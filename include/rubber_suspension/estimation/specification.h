@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/container/flat_map.hpp>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -35,7 +35,7 @@ std::optional<Model> modelFromString(const std::string& name);
 /// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
 class Specification {
  public:
-  using Values = boost::container::flat_map<std::string, double, std::less<>>;
+  using Values = std::map<std::string, double, std::less<>>;
 
   bool has(std::string_view name) const { return position(name) != values_.end(); }
   std::optional<double> find(std::string_view name) const {
