@@ -56,7 +56,7 @@ class MaxwellPipeline {
       force_[k] = inside ? force : select(isInside(sample, count, k), force, force_[k]);
       sum_[k] = shifted(sum_[k], k + 1 < kVectors ? sum_[k + 1] : spread(sum[sample])) + force_[k];
     }
-    sum[sample - kLag] = sum_[0][0];
+    *(sum + sample - kLag) = sum_[0][0];
   }
 
   // The lanes that are at one of the samples.
@@ -266,7 +266,7 @@ class Portion {
       sum[0] = steps.dashpot_gain * increment[0];
     }
     for (std::size_t i = known; i < count; ++i) {
-      const double way = displacement[i] - displacement[i - 1];
+      const double way = displacement[i] - *(displacement + i - 1);
       increment[i] = way;
       sum[i] = steps.dashpot_gain * way;
     }

@@ -61,8 +61,7 @@ ElementType springTableType() {
       {{"displacement", "m", Range::any(), std::nullopt, "displacements of the points, increasing", true},
        {"force", "N", Range::any(), std::nullopt, "forces of the points, not decreasing, 0 at displacement 0", true}},
       [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const SpringTable>(description.list("displacement"),
-                                                   description.list("force"));
+        return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"));
       }};
 }
 
