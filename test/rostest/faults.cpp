@@ -213,8 +213,8 @@ TEST_F(Fault, SubscriberThatStalls) {
   flood(kStart, kFill);
   const long full = residentMemory(node);
   flood(kStart + kFill * kMillisecond / 10, kMore);
-  // Had the node kept what nobody reads, the memory would have grown by more than this: besides what goes over the wire,
-  // each force waits in a block of memory of its own, with the pointers to it.
+  // Had the node kept what nobody reads, the memory would have grown by more than this: besides what goes over the
+  // wire, each force waits in a block of memory of its own, with the pointers to it.
   EXPECT_LT(residentMemory(node) - full, kWire * kMore);
   // It has stalled indeed: of what was sent only as much has come as its buffer holds.
   EXPECT_LT(stalled.unread(), kWire * kFill);
