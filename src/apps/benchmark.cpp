@@ -3,15 +3,16 @@
 
 #include <memory>
 
-#include "../benchmark/cases.h"
-#include "../benchmark/ratio_figure.h"
-#include "../benchmark/single_work.h"
-#include "command.h"
-#include "plot_option.h"
+#include "apps/command.h"
+#include "apps/plot_option.h"
+#include "benchmark/cases.h"
+#include "benchmark/ratio_figure.h"
+#include "benchmark/single_work.h"
 
 namespace {
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 struct Options {
   bool quick = false;
@@ -24,10 +25,11 @@ struct Options {
   std::string log;
 };
 
-std::vector<Case> allCases(const BenchmarkSize& size) {
-  std::vector<Case> all;
-  for (const auto part : {stepCases, replayCases, peerCases, estimationCases, diagnosisCases}) {
-    for (Case& work : part(size)) {
+std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
+  std::vector<benchmark::Case> all;
+  for (const auto part : {benchmark::stepCases, benchmark::replayCases, benchmark::peerCases,
+                          benchmark::estimationCases, benchmark::diagnosisCases}) {
+    for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }
   }
@@ -38,31 +40,31 @@ int runSingle(const Options& options) {
   if (options.config.empty() || options.log.empty()) {
     throw UsageError("--work needs --config and --log");
   }
-  std::cout << singleWork(options.work, options.config, options.log) << '\n';
+  std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
   return kSuccess;
 }
 
 int run(const Options& options) {
-  BenchmarkSize size;
+  benchmark::BenchmarkSize size;
   size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
   size.log_duration = options.log_duration;
   const int pairs = options.pairs > 0 ? options.pairs : options.quick ? 15 : 101;
-  std::vector<Result> results;
+  std::vector<benchmark::Result> results;
   bool accurate = true;
-  for (Case& work : allCases(size)) {
+  for (benchmark::Case& work : allCases(size)) {
     std::cerr << "measuring " << work.name << '\n';
     if (options.quick) {
-      work.most_repetitions = std::min(work.most_repetitions, work.clock == Clock::wall ? 1 : pairs);
+      work.most_repetitions = std::min(work.most_repetitions, work.clock == benchmark::Clock::wall ? 1 : pairs);
     }
-    results.push_back(measure(work, pairs));
+    results.push_back(benchmark::measure(work, pairs));
     if (!results.back().accurate) {
       printError("benchmark", work.name + ": the error is beyond its tolerance");
       accurate = false;
     }
   }
-  std::cout << markdown(results);
+  std::cout << benchmark::markdown(results);
   if (!options.plot.empty()) {
-    drawFigure(ratioFigure(results), options.plot);
+    io::drawFigure(benchmark::ratioFigure(results), options.plot);
   }
   return accurate ? kSuccess : kFailed;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 double BergFriction::rest(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
@@ -81,4 +81,4 @@ ElementType bergFrictionType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -1,7 +1,7 @@
 // Free play.
 #include "rubber_suspension/element/free_play.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType freePlayType() {
   return {"free_play",
@@ -13,4 +13,4 @@ ElementType freePlayType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
@@ -85,4 +85,4 @@ ElementType inertiaType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/relaxation.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kRise, kLossForce };
@@ -42,4 +42,4 @@ ElementType selfHeatingType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

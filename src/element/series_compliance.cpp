@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 SeriesCompliance::Side sideFrom(const ElementDescription& description) {
@@ -45,4 +45,4 @@ ElementType seriesComplianceType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/element/relaxation.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kLargest, kReach };
@@ -57,4 +57,4 @@ ElementType stressSofteningType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -1,5 +1,5 @@
 // What the node `simulate` can be asked over ROS, in one table.
-#include "rubber_suspension/ros_interface/node_interface.h"
+#include "ros_interface/node_interface.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <fmt/format.h>
@@ -13,9 +13,9 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include "rubber_suspension/ros_interface/node_settings.h"
+#include "ros_interface/node_settings.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using Kind = InterfaceEntry::Kind;
@@ -101,4 +101,4 @@ std::string topicReference() {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

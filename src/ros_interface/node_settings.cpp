@@ -1,5 +1,5 @@
 // The node's private parameters, checked strictly against one table.
-#include "rubber_suspension/ros_interface/node_settings.h"
+#include "ros_interface/node_settings.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "rubber_suspension/ros_interface/parameter_yaml.h"
+#include "ros_interface/parameter_yaml.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -169,7 +169,7 @@ NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
   return settings;
 }
 
-std::vector<ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
+std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
   XmlRpcValue file;
   XmlRpcValue components;
   const bool has_file = private_handle.getParam("config_file", file);
@@ -181,13 +181,13 @@ std::vector<ComponentDescription> readComponents(const ros::NodeHandle& private_
                                             has_file ? "both" : "neither of the", file_name, components_name));
   }
   if (has_components) {
-    return parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
+    return io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
   }
   if (file.getType() != XmlRpcValue::TypeString) {
     throw std::invalid_argument(
         fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
   }
-  return loadComponentFile(static_cast<const std::string&>(file));
+  return io::loadComponentFile(static_cast<const std::string&>(file));
 }
 
 std::string describeNodeSettings() {
@@ -200,4 +200,4 @@ std::string describeNodeSettings() {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

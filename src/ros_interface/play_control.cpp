@@ -1,9 +1,9 @@
 // Holds, steps and lets go a playback from outside.
-#include "rubber_suspension/ros_interface/play_control.h"
+#include "ros_interface/play_control.h"
 
 #include <fmt/format.h>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 void PlayControl::step() {
   running_ = false;
@@ -32,4 +32,4 @@ bool PlayControlServices::step(std_srvs::Trigger::Request& /*request*/, std_srvs
   return true;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

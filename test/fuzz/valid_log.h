@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::fuzz {
 
