@@ -74,10 +74,10 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   return runCommand(
       argc, argv, "benchmark",
-      "Times the library against loops written by hand and general solvers, by turns in one process, and prints a "
+      "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
       "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
-      "beside them. Times are those of the thread, so that other programs count little; those of the diagnosis are of "
-      "the wall.",
+      "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
+      "are wall times.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1.0, 3600.0))
             ->capture_default_str();
         app.add_option("--pairs", options->pairs,
-                       "runs of plain loop and library by turns, per row; if absent 101, with --quick 15")
+                       "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
             ->type_name("COUNT")
             ->check(CLI::Range(1, 100000));
         addPlotOption(app, options->plot, "the ratios");

@@ -117,13 +117,13 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--soak", options.soak,
-                 "send so many samples to as many components as --components names first, as fast as the node answers, "
-                 "and tell its memory in place of the latency")
+                 "number of samples to send as fast as the node answers, to the first number of --components; "
+                 "reports the memory of the node instead of the latency")
       ->type_name("COUNT")
       ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{100000000000}));
   addPlotOption(app, options.plot, "latencies, or of memory over the samples of --soak,");
   // For the command itself, which starts its echo node so.
-  app.add_option("--echo", options.echo, "be the echo node of so many components")
+  app.add_option("--echo", options.echo, "be the echo node of this number of components")
       ->check(CLI::Range(1, 500))
       ->group("");
 }
@@ -136,8 +136,8 @@ int main(int argc, char** argv) {
       line.argc(), line.argv(), "benchmark_latency",
       "Measures round trips through the node `simulate` against those through an empty echo node, in "
       "alternating runs with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of "
-      "runs, with quartiles in brackets; those of the echo node to itself tell what the machine does to "
-      "such a ratio.",
+      "runs, with quartiles in brackets; those of the echo node to itself show how much the machine alone "
+      "changes such a ratio.",
       [&](CLI::App& app) {
         const auto options = std::make_shared<Options>();
         addOptions(app, *options);

@@ -55,9 +55,9 @@ void addOptions(CLI::App& app, Options& options) {
          "--config", options.config,
          "component file whose force for this log is the reference; if absent, it is the force measured in the log")
       ->type_name("FILE");
-  app.add_option("--config-component", options.config_component, "its name in that file, if another")
+  app.add_option("--config-component", options.config_component, "its name in that file, if different")
       ->type_name("NAME");
-  app.add_option("--skip", options.skip, "start of the log that is played and not compared")
+  app.add_option("--skip", options.skip, "start of the log that is played but not compared")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");
   app.add_option("--speed", options.play.rate, "multiple of the log's own speed; 0: as fast as the bench answers")
@@ -79,8 +79,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--reset", options.reset, "service (std_srvs/Trigger) to call before the first sample")
       ->type_name("SERVICE");
   addPlotOption(app, options.plot, "forces over time and displacement, and of their difference,");
-  app.add_option("--gtest_output", options.report, "report to write; rostest gives it")->type_name("xml:FILE");
-  app.add_flag("--text", options.text, "accepted and of no effect; rostest --text gives it");
+  app.add_option("--gtest_output", options.report, "report to write; set by rostest")->type_name("xml:FILE");
+  app.add_flag("--text", options.text, "accepted without effect; set by rostest --text");
 }
 
 ros_interface::ForceReference referenceFor(const Options& options, const log::Log& log) {

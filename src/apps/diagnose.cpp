@@ -71,17 +71,19 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   return runCommand(
-      argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
+      argc, argv, "diagnose",
+      "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
         app.add_option("--log", options->logs,
-                       "measured logs of one specimen in the order of recording: .csv, .bag or .mat")
+                       "measured logs of one component in the order of recording: .csv, .bag or .mat")
             ->required()
             ->type_name("FILE");
-        app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen")
+        app.add_option("--hold-out", options->hold_out,
+                       "logs that take no part in the fit; each starts with a new component")
             ->type_name("FILE");
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()

@@ -127,7 +127,7 @@ CommandBody define(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("--config", options->config, "component file")->type_name("FILE");
   app.add_option("--data-sheet", options->data_sheet,
-                 "data sheet in place of --config: prints the component file that follows from it, from hardness "
+                 "data sheet instead of --config: prints the component file that follows from it, from hardness "
                  "and shape, a dynamic-to-static ratio, or loss angles at two frequencies")
       ->type_name("FILE");
   app.add_option("--component", options->component, "name of one component; all if absent")->type_name("NAME");
@@ -153,7 +153,7 @@ CommandBody define(CLI::App& app) {
          "measured log with force (.csv, .mat or .bag): find the parameters from it; may be given several times")
       ->type_name("FILE");
   app.add_option("--hold", options->identification.held,
-                 "parameter to keep with --from-log, such as friction.displacement")
+                 "parameter to keep fixed with --from-log, such as friction.displacement")
       ->type_name("ELEMENT.PARAMETER");
   app.add_option("--starts", options->identification.starts, "starts of the search with --from-log")
       ->type_name("COUNT")

@@ -144,7 +144,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--track", options.track, "log whose displacement is the height of the track under the front wheel")
       ->type_name("FILE");
   app.add_option("--loop", options.loop,
-                 "who answers displacements with forces: library and topics at fixed steps, implicit with iterations")
+                 "where the forces come from: library and topics at fixed steps, implicit with iterations")
       ->type_name("NAME")
       ->check(CLI::IsMember({"library", "topics", "implicit"}))
       ->capture_default_str();
@@ -164,7 +164,7 @@ void addOptions(CLI::App& app, Options& options) {
   addPlotOption(app, options.plot, "displacements over time, or of growth over the step,");
   app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
       ->type_name("SERVICE");
-  app.add_flag("--stability", options.stability, "print up to which step a loop is stable, in place of a run");
+  app.add_flag("--stability", options.stability, "print the largest stable step of a loop instead of running");
 }
 
 }  // namespace

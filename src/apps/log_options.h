@@ -20,9 +20,9 @@ class LogOptions {
     app.add_option("--columns", columns_,
                    "columns of other names: time=NAME displacement=NAME force=NAME temperature=NAME")
         ->type_name("QUANTITY=NAME");
-    app.add_option("--unit", unit_, "units of the columns named by --columns, as mm,kN or mm,kN,ms")
+    app.add_option("--unit", unit_, "units of the columns named by --columns, such as mm,kN or mm,kN,ms")
         ->type_name("LENGTH,FORCE,TIME");
-    app.add_option(rate_option, rate_, "sampling rate of a log without column of time")->type_name("HZ");
+    app.add_option(rate_option, rate_, "sampling rate of a log without a time column")->type_name("HZ");
   }
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.

@@ -55,13 +55,13 @@ void addPlayOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--loop", options.passes,
-                 "times to play the logs, 0: until interrupted; time goes on and the specimen stays the same")
+                 "times to play the logs, 0: until interrupted; time continues and the component keeps its state")
       ->type_name("COUNT")
       ->capture_default_str();
   app.add_option("--step", options.step,
-                 "step by step: samples of each component per call of the service ~step; ~pause with false lets go")
+                 "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
       ->type_name("COUNT");
-  app.add_flag("--paused", options.paused, "begin held, until the service ~pause is called with false");
+  app.add_flag("--paused", options.paused, "start paused, until the service ~pause is called with false");
   app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
       ->type_name("COUNT")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
@@ -80,7 +80,7 @@ void addPlayOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
   app.add_option("--reset", options.reset,
-                 "service that makes the specimen new before the first sample, such as /simulate/reset")
+                 "service that resets the component before the first sample, such as /simulate/reset")
       ->type_name("SERVICE");
 }
 

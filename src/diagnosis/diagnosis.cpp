@@ -613,15 +613,16 @@ class Diagnoser {
   std::string sentence() const {
     const Gap& gap = result_.gap;
     const std::string closes = fmt::format(
-        "adding {} closes {:.0f} % of what own parameters leave (gap {:.1f} % to {:.1f} %, noise floor {:.1f} %)",
+        "adding {} closes {:.0f} % of what re-estimation leaves (gap {:.1f} % to {:.1f} %, noise floor {:.1f} %)",
         namesText(), 100.0 * result_.closed, 100.0 * gap.re_estimated, 100.0 * gap.augmented, 100.0 * gap.noise_floor);
     switch (verdict_.kind) {
       case VerdictKind::none:
-        return fmt::format("The model meets the measurement: the gap of {:.1f} % is at the noise floor of {:.1f} %.",
-                           100.0 * gap.as_configured, 100.0 * gap.noise_floor);
+        return fmt::format(
+            "The model agrees with the measurement: the gap of {:.1f} % is at the noise floor of {:.1f} %.",
+            100.0 * gap.as_configured, 100.0 * gap.noise_floor);
       case VerdictKind::parameter_error:
         return fmt::format(
-            "The model's own values are off: re-estimating them takes the gap from {:.1f} % to {:.1f} %.",
+            "The model's parameters are off: re-estimating them reduces the gap from {:.1f} % to {:.1f} %.",
             100.0 * gap.as_configured, 100.0 * gap.re_estimated);
       case VerdictKind::named:
         return fmt::format("The model lacks {}: {}.", namesText(), closes);
@@ -629,19 +630,20 @@ class Diagnoser {
         return fmt::format("The model most probably lacks {}: {}. These logs cannot tell apart: {}.", namesText(),
                            closes, setsText());
       case VerdictKind::partly:
-        return fmt::format("The model lacks {}, and something else: {}; a significant rest is not explained.",
-                           namesText(), closes);
+        return fmt::format(
+            "The model lacks {}, and something else: {}; a significant part of the gap remains unexplained.",
+            namesText(), closes);
       default:
         if (only_unseen_logs_differ_) {
           return fmt::format(
-              "The logs of the fit bear the model out, the unseen ones do not (gap {:.1f} %, noise floor {:.1f} %): "
-              "they "
-              "show something that the others lack. Fit logs that go as far.",
+              "The logs of the fit confirm the model, the unseen ones do not (gap {:.1f} %, noise floor {:.1f} %): "
+              "they show "
+              "something that the logs of the fit do not. Fit logs that cover the same range.",
               100.0 * gap.augmented, 100.0 * gap.noise_floor);
         }
         return fmt::format(
             "The gap of {:.1f} % is real (noise floor {:.1f} %) and no effect of the list explains it: {}",
-            100.0 * gap.re_estimated, 100.0 * gap.noise_floor, "see where it lies before trusting the model there.");
+            100.0 * gap.re_estimated, 100.0 * gap.noise_floor, "see where it lies before you trust the model there.");
     }
   }
 

@@ -297,7 +297,7 @@ class Searcher {
       : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
 
   Search run() {
-    say("re-estimating the model's own parameters", 0.0);
+    say("re-estimating the model parameters", 0.0);
     reEstimate();
     say("fitting single effects", 0.1);
     result_.candidates = fit::candidates(result_.excitation);

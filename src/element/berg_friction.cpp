@@ -74,7 +74,7 @@ ElementType bergFrictionType() {
            {"displacement", "m", Range::positive(), std::nullopt,
             "displacement z2 from rest at which friction reaches half of its maximum"},
            {"dead_band", "m", Range::nonNegative(), 0.0,
-            "way back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
+            "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const BergFriction>(
                 description.value("maximum_force"), description.value("displacement"), description.value("dead_band"));

@@ -81,7 +81,7 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
     : private_handle_(private_handle), settings_(settings), channels_(channels) {
   advertise(private_handle, "reset", [this] {
     std::for_each(channels_.begin(), channels_.end(), [](node::ComponentChannel* channel) { channel->reset(); });
-    return fmt::format("{} components are new specimens at rest", channels_.size());
+    return fmt::format("{} components are reset: at rest, as new", channels_.size());
   });
   advertise(private_handle, "save_state", [this] { return save(); });
   advertise(private_handle, "load_state", [this] { return load(); });
@@ -90,7 +90,7 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   for (node::ComponentChannel* channel : channels_) {
     advertise(handle, channel->name() + "/reset", [channel] {
       channel->reset();
-      return channel->name() + " is a new specimen at rest";
+      return channel->name() + " is reset: at rest, as new";
     });
     advertiseSwitch(handle, channel->name() + "/set_enabled", {channel});
   }

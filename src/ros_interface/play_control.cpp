@@ -21,14 +21,14 @@ PlayControlServices::PlayControlServices(const ros::NodeHandle& private_handle, 
 bool PlayControlServices::pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   control_.pause(request.data);
   response.success = true;
-  response.message = request.data ? "held" : "running";
+  response.message = request.data ? "paused" : "running";
   return true;
 }
 
 bool PlayControlServices::step(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
   control_.step();
   response.success = true;
-  response.message = fmt::format("{} samples of each component let go so far", control_.granted());
+  response.message = fmt::format("{} samples of each component released so far", control_.granted());
   return true;
 }
 

@@ -7,7 +7,7 @@ namespace rubber_suspension::diagnosis {
 fit::Candidate rateAmplitudeCouplingCandidate(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "rate_amplitude_coupling",
-      "flow that large forces hasten: stiffness falls with amplitude, the more the higher the frequency",
+      "flow that large forces accelerate: stiffness falls with amplitude, and more so at higher frequency",
       false,
       {},
       false,

@@ -73,8 +73,8 @@ std::string gapTable(const Diagnosis& d) {
         name, percent(value), 14.0 * value / widest, meaning);
   };
   row("as configured", d.gap.as_configured, "the component file as it is");
-  row("re-estimated", d.gap.re_estimated, "the model's own parameters fitted to the logs");
-  row("augmented", d.gap.augmented, "with what is named added");
+  row("re-estimated", d.gap.re_estimated, "model parameters fitted to the logs");
+  row("augmented", d.gap.augmented, "with the named effects added");
   row("noise floor", d.gap.noise_floor, escape(d.noise_source));
   return "<table><tr><th>model</th><th class=n>gap</th><th></th><th></th></tr>\n" + rows + "</table>\n";
 }
@@ -136,7 +136,7 @@ std::string parameterTable(const Diagnosis& d) {
                         escape(row.log), 1e3 * row.amplitude, row.frequency, ratiosText(row.ratios));
   }
   return "<table><tr><th>log</th><th class=n>amplitude [mm]</th><th class=n>mean frequency [Hz]</th>"
-         "<th>value that it wants, over the configured one</th></tr>\n" +
+         "<th>best value over configured value</th></tr>\n" +
          rows + "</table>\n";
 }
 
@@ -224,9 +224,9 @@ std::string toHtml(const Diagnosis& d) {
   }
   html += "<p>" + notTestable(d) + "</p>\n<h2>Next experiment</h2>\n<p>" + escape(d.next_experiment) + "</p>\n";
   html += "<h2>Where</h2>\n" + whereTable(d) + "<h2>Figures</h2>\n" + figuresHtml(d);
-  html += "<h2>Which parameter would have to move</h2>\n" + parameterTable(d);
+  html += "<h2>Which parameter would have to change</h2>\n" + parameterTable(d);
   html += "<h2>The logs</h2>\n" + admissionTable(d);
-  html += "<h2>Component file with what was found</h2>\n<pre>" + escape(io::toYaml({d.augmented})) +
+  html += "<h2>Component file with the effects found</h2>\n<pre>" + escape(io::toYaml({d.augmented})) +
           "</pre>\n</body></html>\n";
   return html;
 }
