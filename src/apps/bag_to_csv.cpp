@@ -1,10 +1,11 @@
 // The command `bag_to_csv`: one component's displacement and measured force of a bag as a CSV log.
 #include <memory>
 
-#include "command.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
+#include "apps/command.h"
+#include "bag/bag_log.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
@@ -15,11 +16,11 @@ struct Options {
 };
 
 int convert(const Options& options) {
-  const Log log = readBagLog(options.input, options.component);
+  const log::Log log = bag::readBagLog(options.input, options.component);
   for (const std::string& note : log.notes) {
     std::cerr << "bag_to_csv: note: " << note << '\n';
   }
-  writeLogCsv(options.output, log);
+  log::writeLogCsv(options.output, log);
   std::cout << options.output << ": " << log.size() << " samples"
             << (log.force.empty() ? ", displacement\n" : ", displacement and measured force\n");
   return kSuccess;

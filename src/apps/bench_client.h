@@ -9,14 +9,14 @@
 #include <iostream>
 #include <string>
 
-#include "rubber_suspension/ros_interface/log_player.h"
-#include "rubber_suspension/ros_interface/loopback.h"
+#include "ros_interface/log_player.h"
+#include "ros_interface/loopback.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::apps {
 
 /// A node that is kept to the loopback interface gets a client that is; where that is refused, say so.
 inline void noteOpenness(const std::string& command) {
-  const std::string refusal = keepSlaveApiToLoopback();
+  const std::string refusal = ros_interface::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
     std::cerr << command << ": note: " << refusal << '\n';
   }
@@ -26,8 +26,8 @@ inline void noteOpenness(const std::string& command) {
 inline void resetSpecimen(const ros::NodeHandle& handle, const std::string& service) {
   std_srvs::Trigger trigger;
   if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {
-    throw PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
+    throw ros_interface::PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::apps

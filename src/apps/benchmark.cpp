@@ -3,15 +3,16 @@
 
 #include <memory>
 
-#include "../benchmark/cases.h"
-#include "../benchmark/ratio_figure.h"
-#include "../benchmark/single_work.h"
-#include "command.h"
-#include "plot_option.h"
+#include "apps/command.h"
+#include "apps/plot_option.h"
+#include "benchmark/cases.h"
+#include "benchmark/ratio_figure.h"
+#include "benchmark/single_work.h"
 
 namespace {
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 struct Options {
   bool quick = false;
@@ -24,10 +25,11 @@ struct Options {
   std::string log;
 };
 
-std::vector<Case> allCases(const BenchmarkSize& size) {
-  std::vector<Case> all;
-  for (const auto part : {stepCases, replayCases, peerCases, estimationCases, diagnosisCases}) {
-    for (Case& work : part(size)) {
+std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
+  std::vector<benchmark::Case> all;
+  for (const auto part : {benchmark::stepCases, benchmark::replayCases, benchmark::peerCases,
+                          benchmark::estimationCases, benchmark::diagnosisCases}) {
+    for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }
   }
@@ -38,31 +40,31 @@ int runSingle(const Options& options) {
   if (options.config.empty() || options.log.empty()) {
     throw UsageError("--work needs --config and --log");
   }
-  std::cout << singleWork(options.work, options.config, options.log) << '\n';
+  std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
   return kSuccess;
 }
 
 int run(const Options& options) {
-  BenchmarkSize size;
+  benchmark::BenchmarkSize size;
   size.samples = options.samples > 0 ? options.samples : options.quick ? 20000 : 100000;
   size.log_duration = options.log_duration;
   const int pairs = options.pairs > 0 ? options.pairs : options.quick ? 15 : 101;
-  std::vector<Result> results;
+  std::vector<benchmark::Result> results;
   bool accurate = true;
-  for (Case& work : allCases(size)) {
+  for (benchmark::Case& work : allCases(size)) {
     std::cerr << "measuring " << work.name << '\n';
     if (options.quick) {
-      work.most_repetitions = std::min(work.most_repetitions, work.clock == Clock::wall ? 1 : pairs);
+      work.most_repetitions = std::min(work.most_repetitions, work.clock == benchmark::Clock::wall ? 1 : pairs);
     }
-    results.push_back(measure(work, pairs));
+    results.push_back(benchmark::measure(work, pairs));
     if (!results.back().accurate) {
       printError("benchmark", work.name + ": the error is beyond its tolerance");
       accurate = false;
     }
   }
-  std::cout << markdown(results);
+  std::cout << benchmark::markdown(results);
   if (!options.plot.empty()) {
-    drawFigure(ratioFigure(results), options.plot);
+    io::drawFigure(benchmark::ratioFigure(results), options.plot);
   }
   return accurate ? kSuccess : kFailed;
 }
@@ -72,10 +74,10 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   return runCommand(
       argc, argv, "benchmark",
-      "Times the library against loops written by hand and general solvers, by turns in one process, and prints a "
+      "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
       "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
-      "beside them. Times are those of the thread, so that other programs count little; those of the diagnosis are of "
-      "the wall.",
+      "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
+      "are wall times.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
@@ -88,7 +90,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1.0, 3600.0))
             ->capture_default_str();
         app.add_option("--pairs", options->pairs,
-                       "runs of plain loop and library by turns, per row; if absent 101, with --quick 15")
+                       "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
             ->type_name("COUNT")
             ->check(CLI::Range(1, 100000));
         addPlotOption(app, options->plot, "the ratios");

@@ -8,43 +8,45 @@
 #include <memory>
 #include <thread>
 
-#include "command.h"
-#include "plot_option.h"
-#include "rubber_suspension/ros_interface/benchmark_node.h"
-#include "rubber_suspension/ros_interface/child_process.h"
-#include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/echo_node.h"
-#include "rubber_suspension/ros_interface/latency_benchmark.h"
-#include "rubber_suspension/ros_interface/latency_figures.h"
-#include "rubber_suspension/ros_interface/soak.h"
+#include "apps/command.h"
+#include "apps/plot_option.h"
+#include "benchmark/latency/benchmark_node.h"
+#include "benchmark/latency/echo_node.h"
+#include "benchmark/latency/latency_benchmark.h"
+#include "benchmark/latency/latency_figures.h"
+#include "benchmark/latency/soak.h"
+#include "ros_interface/child_process.h"
+#include "ros_interface/command_line.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
 struct Options {
-  BenchmarkOptions benchmark;
+  benchmark::BenchmarkOptions benchmark;
   int echo = 0;
   std::uint64_t soak = 0;
   std::string plot;
 };
 
-int serveEcho(RosCommandLine& line, int components) {
+int serveEcho(ros_interface::RosCommandLine& line, int components) {
   constexpr int kQueueSize = 10000;  // that of the node
   line.initialise("echo");
   ros::NodeHandle handle;
-  const EchoNode node(handle, benchmarkNames(components), kQueueSize);
+  const benchmark::EchoNode node(handle, benchmark::benchmarkNames(components), kQueueSize);
   ros::spin();
   return kSuccess;
 }
 
 // A master of its own on the loopback interface, so that nothing else on this machine takes part.
-std::unique_ptr<ChildProcess> startMaster() {
-  const int port = freePort();
+std::unique_ptr<ros_interface::ChildProcess> startMaster() {
+  const int port = ros_interface::freePort();
   setenv("ROS_HOSTNAME", "127.0.0.1", 1);
   unsetenv("ROS_IP");
   setenv("ROS_MASTER_URI", fmt::format("http://127.0.0.1:{}", port).c_str(), 1);
-  return std::make_unique<ChildProcess>(std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
+  return std::make_unique<ros_interface::ChildProcess>(
+      std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
 }
 
 void waitForMaster() {
@@ -60,22 +62,23 @@ void waitForMaster() {
 void tell(const std::string& what) { std::cerr << "benchmark_latency: " << what << '\n'; }
 
 int measureLatency(const Options& options) {
-  const auto rows = benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
-  printMarkdown(rows, std::cout);
+  const auto rows =
+      benchmark::benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
+  benchmark::printMarkdown(rows, std::cout);
   if (!options.plot.empty()) {
-    drawFigure(latencyFigure(rows), options.plot);
+    io::drawFigure(benchmark::latencyFigure(rows), options.plot);
   }
   return kSuccess;
 }
 
 int measureSoak(const Options& options) {
-  SoakOptions soak_options;
+  benchmark::SoakOptions soak_options;
   soak_options.samples = options.soak;
   soak_options.components = options.benchmark.components.front();
-  const SoakResult result = soak(soak_options, tell);
-  printMarkdown(result, std::cout);
+  const benchmark::SoakResult result = benchmark::soak(soak_options, tell);
+  benchmark::printMarkdown(result, std::cout);
   if (!options.plot.empty()) {
-    drawFigure(soakFigure(result), options.plot);
+    io::drawFigure(benchmark::soakFigure(result), options.plot);
   }
   if (!result.exact()) {
     throw std::runtime_error("not every sample had exactly one force");
@@ -83,7 +86,7 @@ int measureSoak(const Options& options) {
   return kSuccess;
 }
 
-int measure(RosCommandLine& line, const Options& options) {
+int measure(ros_interface::RosCommandLine& line, const Options& options) {
   const auto master = startMaster();
   line.initialise("benchmark_latency");
   waitForMaster();
@@ -92,7 +95,7 @@ int measure(RosCommandLine& line, const Options& options) {
 }
 
 void addOptions(CLI::App& app, Options& options) {
-  BenchmarkOptions& benchmark = options.benchmark;
+  benchmark::BenchmarkOptions& benchmark = options.benchmark;
   app.add_option("--components", benchmark.components, "numbers of components, one row each")
       ->type_name("COUNT")
       ->check(CLI::Range(1, 500))
@@ -114,13 +117,13 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--soak", options.soak,
-                 "send so many samples to as many components as --components names first, as fast as the node answers, "
-                 "and tell its memory in place of the latency")
+                 "number of samples to send as fast as the node answers, to the first number of --components; "
+                 "reports the memory of the node instead of the latency")
       ->type_name("COUNT")
       ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{100000000000}));
   addPlotOption(app, options.plot, "latencies, or of memory over the samples of --soak,");
   // For the command itself, which starts its echo node so.
-  app.add_option("--echo", options.echo, "be the echo node of so many components")
+  app.add_option("--echo", options.echo, "be the echo node of this number of components")
       ->check(CLI::Range(1, 500))
       ->group("");
 }
@@ -128,13 +131,13 @@ void addOptions(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  RosCommandLine line(argc, argv);
+  ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
       line.argc(), line.argv(), "benchmark_latency",
       "Measures round trips through the node `simulate` against those through an empty echo node, in "
       "alternating runs with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of "
-      "runs, with quartiles in brackets; those of the echo node to itself tell what the machine does to "
-      "such a ratio.",
+      "runs, with quartiles in brackets; those of the echo node to itself show how much the machine alone "
+      "changes such a ratio.",
       [&](CLI::App& app) {
         const auto options = std::make_shared<Options>();
         addOptions(app, *options);

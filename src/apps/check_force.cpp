@@ -6,20 +6,21 @@
 #include <cstdlib>
 #include <memory>
 
-#include "bench_client.h"
-#include "command.h"
-#include "log_options.h"
-#include "plot_option.h"
+#include "apps/bench_client.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "apps/plot_option.h"
+#include "ros_interface/command_line.h"
+#include "ros_interface/force_check.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/force_check.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
 struct Options {
-  PlayOptions play;
+  ros_interface::PlayOptions play;
   std::string log;
   LogOptions log_options;
   std::string config;
@@ -54,9 +55,9 @@ void addOptions(CLI::App& app, Options& options) {
          "--config", options.config,
          "component file whose force for this log is the reference; if absent, it is the force measured in the log")
       ->type_name("FILE");
-  app.add_option("--config-component", options.config_component, "its name in that file, if another")
+  app.add_option("--config-component", options.config_component, "its name in that file, if different")
       ->type_name("NAME");
-  app.add_option("--skip", options.skip, "start of the log that is played and not compared")
+  app.add_option("--skip", options.skip, "start of the log that is played but not compared")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");
   app.add_option("--speed", options.play.rate, "multiple of the log's own speed; 0: as fast as the bench answers")
@@ -78,41 +79,43 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--reset", options.reset, "service (std_srvs/Trigger) to call before the first sample")
       ->type_name("SERVICE");
   addPlotOption(app, options.plot, "forces over time and displacement, and of their difference,");
-  app.add_option("--gtest_output", options.report, "report to write; rostest gives it")->type_name("xml:FILE");
-  app.add_flag("--text", options.text, "accepted and of no effect; rostest --text gives it");
+  app.add_option("--gtest_output", options.report, "report to write; set by rostest")->type_name("xml:FILE");
+  app.add_flag("--text", options.text, "accepted without effect; set by rostest --text");
 }
 
-ForceReference referenceFor(const Options& options, const Log& log) {
+ros_interface::ForceReference referenceFor(const Options& options, const log::Log& log) {
   if (options.config.empty()) {
-    return measuredReference(log);
+    return ros_interface::measuredReference(log);
   }
   const std::string& name = options.config_component.empty() ? options.play.component : options.config_component;
-  const auto components = loadComponentFile(options.config);
-  return simulatedReference(selectComponent(components, name).makeComponent(), log, options.config);
+  const auto components = io::loadComponentFile(options.config);
+  return ros_interface::simulatedReference(io::selectComponent(components, name).makeComponent(), log, options.config);
 }
 
 struct Outcome {
-  std::vector<TestCase> cases;
-  Figure figure;  ///< without axes where there was nothing to compare
+  std::vector<ros_interface::TestCase> cases;
+  io::Figure figure;  ///< without axes where there was nothing to compare
 };
 
-Outcome check(RosCommandLine& line, const Options& options) {
-  const Log log = options.log_options.read("check_force", options.log, options.play.component);
-  const ForceReference reference = referenceFor(options, log);
+Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
+  const log::Log log = options.log_options.read("check_force", options.log, options.play.component);
+  const ros_interface::ForceReference reference = referenceFor(options, log);
   line.initialise("check_force");
   ros::NodeHandle handle;
   noteOpenness("check_force");
-  LogPlayer player(handle, options.play);
+  ros_interface::LogPlayer player(handle, options.play);
   player.connect();
   resetSpecimen(handle, options.reset);
-  const PlayResult result = player.play(log);
+  const ros_interface::PlayResult result = player.play(log);
   const std::string& component = options.play.component;
-  return {{checkAnswers(component, log, result), checkForces(log, reference, result, options.tolerance, options.skip)},
-          result.answered() < log.size() ? Figure() : forceFigure(component, log, reference, result)};
+  return {
+      {ros_interface::checkAnswers(component, log, result),
+       ros_interface::checkForces(log, reference, result, options.tolerance, options.skip)},
+      result.answered() < log.size() ? io::Figure() : ros_interface::forceFigure(component, log, reference, result)};
 }
 
 // Whatever keeps the check from being made is a failure of it, and belongs into the report.
-Outcome checkOrFail(RosCommandLine& line, const Options& options) {
+Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options) {
   try {
     return check(line, options);
   } catch (const UsageError&) {
@@ -124,23 +127,23 @@ Outcome checkOrFail(RosCommandLine& line, const Options& options) {
 
 std::string reportPath(const Options& options) {
   try {
-    return options.report.empty() ? "" : testReportPath(options.report);
+    return options.report.empty() ? "" : ros_interface::testReportPath(options.report);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
 }
 
-int run(RosCommandLine& line, const Options& options) {
+int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {
-    writeTestReport(path, "check_force", outcome.cases);
+    ros_interface::writeTestReport(path, "check_force", outcome.cases);
   }
   if (!options.plot.empty() && !outcome.figure.axes.empty()) {
-    drawFigure(outcome.figure, options.plot);
+    io::drawFigure(outcome.figure, options.plot);
   }
   int status = kSuccess;
-  for (const TestCase& test : outcome.cases) {
+  for (const ros_interface::TestCase& test : outcome.cases) {
     if (test.passed) {
       std::cout << fmt::format("{}: passed: {}\n", test.name, test.message);
     } else {
@@ -154,7 +157,7 @@ int run(RosCommandLine& line, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  RosCommandLine line(argc, argv);
+  ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
       line.argc(), line.argv(), "check_force",
       "Plays a log through a bench and passes if its forces agree with the force measured in the log, or with "

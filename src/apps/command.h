@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "help_format.h"
+#include "apps/help_format.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::apps {
 
 /// Options that are each right, but not together: exit status 2.
 class UsageError : public std::runtime_error {
@@ -67,4 +67,4 @@ inline int runCommand(int argc, char** argv, const std::string& name, const std:
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::apps

@@ -1,11 +1,12 @@
 // The command `csv_to_bag`: a CSV or MATLAB log as a bag with the node's topics.
 #include <memory>
 
-#include "command.h"
-#include "log_options.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "bag/bag_log.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
@@ -17,11 +18,11 @@ struct Options {
 };
 
 int convert(const Options& options) {
-  if (isBagPath(options.input)) {
+  if (bag::isBagPath(options.input)) {
     throw UsageError("--log: " + options.input + " is a bag already; accepted: a .csv or .mat file");
   }
-  const Log log = options.log_options.read("csv_to_bag", options.input, options.component);
-  writeBagLog(options.output, options.component, log);
+  const log::Log log = options.log_options.read("csv_to_bag", options.input, options.component);
+  bag::writeBagLog(options.output, options.component, log);
   std::cout << options.output << ": " << log.size() << " samples of " << options.component
             << (log.force.empty() ? ", displacement\n" : ", displacement and measured force\n");
   return kSuccess;

@@ -5,16 +5,17 @@
 
 #include <memory>
 
-#include "command.h"
-#include "log_options.h"
-#include "plot_option.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "apps/plot_option.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/diagnosis/overview_figure.h"
-#include "rubber_suspension/diagnosis/parallel.h"
+#include "rubber_suspension/diagnosis/report/overview_figure.h"
+#include "rubber_suspension/fit/parallel.h"
 
 namespace {
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 struct Options {
   std::string config;
@@ -27,10 +28,11 @@ struct Options {
   LogOptions log_options;
 };
 
-std::vector<Log> readLogs(const std::vector<std::string>& paths, const std::string& component, const Options& options) {
-  std::vector<Log> logs(paths.size());
-  parallelFor(paths.size(), options.threads,
-              [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component); });
+std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const std::string& component,
+                               const Options& options) {
+  std::vector<log::Log> logs(paths.size());
+  fit::parallelFor(paths.size(), options.threads,
+                   [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component); });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     LogOptions::printNotes("diagnose", paths[i], logs[i]);
   }
@@ -44,19 +46,19 @@ void showStage(const std::string& stage, double fraction) {
 }
 
 int run(const Options& options) {
-  const auto components = loadComponentFile(options.config);
-  const ComponentDescription& component = selectComponent(components, options.component);
-  DiagnosisOptions settings;
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& component = io::selectComponent(components, options.component);
+  diagnosis::DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
   showStage("reading the logs", 0.0);
-  const std::vector<Log> logs = readLogs(options.logs, component.name, options);
-  const std::vector<Log> hold_out = readLogs(options.hold_out, component.name, options);
-  const Diagnosis diagnosis = diagnose(component, logs, hold_out, settings);
+  const std::vector<log::Log> logs = readLogs(options.logs, component.name, options);
+  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component.name, options);
+  const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
   showStage("writing the report", 0.95);
-  writeReport(diagnosis, options.output);
+  diagnosis::writeReport(diagnosis, options.output);
   if (!options.plot.empty()) {
-    drawFigure(overviewFigure(diagnosis), options.plot);
+    io::drawFigure(diagnosis::overviewFigure(diagnosis), options.plot);
   }
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
@@ -69,17 +71,19 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   return runCommand(
-      argc, argv, "diagnose", "Says where a model differs from measured logs, why, and how far that can be closed.",
+      argc, argv, "diagnose",
+      "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
         app.add_option("--log", options->logs,
-                       "measured logs of one specimen in the order of recording: .csv, .bag or .mat")
+                       "measured logs of one component in the order of recording: .csv, .bag or .mat")
             ->required()
             ->type_name("FILE");
-        app.add_option("--hold-out", options->hold_out, "logs that take no part in the fit; each on a new specimen")
+        app.add_option("--hold-out", options->hold_out,
+                       "logs that take no part in the fit; each starts with a new component")
             ->type_name("FILE");
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()

@@ -1,18 +1,18 @@
 // Prints the parameters of components, estimated from a specification or found from measured logs, and their stiffness
 // and loss angle over frequency and amplitude; turns data sheets into component files.
-#include "rubber_suspension/command/estimate.h"
+#include "command/estimate.h"
 
 #include <fstream>
 #include <memory>
 
-#include "command.h"
-#include "log_options.h"
-#include "plot_option.h"
-#include "rubber_suspension/command/data_sheet.h"
-#include "rubber_suspension/command/identify.h"
-#include "rubber_suspension/io/units.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "apps/plot_option.h"
+#include "command/data_sheet.h"
+#include "command/identify.h"
+#include "rubber_suspension/log/units.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::apps {
 namespace {
 
 struct Options {
@@ -26,17 +26,17 @@ struct Options {
   std::string frequency;
   std::string amplitude;
   std::string product;
-  int points = SweepOptions().points;
+  int points = command::SweepOptions().points;
   std::vector<std::string> logs;
   LogOptions log_options;
-  IdentificationOptions identification;
+  fit::IdentificationOptions identification;
   std::string output;
 };
 
 double quantity(const std::string& option, const std::string& text, const std::string& unit) {
   try {
-    const double value = parseQuantity(text, unit);
-    if (!Range::positive().contains(value)) {
+    const double value = log::parseQuantity(text, unit);
+    if (!element::Range::positive().contains(value)) {
       throw std::invalid_argument("'" + text + "' is out of range; accepted: greater than 0");
     }
     return value;
@@ -63,8 +63,8 @@ void readQuantity(const std::string& option, const std::string& text, const std:
   }
 }
 
-SweepOptions sweepOptions(const Options& options) {
-  SweepOptions sweeps;
+command::SweepOptions sweepOptions(const Options& options) {
+  command::SweepOptions sweeps;
   readRange("--frequencies", options.frequency_range, "Hz", sweeps.lowest_frequency, sweeps.highest_frequency);
   readRange("--amplitudes", options.amplitude_range, "m", sweeps.lowest_amplitude, sweeps.highest_amplitude);
   readQuantity("--frequency", options.frequency, "Hz", sweeps.frequency);
@@ -74,51 +74,51 @@ SweepOptions sweepOptions(const Options& options) {
   return sweeps;
 }
 
-void writeComponent(const ComponentDescription& component, const std::string& path) {
+void writeComponent(const io::ComponentDescription& component, const std::string& path) {
   std::ofstream file(path);
-  file << toYaml({component});
+  file << io::toYaml({component});
   if (!file.flush()) {
     throw std::runtime_error(path + ": cannot be written");
   }
 }
 
 int identifyComponent(const Options& options) {
-  const auto components = loadComponentFile(options.config);
-  const ComponentDescription& description = selectComponent(components, options.component);
-  std::vector<Log> logs;
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  std::vector<log::Log> logs;
   for (const std::string& path : options.logs) {
     logs.push_back(options.log_options.read("estimate", path, description.name));
   }
-  const Identification result = identifyFromLogs(description, logs, options.identification);
+  const fit::Identification result = command::identifyFromLogs(description, logs, options.identification);
   if (!options.plot.empty()) {
-    drawFigure(identificationFigure(description, result, logs), options.plot);
+    io::drawFigure(command::identificationFigure(description, result, logs), options.plot);
   }
   if (!options.output.empty()) {
-    writeComponent(identifiedComponent(description, result), options.output);
+    writeComponent(command::identifiedComponent(description, result), options.output);
   }
-  std::cout << (options.json ? toJson(description.name, result) : toText(description.name, result));
+  std::cout << (options.json ? command::toJson(description.name, result) : command::toText(description.name, result));
   return kSuccess;
 }
 
 int estimateComponents(const Options& options) {
-  const SweepOptions sweeps = sweepOptions(options);
-  std::vector<ComponentDescription> components = loadComponentFile(options.config);
+  const command::SweepOptions sweeps = sweepOptions(options);
+  std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
   if (!options.component.empty()) {
-    components = {selectComponent(components, options.component)};
+    components = {io::selectComponent(components, options.component)};
   }
-  std::vector<EstimateReport> reports;
-  for (const ComponentDescription& component : components) {
-    reports.push_back(makeEstimateReport(component, sweeps));
+  std::vector<command::EstimateReport> reports;
+  for (const io::ComponentDescription& component : components) {
+    reports.push_back(command::makeEstimateReport(component, sweeps));
   }
   if (!options.plot.empty()) {
-    drawFigure(toFigure(reports), options.plot);
+    io::drawFigure(command::toFigure(reports), options.plot);
   }
   if (options.json) {
-    std::cout << toJson(reports);
+    std::cout << command::toJson(reports);
     return kSuccess;
   }
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    std::cout << (i == 0 ? "" : "\n") << toText(reports[i]);
+    std::cout << (i == 0 ? "" : "\n") << command::toText(reports[i]);
   }
   return kSuccess;
 }
@@ -127,7 +127,7 @@ CommandBody define(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("--config", options->config, "component file")->type_name("FILE");
   app.add_option("--data-sheet", options->data_sheet,
-                 "data sheet in place of --config: prints the component file that follows from it, from hardness "
+                 "data sheet instead of --config: prints the component file that follows from it, from hardness "
                  "and shape, a dynamic-to-static ratio, or loss angles at two frequencies")
       ->type_name("FILE");
   app.add_option("--component", options->component, "name of one component; all if absent")->type_name("NAME");
@@ -153,7 +153,7 @@ CommandBody define(CLI::App& app) {
          "measured log with force (.csv, .mat or .bag): find the parameters from it; may be given several times")
       ->type_name("FILE");
   app.add_option("--hold", options->identification.held,
-                 "parameter to keep with --from-log, such as friction.displacement")
+                 "parameter to keep fixed with --from-log, such as friction.displacement")
       ->type_name("ELEMENT.PARAMETER");
   app.add_option("--starts", options->identification.starts, "starts of the search with --from-log")
       ->type_name("COUNT")
@@ -167,7 +167,7 @@ CommandBody define(CLI::App& app) {
       throw UsageError("accepted: one of --config and --data-sheet (see --help)");
     }
     if (!options->data_sheet.empty()) {
-      std::cout << componentFileFromDataSheet(options->data_sheet);
+      std::cout << command::componentFileFromDataSheet(options->data_sheet);
       return static_cast<int>(kSuccess);
     }
     if (options->logs.empty() && !(options->output.empty() && options->identification.held.empty())) {
@@ -178,10 +178,10 @@ CommandBody define(CLI::App& app) {
 }
 
 }  // namespace
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::apps
 
 int main(int argc, char** argv) {
-  return rubber_suspension::runCommand(
+  return rubber_suspension::apps::runCommand(
       argc, argv, "estimate",
       "Estimates the parameters of rubber components from their specifications, from measured logs or from data "
       "sheets, and prints them with stiffness and loss angle over frequency and amplitude.",

@@ -4,16 +4,17 @@
 #include <chrono>
 #include <memory>
 
-#include "bench_client.h"
-#include "command.h"
-#include "plot_option.h"
-#include "rubber_suspension/ros_interface/command_line.h"
-#include "topic_exchange.h"
+#include "apps/bench_client.h"
+#include "apps/command.h"
+#include "apps/plot_option.h"
+#include "apps/topic_exchange.h"
+#include "ros_interface/command_line.h"
 #include "vehicle/components.h"
 #include "vehicle/simulation.h"
 #include "vehicle/stability.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 using namespace rubber_suspension::vehicle;
 
 namespace {
@@ -39,8 +40,8 @@ std::string percentages(const PerStrut& values) {
   return text;
 }
 
-History runLoop(RosCommandLine& line, const Options& options, const Scene& scene,
-                const std::vector<Component>& components) {
+History runLoop(ros_interface::RosCommandLine& line, const Options& options, const Scene& scene,
+                const std::vector<component::Component>& components) {
   if (options.loop == "implicit") {
     return runImplicit(scene, components);
   }
@@ -55,11 +56,11 @@ History runLoop(RosCommandLine& line, const Options& options, const Scene& scene
   return runExchange(scene, exchange, options.delay);
 }
 
-int runTrack(RosCommandLine& line, const Options& options) {
-  const std::vector<Component> components = loadStruts(options.config);
+int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
+  const std::vector<component::Component> components = loadStruts(options.config);
   Scene scene;
   scene.parameters.speed = options.speed;
-  scene.track = Track(readLog(options.track));
+  scene.track = Track(log::readLog(options.track));
   scene.duration = scene.track.duration();
   scene.step = std::llround(1e9 * options.step);
   const auto start = std::chrono::steady_clock::now();
@@ -80,20 +81,21 @@ int runTrack(RosCommandLine& line, const Options& options) {
     writeHistoryCsv(options.output, history);
   }
   if (!options.plot.empty()) {
-    drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.step)), options.plot);
+    io::drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.step)), options.plot);
   }
   return kSuccess;
 }
 
 // Growth over the step around the limit of each delay.
-Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<Component>& components, double margin) {
-  Axes axes;
+io::Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<component::Component>& components,
+                           double margin) {
+  io::Axes axes;
   axes.x_label = "step [ms]";
   axes.y_label = "growth of the oscillation [1/s]";
   double longest = 0.0;
   for (int delay = 0; delay <= 2; ++delay) {
     const double limit = margin / (delay + 0.5);
-    Curve curve{fmt::format("measured, --delay {}", delay), {}, {}, "o-", delay};
+    io::Curve curve{fmt::format("measured, --delay {}", delay), {}, {}, "o-", delay};
     for (double share = 0.2; share < 1.35; share += 0.1) {
       const double step = share * limit;
       curve.x.push_back(1e3 * step);
@@ -108,7 +110,7 @@ Figure stabilityFigure(const VehicleParameters& parameters, const std::vector<Co
 }
 
 int runStability(const Options& options) {
-  const std::vector<Component> components = loadStruts(options.config);
+  const std::vector<component::Component> components = loadStruts(options.config);
   VehicleParameters parameters;
   parameters.speed = options.speed;
   const DelayMargin margin = delayMargin(parameters, components);
@@ -123,12 +125,12 @@ int runStability(const Options& options) {
         1e3 * theory, 1e3 * largestStableStep(parameters, components, delay, theory));
   }
   if (!options.plot.empty()) {
-    drawFigure(stabilityFigure(parameters, components, margin.delay), options.plot);
+    io::drawFigure(stabilityFigure(parameters, components, margin.delay), options.plot);
   }
   return kSuccess;
 }
 
-int run(RosCommandLine& line, const Options& options) {
+int run(ros_interface::RosCommandLine& line, const Options& options) {
   if (options.stability != options.track.empty()) {
     throw UsageError("accepted: one of --track and --stability (see --help)");
   }
@@ -142,7 +144,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--track", options.track, "log whose displacement is the height of the track under the front wheel")
       ->type_name("FILE");
   app.add_option("--loop", options.loop,
-                 "who answers displacements with forces: library and topics at fixed steps, implicit with iterations")
+                 "where the forces come from: library and topics at fixed steps, implicit with iterations")
       ->type_name("NAME")
       ->check(CLI::IsMember({"library", "topics", "implicit"}))
       ->capture_default_str();
@@ -162,13 +164,13 @@ void addOptions(CLI::App& app, Options& options) {
   addPlotOption(app, options.plot, "displacements over time, or of growth over the step,");
   app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
       ->type_name("SERVICE");
-  app.add_flag("--stability", options.stability, "print up to which step a loop is stable, in place of a run");
+  app.add_flag("--stability", options.stability, "print the largest stable step of a loop instead of running");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  RosCommandLine line(argc, argv);
+  ros_interface::RosCommandLine line(argc, argv);
   return runCommand(line.argc(), line.argv(), "half_bogie",
                     "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
                     "topics, from the node.",

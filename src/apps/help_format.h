@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace rubber_suspension {
+namespace rubber_suspension::apps {
 
 class HelpFormat final : public CLI::Formatter {
  public:
@@ -100,4 +100,4 @@ class HelpFormat final : public CLI::Formatter {
   }
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::apps

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "command.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
+#include "apps/command.h"
+#include "bag/bag_log.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::apps {
 
 class LogOptions {
  public:
@@ -20,33 +20,33 @@ class LogOptions {
     app.add_option("--columns", columns_,
                    "columns of other names: time=NAME displacement=NAME force=NAME temperature=NAME")
         ->type_name("QUANTITY=NAME");
-    app.add_option("--unit", unit_, "units of the columns named by --columns, as mm,kN or mm,kN,ms")
+    app.add_option("--unit", unit_, "units of the columns named by --columns, such as mm,kN or mm,kN,ms")
         ->type_name("LENGTH,FORCE,TIME");
-    app.add_option(rate_option, rate_, "sampling rate of a log without column of time")->type_name("HZ");
+    app.add_option(rate_option, rate_, "sampling rate of a log without a time column")->type_name("HZ");
   }
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
-  Log read(const std::string& command, const std::string& path, const std::string& component) const {
-    Log log = readSilently(path, component);
+  log::Log read(const std::string& command, const std::string& path, const std::string& component) const {
+    log::Log log = readSilently(path, component);
     printNotes(command, path, log);
     return log;
   }
 
   /// The same without its notes; several threads may read at once.
-  Log readSilently(const std::string& path, const std::string& component) const {
-    return readAnyLog(path, component, format());
+  log::Log readSilently(const std::string& path, const std::string& component) const {
+    return bag::readAnyLog(path, component, format());
   }
 
-  static void printNotes(const std::string& command, const std::string& path, const Log& log) {
+  static void printNotes(const std::string& command, const std::string& path, const log::Log& log) {
     for (const std::string& note : log.notes) {
       std::cerr << command << ": note: " << path << ": " << note << '\n';
     }
   }
 
  private:
-  LogFormat format() const {
+  log::LogFormat format() const {
     try {
-      return makeLogFormat(columns_, unit_, rate_);
+      return log::makeLogFormat(columns_, unit_, rate_);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
     }
@@ -57,4 +57,4 @@ class LogOptions {
   double rate_ = 0.0;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::apps

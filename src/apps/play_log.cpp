@@ -7,21 +7,22 @@
 #include <filesystem>
 #include <memory>
 
-#include "bench_client.h"
-#include "command.h"
-#include "log_options.h"
-#include "plot_option.h"
-#include "rubber_suspension/io/replay.h"
-#include "rubber_suspension/ros_interface/bench_player.h"
-#include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/play_control.h"
+#include "apps/bench_client.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "apps/plot_option.h"
+#include "ros_interface/bench_player.h"
+#include "ros_interface/command_line.h"
+#include "ros_interface/play_control.h"
+#include "rubber_suspension/gap/replay.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
 struct Options {
-  PlayOptions play;
+  ros_interface::PlayOptions play;
   std::vector<std::string> components;
   std::vector<std::string> logs;
   LogOptions log_options;
@@ -54,13 +55,13 @@ void addPlayOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--loop", options.passes,
-                 "times to play the logs, 0: until interrupted; time goes on and the specimen stays the same")
+                 "times to play the logs, 0: until interrupted; time continues and the component keeps its state")
       ->type_name("COUNT")
       ->capture_default_str();
   app.add_option("--step", options.step,
-                 "step by step: samples of each component per call of the service ~step; ~pause with false lets go")
+                 "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
       ->type_name("COUNT");
-  app.add_flag("--paused", options.paused, "begin held, until the service ~pause is called with false");
+  app.add_flag("--paused", options.paused, "start paused, until the service ~pause is called with false");
   app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
       ->type_name("COUNT")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
@@ -79,7 +80,7 @@ void addPlayOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
   app.add_option("--reset", options.reset,
-                 "service that makes the specimen new before the first sample, such as /simulate/reset")
+                 "service that resets the component before the first sample, such as /simulate/reset")
       ->type_name("SERVICE");
 }
 
@@ -106,8 +107,9 @@ void checkCounts(const Options& options) {
   }
 }
 
-RecordPaths recordPaths(const Options& options, const std::string& component) {
-  RecordPaths paths = options.folder.empty() ? RecordPaths() : recordPathsIn(options.folder, component);
+ros_interface::RecordPaths recordPaths(const Options& options, const std::string& component) {
+  ros_interface::RecordPaths paths =
+      options.folder.empty() ? ros_interface::RecordPaths() : ros_interface::recordPathsIn(options.folder, component);
   const auto prefer = [](const std::string& given, std::string& path) { path = given.empty() ? path : given; };
   prefer(options.output, paths.forces);
   prefer(options.gap_output, paths.gaps);
@@ -116,8 +118,8 @@ RecordPaths recordPaths(const Options& options, const std::string& component) {
 }
 
 // Without a measured force there is no gap to record.
-BenchTrack readTrack(const Options& options, std::size_t i) {
-  BenchTrack track;
+ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
+  ros_interface::BenchTrack track;
   track.component = options.components[i];
   const std::string& path = options.logs[options.logs.size() == 1 ? 0 : i];
   track.log = options.log_options.read("play_log", path, track.component);
@@ -134,9 +136,9 @@ BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-std::vector<BenchTrack> readTracks(const Options& options) {
+std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
   checkCounts(options);
-  std::vector<BenchTrack> tracks;
+  std::vector<ros_interface::BenchTrack> tracks;
   for (std::size_t i = 0; i < options.components.size(); ++i) {
     tracks.push_back(readTrack(options, i));
   }
@@ -146,11 +148,11 @@ std::vector<BenchTrack> readTracks(const Options& options) {
 void makeFolder(const std::string& folder) {
   std::error_code error;
   if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
-    throw PlayError(folder + ": " + error.message());
+    throw ros_interface::PlayError(folder + ": " + error.message());
   }
 }
 
-std::string describe(const BenchCount& count) {
+std::string describe(const ros_interface::BenchCount& count) {
   std::string text =
       fmt::format("{}: {} samples, {} answered, {} forces of other stamps; {:.3g} s, {:.0f} samples per second",
                   count.component, count.samples, count.answered, count.unexpected + count.repeated, count.duration,
@@ -159,9 +161,9 @@ std::string describe(const BenchCount& count) {
 }
 
 // A playback without end ends by being interrupted; any other has to come to its end.
-int report(const std::vector<BenchCount>& counts, bool endless) {
+int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   std::string failed;
-  for (const BenchCount& count : counts) {
+  for (const ros_interface::BenchCount& count : counts) {
     if (count.exactlyOneEach() && (count.complete || endless)) {
       std::cout << describe(count) << "; every sample had exactly one force\n";
     } else {
@@ -169,28 +171,28 @@ int report(const std::vector<BenchCount>& counts, bool endless) {
     }
   }
   if (!failed.empty()) {
-    throw PlayError(failed + "; not every sample had exactly one force");
+    throw ros_interface::PlayError(failed + "; not every sample had exactly one force");
   }
   return kSuccess;
 }
 
-int play(RosCommandLine& line, Options& options) {
-  std::vector<BenchTrack> tracks = readTracks(options);
+int play(ros_interface::RosCommandLine& line, Options& options) {
+  std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
   makeFolder(options.folder);
   line.initialise("play_log");
   ros::NodeHandle handle;
   noteOpenness("play_log");
-  PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
-  const PlayControlServices services(ros::NodeHandle("~"), control);
+  ros_interface::PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
+  const ros_interface::PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
   options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
-  const Log first_log = tracks.front().log;
-  BenchPlayer player(handle, options.play, std::move(tracks));
+  const log::Log first_log = tracks.front().log;
+  ros_interface::BenchPlayer player(handle, options.play, std::move(tracks));
   player.connect();
   resetSpecimen(handle, options.reset);
-  const std::vector<BenchCount> counts = player.play(options.passes);
+  const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
   if (!options.plot.empty() && counts.front().complete) {
-    drawFigure(replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
+    io::drawFigure(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
   }
   return report(counts, options.passes == 0);
 }
@@ -198,7 +200,7 @@ int play(RosCommandLine& line, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  RosCommandLine line(argc, argv);
+  ros_interface::RosCommandLine line(argc, argv);
   return runCommand(line.argc(), line.argv(), "play_log",
                     "Plays logs through a running node and records the forces. The node answers on "
                     "<component>/force; see launch/replay.launch and launch/bench.launch.",

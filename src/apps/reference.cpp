@@ -1,5 +1,5 @@
 // reference: prints the reference pages of docs/.
-#include "rubber_suspension/io/reference.h"
+#include "io/reference.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <memory>
 #include <sstream>
 
-#include "command.h"
+#include "apps/command.h"
+#include "ros_interface/command_reference.h"
+#include "ros_interface/node_interface.h"
 #include "rubber_suspension/diagnosis/effect_reference.h"
-#include "rubber_suspension/ros_interface/command_reference.h"
-#include "rubber_suspension/ros_interface/node_interface.h"
 
 namespace {
 
@@ -27,10 +27,10 @@ using Page = std::function<std::string()>;
 
 const std::map<std::string, Page>& pages() {
   static const std::map<std::string, Page> table = {
-      {"parameters", [] { return rubber_suspension::parameterReference(); }},
-      {"topics", [] { return rubber_suspension::topicReference(); }},
-      {"effects", [] { return rubber_suspension::effectReference(); }},
-      {"commands", [] { return rubber_suspension::commandReference(commandNames()); }},
+      {"parameters", [] { return rubber_suspension::io::parameterReference(); }},
+      {"topics", [] { return rubber_suspension::ros_interface::topicReference(); }},
+      {"effects", [] { return rubber_suspension::diagnosis::effectReference(); }},
+      {"commands", [] { return rubber_suspension::ros_interface::commandReference(commandNames()); }},
   };
   return table;
 }

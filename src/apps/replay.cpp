@@ -1,17 +1,18 @@
 // replay: simulates a component on a recorded log, offline, to the last bit as the node does.
-#include "rubber_suspension/io/replay.h"
+#include "rubber_suspension/gap/replay.h"
 
 #include <filesystem>
 #include <memory>
 
-#include "command.h"
-#include "log_options.h"
-#include "plot_option.h"
+#include "apps/command.h"
+#include "apps/log_options.h"
+#include "apps/plot_option.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace {
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 struct Options {
   std::string config;
@@ -23,23 +24,23 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const auto components = loadComponentFile(options.config);
-  const ComponentDescription& description = selectComponent(components, options.component);
-  const Log log = options.log_options.read("replay", options.log, description.name);
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const log::Log log = options.log_options.read("replay", options.log, description.name);
   std::error_code none;
   if (std::filesystem::equivalent(options.output, options.log, none)) {
     throw UsageError("--output: " + options.output + " is the log itself; accepted: another file");
   }
-  const Replay result = replay(description.makeComponent(), log);
-  writeForceCsv(options.output, log, result.force);
+  const gap::Replay result = gap::replay(description.makeComponent(), log);
+  log::writeForceCsv(options.output, log, result.force);
   if (!options.plot.empty()) {
-    drawFigure(replayFigure(description.name, log, result.force), options.plot);
+    io::drawFigure(gap::replayFigure(description.name, log, result.force), options.plot);
   }
   if (result.bridged > 0) {
     std::cerr << "replay: note: " << options.log << ": " << result.bridged
               << " gaps in time bridged, displacement linear in between\n";
   }
-  std::cout << summary(description.name, log, result) << "\n" << options.output << '\n';
+  std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
   return kSuccess;
 }
 

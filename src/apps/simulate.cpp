@@ -1,18 +1,19 @@
 // The node `simulate`: forces of rubber components for the displacements on their topics.
 #include <ros/ros.h>
 
-#include "command.h"
-#include "rubber_suspension/ros_interface/command_line.h"
-#include "rubber_suspension/ros_interface/simulate_node.h"
+#include "apps/command.h"
+#include "ros_interface/command_line.h"
+#include "ros_interface/simulate_node.h"
 
 using namespace rubber_suspension;
+using namespace rubber_suspension::apps;
 
 namespace {
 
-int serve(RosCommandLine& line) {
+int serve(ros_interface::RosCommandLine& line) {
   line.initialise("simulate");
   ros::NodeHandle private_handle("~");
-  const SimulateNode node(ros::NodeHandle(), private_handle);
+  const ros_interface::SimulateNode node(ros::NodeHandle(), private_handle);
   ros::spin();
   return kSuccess;
 }
@@ -20,10 +21,10 @@ int serve(RosCommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  RosCommandLine line(argc, argv);
+  ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
       line.argc(), line.argv(), "simulate",
       "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
-          describeNodeSettings(),
+          ros_interface::describeNodeSettings(),
       [&](CLI::App&) { return [&] { return serve(line); }; });
 }

@@ -31,7 +31,7 @@ class TopicExchange final : public ForceExchange {
  private:
   static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; 0 stands for "no stamp" in many a tool
 
-  BundleClient client_;
+  ros_interface::BundleClient client_;
 };
 
 }  // namespace rubber_suspension::vehicle

@@ -1,14 +1,15 @@
 // The bare lane loops: their numbers, and the choice of instructions.
-#include "bare_lanes.h"
+#include "benchmark/bare_lanes.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "bare_numbers.h"
-#define RUBBER_SUSPENSION_KERNELS "../benchmark/bare_kernels.h"
-#include "../component/instruction_sets.h"
+#include "benchmark/bare_numbers.h"
+#define RUBBER_SUSPENSION_LAYER benchmark
+#define RUBBER_SUSPENSION_KERNELS "benchmark/bare_kernels.h"
+#include "kernel/instruction_sets.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 struct StepOfElement {
@@ -90,4 +91,4 @@ void BareLanes::sumSquares(const std::vector<double>& displacement, double* sum)
   (rows_.data(), rows_.size() / kBareRows * 8, displacement.data(), displacement.size(), sum);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

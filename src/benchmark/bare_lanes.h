@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "bare_loop.h"
+#include "benchmark/bare_loop.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 /// Five Maxwell elements.
 constexpr std::size_t kBareElements = 5;
@@ -40,4 +40,4 @@ class BareLanes {
   std::vector<BareRow> rows_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -1,11 +1,11 @@
 // The plain loop. It repeats the laws of src/element on purpose: the error column compares the two.
-#include "bare_loop.h"
+#include "benchmark/bare_loop.h"
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 // Coefficients of the exact step of n Maxwell elements.
@@ -88,8 +88,8 @@ BareParameters bareParameters(int maxwell_elements, double highest) {
   return parameters;
 }
 
-std::vector<ElementDescription> elementsOf(const BareParameters& parameters) {
-  std::vector<ElementDescription> elements{{"spring", {{"stiffness", {parameters.spring}}}}};
+std::vector<element::ElementDescription> elementsOf(const BareParameters& parameters) {
+  std::vector<element::ElementDescription> elements{{"spring", {{"stiffness", {parameters.spring}}}}};
   for (std::size_t i = 0; i < parameters.stiffness.size(); ++i) {
     elements.push_back(
         {"maxwell", {{"stiffness", {parameters.stiffness[i]}}, {"break_frequency", {parameters.break_frequency[i]}}}});
@@ -142,4 +142,4 @@ void BareFleet::tick(double displacement, std::vector<double>& force) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 /// Numbers of a component: spring, Maxwell elements of one total stiffness spread over the log of frequency, friction.
 struct BareParameters {
@@ -20,7 +20,7 @@ struct BareParameters {
 BareParameters bareParameters(int maxwell_elements, double highest = 25.0);
 
 /// The same numbers as entries of a component file.
-std::vector<ElementDescription> elementsOf(const BareParameters& parameters);
+std::vector<element::ElementDescription> elementsOf(const BareParameters& parameters);
 
 /// Memory of friction between steps: displacement and force of the last sample, reference point, direction of motion.
 struct BareFriction {
@@ -84,4 +84,4 @@ class BareFleet {
   double last_displacement_ = 0.0;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -1,9 +1,9 @@
 // How the numbers of the bare lane loops lie in memory.
 #pragma once
 
-#include "bare_lanes.h"
+#include "benchmark/bare_lanes.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 enum BareSlot : std::size_t {
   kBareSpring,
@@ -30,4 +30,4 @@ struct BareBlock {
   double* force;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "measurement.h"
+#include "benchmark/measurement.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 struct BenchmarkSize {
   std::size_t samples = 100000;  ///< of the logs that are simulated, at 1 kHz
@@ -31,4 +31,4 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size);
 /// General solvers of differential equations on a log: Boost.odeint, and GSL and SUNDIALS where they are installed.
 std::vector<Case> peerCases(const BenchmarkSize& size);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

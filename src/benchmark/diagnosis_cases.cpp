@@ -6,33 +6,33 @@
 #include <memory>
 #include <random>
 
-#include "bare_loop.h"
-#include "cases.h"
+#include "benchmark/bare_loop.h"
+#include "benchmark/cases.h"
+#include "benchmark/test_signal.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "test_signal.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr double kNoise = 50.0;  // standard deviation of the measured force's noise [N]; the friction is 3 kN
 
 // A component with one Maxwell element; the specimen has friction on top, which the description lacks. It is friction
 // with memory, as rubber's: its minor loops close.
-ComponentDescription description() {
-  ComponentDescription component;
+io::ComponentDescription description() {
+  io::ComponentDescription component;
   component.name = "benchmark";
   component.elements = {{"spring", {{"stiffness", {3.0e6}}}},
                         {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}};
   return component;
 }
 
-Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
-  std::vector<ElementDescription> elements = description().elements;
+log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
+  std::vector<element::ElementDescription> elements = description().elements;
   elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
-  const Component specimen(elements);
-  ComponentState state = specimen.makeState();
+  const component::Component specimen(elements);
+  component::ComponentState state = specimen.makeState();
   std::mt19937_64 random(seed);
-  Log log;
+  log::Log log;
   log.name = name;
   log.stamp = evenStamps(samples);
   log.displacement = benchmarkDisplacement(samples);
@@ -49,9 +49,9 @@ Log measuredLog(const std::string& name, std::size_t samples, double scale, unsi
 
 // Logs of several amplitudes, and what became of diagnosing them.
 struct DiagnosisBench {
-  ComponentDescription component = description();
-  std::vector<Log> logs;
-  Diagnosis diagnosis;
+  io::ComponentDescription component = description();
+  std::vector<log::Log> logs;
+  diagnosis::Diagnosis diagnosis;
 
   explicit DiagnosisBench(std::size_t samples, std::size_t count) {
     constexpr double kScales[] = {1.0, 0.3, 0.6, 0.15, 0.8, 0.45};
@@ -63,9 +63,9 @@ struct DiagnosisBench {
   double samples() const { return static_cast<double>(logs.size() * logs.front().size()); }
 
   void run(int threads) {
-    DiagnosisOptions options;
+    diagnosis::DiagnosisOptions options;
     options.threads = threads;
-    diagnosis = diagnose(component, logs, {}, options);
+    diagnosis = diagnosis::diagnose(component, logs, {}, options);
   }
 };
 
@@ -100,7 +100,7 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   const auto force = std::make_shared<std::vector<double>>(samples);
   against_loop.bare = [six, force] {
     for (int i = 0; i < kPasses; ++i) {
-      for (const Log& log : six->logs) {
+      for (const log::Log& log : six->logs) {
         bareLoop(bareParameters(1), kStep, log.displacement, *force);
       }
     }
@@ -121,4 +121,4 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   return {against_loop, against_half, against_one_thread};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

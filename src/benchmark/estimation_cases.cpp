@@ -8,13 +8,13 @@
 #include <complex>
 #include <memory>
 
-#include "bare_loop.h"
-#include "cases.h"
+#include "benchmark/bare_loop.h"
+#include "benchmark/cases.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 // The example of O. Polach, "Modelling of rubber components using estimated parameters" (IAVSD 2015).
@@ -65,10 +65,10 @@ void solveByHand(FiveInputs& result) {
 }
 
 // K* of the estimated elements against that of the solution by hand, over frequency.
-double estimationError(const FiveInputs& bare, const std::vector<ElementDescription>& elements) {
-  const Component component(elements);
+double estimationError(const FiveInputs& bare, const std::vector<element::ElementDescription>& elements) {
+  const component::Component component(elements);
   double error = 0.0;
-  for (const double frequency : logSpaced(0.01, 100.0, 50)) {
+  for (const double frequency : response::logSpaced(0.01, 100.0, 50)) {
     std::complex<double> expected = kStaticStiffness;
     for (int i = 0; i < kElements; ++i) {
       const std::complex<double> ratio(0.0, frequency / bare.break_frequency[i]);
@@ -82,9 +82,9 @@ double estimationError(const FiveInputs& bare, const std::vector<ElementDescript
 Case estimationCase() {
   constexpr int kRuns = 100;  // so that one run is long against the clock's resolution
   struct Bench {
-    Specification specification;
+    estimation::Specification specification;
     FiveInputs bare;
-    std::vector<ElementDescription> library;
+    std::vector<element::ElementDescription> library;
   };
   const auto bench = std::make_shared<Bench>();
   bench->specification.set("static_stiffness", kStaticStiffness);
@@ -104,7 +104,7 @@ Case estimationCase() {
   };
   result.library = [bench] {
     for (int i = 0; i < kRuns; ++i) {
-      bench->library = estimate(Model::multi_maxwell, bench->specification);
+      bench->library = estimation::estimate(estimation::Model::multi_maxwell, bench->specification);
     }
   };
   result.error = [bench] { return estimationError(bench->bare, bench->library); };
@@ -122,20 +122,20 @@ struct BergNumbers {
   double friction_displacement = 0.0;
 };
 
-std::vector<ElementDescription> bergElements() {
-  Specification specification;
+std::vector<element::ElementDescription> bergElements() {
+  estimation::Specification specification;
   specification.set("static_stiffness", kStaticStiffness);
   specification.set("dynamic_stiffness", kDynamicStiffness);
   specification.set("nominal_frequency", kNominalFrequency);
   specification.set("nominal_amplitude", kNominalAmplitude);
   specification.set("relative_damping", 0.05);
   specification.set("break_frequency", 1.45);
-  return estimate(Model::berg, specification);
+  return estimation::estimate(estimation::Model::berg, specification);
 }
 
-BergNumbers numbersOf(const std::vector<ElementDescription>& elements) {
+BergNumbers numbersOf(const std::vector<element::ElementDescription>& elements) {
   BergNumbers numbers;
-  for (const ElementDescription& element : elements) {
+  for (const element::ElementDescription& element : elements) {
     if (element.type == "spring") {
       numbers.spring = element.value("stiffness");
     } else if (element.type == "maxwell") {
@@ -165,7 +165,7 @@ double frictionLoss(const BergNumbers& numbers, double amplitude) {
 }
 
 // Half a loop is enough by symmetry: the peak of its samples, and the loss in closed form.
-Characteristics characteristicsByHand(const BergNumbers& numbers, double frequency, double amplitude) {
+response::Characteristics characteristicsByHand(const BergNumbers& numbers, double frequency, double amplitude) {
   constexpr int kHalf = 360;  // as many samples per cycle as the library takes
   const std::complex<double> ratio(0.0, frequency / numbers.break_frequency);
   const std::complex<double> linear = numbers.spring + numbers.maxwell * ratio / (1.0 + ratio);
@@ -181,17 +181,18 @@ Characteristics characteristicsByHand(const BergNumbers& numbers, double frequen
                          friction.advance(z, numbers.maximum_force, numbers.friction_displacement);
     peak = std::max(peak, force);
   }
-  Characteristics result;
+  response::Characteristics result;
   result.stiffness = peak / amplitude;
   result.loss = M_PI * amplitude * amplitude * linear.imag() + frictionLoss(numbers, amplitude);
   result.loss_angle = std::asin(result.loss / (M_PI * peak * amplitude));
   return result;
 }
 
-double tableError(const std::vector<Characteristics>& bare, const std::vector<SweepPoint>& library) {
+double tableError(const std::vector<response::Characteristics>& bare,
+                  const std::vector<response::SweepPoint>& library) {
   double error = 0.0;
   for (std::size_t i = 0; i < bare.size(); ++i) {
-    const Characteristics& actual = library[i].characteristics;
+    const response::Characteristics& actual = library[i].characteristics;
     error = std::max({error, std::abs(actual.stiffness / bare[i].stiffness - 1.0),
                       std::abs(actual.loss_angle / bare[i].loss_angle - 1.0)});
   }
@@ -200,15 +201,15 @@ double tableError(const std::vector<Characteristics>& bare, const std::vector<Sw
 
 Case tableCase(const BenchmarkSize& size) {
   struct Bench {
-    std::vector<ElementDescription> elements = bergElements();
+    std::vector<element::ElementDescription> elements = bergElements();
     BergNumbers numbers = numbersOf(elements);
-    Component component{elements};
+    component::Component component{elements};
     std::vector<double> frequencies;
-    std::vector<Characteristics> bare;
-    std::vector<SweepPoint> library;
+    std::vector<response::Characteristics> bare;
+    std::vector<response::SweepPoint> library;
   };
   const auto bench = std::make_shared<Bench>();
-  bench->frequencies = logSpaced(0.1, 50.0, size.frequencies);
+  bench->frequencies = response::logSpaced(0.1, 50.0, size.frequencies);
   Case result;
   result.name = fmt::format("K and delta of Berg's model over {} frequencies, settled loops", size.frequencies);
   result.yardstick = "half loops by hand, loss in closed form";
@@ -220,7 +221,7 @@ Case tableCase(const BenchmarkSize& size) {
     }
   };
   result.library = [bench] {
-    bench->library = sweepFrequency(bench->component, bench->frequencies, kNominalAmplitude);
+    bench->library = response::sweepFrequency(bench->component, bench->frequencies, kNominalAmplitude);
   };
   result.error = [bench] { return tableError(bench->bare, bench->library); };
   result.error_meaning = "of K or delta";
@@ -234,4 +235,4 @@ Case tableCase(const BenchmarkSize& size) {
 
 std::vector<Case> estimationCases(const BenchmarkSize& size) { return {estimationCase(), tableCase(size)}; }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

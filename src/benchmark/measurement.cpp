@@ -1,5 +1,5 @@
 // Pairs of runs by Google Benchmark, and their medians.
-#include "measurement.h"
+#include "benchmark/measurement.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <ctime>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 struct Pair {
@@ -29,7 +29,7 @@ double now(Clock clock) {
 double secondsOf(const std::function<void()>& run, Clock clock) {
   const double start = now(clock);
   run();
-  benchmark::ClobberMemory();
+  ::benchmark::ClobberMemory();
   return now(clock) - start;
 }
 
@@ -46,7 +46,7 @@ Pair runPair(const Case& work, bool bare_first) {
 }
 
 // Collects the counters of every repetition and prints nothing.
-class Collector final : public benchmark::BenchmarkReporter {
+class Collector final : public ::benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -94,23 +94,23 @@ Result measure(const Case& work, int pairs) {
   result.accurate = result.error <= work.tolerance;  // false for not a number
 
   bool bare_first = false;
-  benchmark::ClearRegisteredBenchmarks();
-  benchmark::RegisterBenchmark(work.name.c_str(),
-                               [&](benchmark::State& state) {
-                                 for (auto iteration : state) {
-                                   (void)iteration;
-                                   bare_first = !bare_first;
-                                   const Pair pair = runPair(work, bare_first);
-                                   state.counters["bare"] = pair.bare;
-                                   state.counters["library"] = pair.library;
-                                   state.SetIterationTime(pair.library);
-                                 }
-                               })
+  ::benchmark::ClearRegisteredBenchmarks();
+  ::benchmark::RegisterBenchmark(work.name.c_str(),
+                                 [&](::benchmark::State& state) {
+                                   for (auto iteration : state) {
+                                     (void)iteration;
+                                     bare_first = !bare_first;
+                                     const Pair pair = runPair(work, bare_first);
+                                     state.counters["bare"] = pair.bare;
+                                     state.counters["library"] = pair.library;
+                                     state.SetIterationTime(pair.library);
+                                   }
+                                 })
       ->UseManualTime()
       ->Iterations(1)
       ->Repetitions(std::min(pairs, work.most_repetitions));
   Collector collector;
-  benchmark::RunSpecifiedBenchmarks(&collector);
+  ::benchmark::RunSpecifiedBenchmarks(&collector);
 
   std::vector<double> bare;
   std::vector<double> library;
@@ -140,4 +140,4 @@ std::string markdown(const std::vector<Result>& results) {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

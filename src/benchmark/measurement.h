@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 /// Seconds of the calling thread, so that other programs on the machine do not count, or of the wall.
 enum class Clock { thread, wall };
@@ -49,4 +49,4 @@ Result measure(const Case& work, int pairs);
 /// Result rows as a Markdown table.
 std::string markdown(const std::vector<Result>& results);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -4,13 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "bare_loop.h"
-#include "cases.h"
-#include "peer/peers.h"
+#include "benchmark/bare_loop.h"
+#include "benchmark/cases.h"
+#include "benchmark/peer/peers.h"
+#include "benchmark/test_signal.h"
 #include "rubber_suspension/component/component.h"
-#include "test_signal.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr int kElements = 5;
@@ -22,7 +22,7 @@ using Solver = std::function<void(const PeerWork&, std::vector<double>&)>;
 
 struct PeerBench {
   BareParameters parameters = bareParameters(kElements, kHighestBreakFrequency);
-  Component component{elementsOf(parameters)};
+  component::Component component{elementsOf(parameters)};
   PeerWork work;
   std::vector<double> peer;
   std::vector<double> library;
@@ -37,7 +37,7 @@ struct PeerBench {
   }
 
   void runLibrary() {
-    ComponentState state = component.makeState();
+    component::ComponentState state = component.makeState();
     library[0] = component.rest(state, work.displacement[0]).total;
     component.simulate(state, kStep, work.displacement.data() + 1, library.size() - 1, library.data() + 1);
   }
@@ -103,4 +103,4 @@ std::vector<Case> peerCases(const BenchmarkSize& size) {
   return cases;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

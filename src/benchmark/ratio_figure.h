@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "measurement.h"
+#include "benchmark/measurement.h"
 #include "rubber_suspension/io/figure.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 /// The ratio of library to yardstick with its quartiles, one row per result.
-Figure ratioFigure(const std::vector<Result>& results);
+io::Figure ratioFigure(const std::vector<Result>& results);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -6,13 +6,13 @@
 #include <numeric>
 #include <string>
 
-#include "bare_lanes.h"
-#include "cases.h"
+#include "benchmark/bare_lanes.h"
+#include "benchmark/cases.h"
+#include "benchmark/test_signal.h"
 #include "rubber_suspension/component/fleet.h"
-#include "rubber_suspension/io/replay.h"
-#include "test_signal.h"
+#include "rubber_suspension/gap/replay.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr double kRounding = 1e-11;
@@ -24,8 +24,8 @@ constexpr int kMaxwellElements = 5;
 
 struct ReplayBench {
   BareParameters parameters = bareParameters(kMaxwellElements);
-  Component component{elementsOf(parameters)};
-  Log log;
+  component::Component component{elementsOf(parameters)};
+  log::Log log;
   std::vector<double> bare;
   std::vector<double> library;
 
@@ -36,7 +36,7 @@ struct ReplayBench {
   }
 
   void simulate() {
-    ComponentState state = component.makeState();
+    component::ComponentState state = component.makeState();
     library.resize(log.size());
     library[0] = component.rest(state, log.displacement[0]).total;
     component.simulate(state, kStep, log.displacement.data() + 1, log.size() - 1, library.data() + 1);
@@ -61,7 +61,7 @@ Case replayCase(const BenchmarkSize& size, Offline offline, Yardstick yardstick)
   };
   result.library = [bench, offline] {
     if (offline == Offline::log) {
-      bench->library = simulateLog(bench->component, bench->log);
+      bench->library = gap::simulateLog(bench->component, bench->log);
     } else {
       bench->simulate();
     }
@@ -88,8 +88,8 @@ std::vector<BareParameters> manyParameters(int count) {
   return all;
 }
 
-std::vector<Component> componentsOf(const std::vector<BareParameters>& all) {
-  std::vector<Component> components;
+std::vector<component::Component> componentsOf(const std::vector<BareParameters>& all) {
+  std::vector<component::Component> components;
   for (const BareParameters& parameters : all) {
     components.emplace_back(elementsOf(parameters));
   }
@@ -99,9 +99,9 @@ std::vector<Component> componentsOf(const std::vector<BareParameters>& all) {
 struct FleetBench {
   BareFleet bare_fleet;
   BareLanes bare_lanes;
-  std::vector<Component> components;
-  std::vector<ComponentState> states;
-  ComponentFleet fleet;
+  std::vector<component::Component> components;
+  std::vector<component::ComponentState> states;
+  kernel::ComponentFleet fleet;
   std::vector<double> displacement;
   std::vector<double> own_displacement;
   std::vector<double> bare;
@@ -116,7 +116,7 @@ struct FleetBench {
         own_displacement(count),
         bare(count),
         library(count) {
-    for (const Component& component : components) {
+    for (const component::Component& component : components) {
       states.push_back(component.makeState());
     }
   }
@@ -174,7 +174,7 @@ struct CandidateBench {
 
   std::vector<BareParameters> parameters;
   BareLanes lanes;
-  std::vector<Component> components;
+  std::vector<component::Component> components;
   std::vector<double> displacement;
   std::vector<double> force;
   std::vector<double> bare;
@@ -199,7 +199,7 @@ struct CandidateBench {
   }
 
   void runTogether() {
-    ComponentFleet fleet(components);
+    kernel::ComponentFleet fleet(components);
     fleet.rest(displacement[0]);
     std::fill(library.begin(), library.end(), 0.0);
     for (std::size_t first = 1; first < displacement.size(); first += kBlock) {
@@ -270,4 +270,4 @@ std::vector<Case> replayCases(const BenchmarkSize& size) {
   return cases;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

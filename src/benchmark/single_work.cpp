@@ -1,5 +1,5 @@
 // One piece of work of the library alone.
-#include "single_work.h"
+#include "benchmark/single_work.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <ctime>
 #include <vector>
 
-#include "rubber_suspension/estimation/identification.h"
+#include "rubber_suspension/fit/identification.h"
+#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/replay.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 template <class Work>
@@ -34,21 +34,21 @@ double medianSeconds(Work work, int runs) {
 
 std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log_file) {
   constexpr int kRuns = 5;
-  const ComponentDescription description = selectComponent(loadComponentFile(component_file), "");
-  const Log log = readLog(log_file);
+  const io::ComponentDescription description = io::selectComponent(io::loadComponentFile(component_file), "");
+  const log::Log log = log::readLog(log_file);
   if (work == "simulate") {
-    const Component component = description.makeComponent();
-    const double seconds = medianSeconds([&] { simulateLog(component, log); }, kRuns);
+    const component::Component component = description.makeComponent();
+    const double seconds = medianSeconds([&] { gap::simulateLog(component, log); }, kRuns);
     return fmt::format("{{\"seconds\": {:.9g}}}", seconds);
   }
-  IdentificationOptions options;
+  fit::IdentificationOptions options;
   options.starts = 1;
-  const std::vector<Measurement> measurements{{log.stamp, log.displacement, log.force}};
-  Identification fit;
+  const std::vector<fit::Measurement> measurements{{log.stamp, log.displacement, log.force}};
+  fit::Identification fit;
   const double seconds =
-      medianSeconds([&] { fit = identify(description.allElements(), measurements, options); }, kRuns);
+      medianSeconds([&] { fit = fit::identify(description.allElements(), measurements, options); }, kRuns);
   const double cost = fit.residual * fit.residual * static_cast<double>(log.size());
   return fmt::format("{{\"seconds\": {:.9g}, \"cost\": {:.12g}}}", seconds, cost);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "bare_loop.h"
-#include "cases.h"
+#include "benchmark/bare_loop.h"
+#include "benchmark/cases.h"
+#include "benchmark/test_signal.h"
 #include "rubber_suspension/component/sample_stream.h"
-#include "test_signal.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 // Both sum the same products in another order: some roundings per step, which relaxation and friction forget.
@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-11;
 // What a case works on; it lives as long as the functions of the case.
 struct Bench {
   BareParameters parameters;
-  Component component;
+  component::Component component;
   std::vector<double> displacement;
   std::vector<std::int64_t> stamps;
   std::vector<double> steps;
@@ -35,7 +35,7 @@ struct Bench {
 };
 
 void stepThrough(Bench& bench) {
-  ComponentState state = bench.component.makeState();
+  component::ComponentState state = bench.component.makeState();
   bench.library[0] = bench.component.rest(state, bench.displacement[0]).total;
   for (std::size_t i = 1; i < bench.displacement.size(); ++i) {
     bench.library[i] = bench.component.step(state, bench.steps[i], bench.displacement[i]).total;
@@ -43,7 +43,7 @@ void stepThrough(Bench& bench) {
 }
 
 void pushThrough(Bench& bench) {
-  SampleStream stream(bench.component);
+  component::SampleStream stream(bench.component);
   for (std::size_t i = 0; i < bench.displacement.size(); ++i) {
     bench.library[i] = stream.push(bench.stamps[i], bench.displacement[i]).force.total;
   }
@@ -94,4 +94,4 @@ std::vector<Case> stepCases(const BenchmarkSize& size) {
   return cases;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -1,11 +1,11 @@
 // Test signals of the benchmark.
-#include "test_signal.h"
+#include "benchmark/test_signal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 std::vector<double> benchmarkDisplacement(std::size_t samples) {
   std::vector<double> displacement(samples);
@@ -56,4 +56,4 @@ double relativeDifference(const std::vector<double>& expected, const std::vector
   return difference / largest;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

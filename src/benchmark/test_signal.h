@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 constexpr double kStep = 1e-3;  ///< sampling interval [s]
 
@@ -22,4 +22,4 @@ std::vector<double> stepsOf(const std::vector<std::int64_t>& stamps);
 /// Largest difference over the largest force.
 double relativeDifference(const std::vector<double>& expected, const std::vector<double>& actual);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

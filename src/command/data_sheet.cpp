@@ -1,5 +1,5 @@
 // Data sheets in YAML.
-#include "rubber_suspension/command/data_sheet.h"
+#include "command/data_sheet.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -9,16 +9,16 @@
 #include <map>
 #include <stdexcept>
 
-#include "rubber_suspension/io/units.h"
+#include "rubber_suspension/log/units.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::command {
 namespace {
 
 constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
 
-const ParameterInfo* findParameter(const std::string& name) {
-  for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
-    for (const ParameterInfo& row : *table) {
+const element::ParameterInfo* findParameter(const std::string& name) {
+  for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
+    for (const element::ParameterInfo& row : *table) {
       if (row.name == name) {
         return &row;
       }
@@ -29,8 +29,8 @@ const ParameterInfo* findParameter(const std::string& name) {
 
 std::string acceptedKeys() {
   std::string names = "component, model, load";
-  for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
-    for (const ParameterInfo& row : *table) {
+  for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
+    for (const element::ParameterInfo& row : *table) {
       names += ", " + row.name;
     }
   }
@@ -39,14 +39,14 @@ std::string acceptedKeys() {
 
 struct Sheet {
   std::string component;
-  std::optional<Model> model;
-  std::optional<LoadDirection> load;
+  std::optional<estimation::Model> model;
+  std::optional<estimation::LoadDirection> load;
   std::map<std::string, double> values;
 };
 
-Model modelOf(const std::string& name) {
-  const auto model = modelFromString(name);
-  if (!model || *model == Model::elements) {
+estimation::Model modelOf(const std::string& name) {
+  const auto model = estimation::modelFromString(name);
+  if (!model || *model == estimation::Model::elements) {
     throw std::invalid_argument(
         fmt::format("model: '{}' is not a model; accepted: kelvin_voigt, maxwell, "
                     "maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
@@ -55,20 +55,20 @@ Model modelOf(const std::string& name) {
   return *model;
 }
 
-LoadDirection loadOf(const std::string& name) {
+estimation::LoadDirection loadOf(const std::string& name) {
   if (name != "compression" && name != "shear") {
     throw std::invalid_argument(fmt::format("load: '{}'; accepted: compression, shear", name));
   }
-  return name == "shear" ? LoadDirection::shear : LoadDirection::compression;
+  return name == "shear" ? estimation::LoadDirection::shear : estimation::LoadDirection::compression;
 }
 
 double quantityOf(const std::string& key, const std::string& text) {
-  const ParameterInfo* parameter = findParameter(key);
+  const element::ParameterInfo* parameter = findParameter(key);
   if (parameter == nullptr) {
     throw std::invalid_argument(fmt::format("{}: unknown key; accepted: {}", key, acceptedKeys()));
   }
   try {
-    return parseQuantity(text, parameter->unit);
+    return log::parseQuantity(text, parameter->unit);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(key + ": " + error.what());
   }
@@ -110,9 +110,9 @@ std::string convert(const std::string& text) {
   if (sheet.load.has_value() != (sheet.values.count("shore_a") != 0)) {
     throw std::invalid_argument("load: goes with shore_a; accepted: both (load: compression or shear) or none");
   }
-  const DataSheetResult result =
-      specificationFromDataSheet(sheet.model, sheet.load.value_or(LoadDirection::compression), sheet.values);
-  ComponentDescription description;
+  const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
+      sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
+  io::ComponentDescription description;
   description.name = sheet.component;
   description.model = result.model;
   description.specification = result.specification;
@@ -120,8 +120,8 @@ std::string convert(const std::string& text) {
   for (const std::string& note : result.notes) {
     file += "# " + note + "\n";
   }
-  file += toYaml({description});
-  parseComponentFile(file, "component file");  // the name, too, has to be one that the node takes
+  file += io::toYaml({description});
+  io::parseComponentFile(file, "component file");  // the name, too, has to be one that the node takes
   return file;
 }
 
@@ -133,7 +133,7 @@ std::string componentFileFromDataSheetText(const std::string& text, const std::s
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(
         fmt::format("{}:{}: not YAML: {}; accepted: a data sheet", source, error.mark.line + 1, error.msg));
-  } catch (const ComponentFileError& error) {
+  } catch (const io::ComponentFileError& error) {
     throw std::invalid_argument(source + ": " + error.what());
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(source + ": " + error.what());
@@ -154,4 +154,4 @@ std::string componentFileFromDataSheet(const std::string& path) {
   return componentFileFromDataSheetText(text, path);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::command

@@ -1,5 +1,5 @@
 // The report of `estimate`.
-#include "rubber_suspension/command/estimate.h"
+#include "command/estimate.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "io/progress.h"
 #include "rubber_suspension/estimation/notes.h"
-#include "rubber_suspension/io/progress.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::command {
 namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
@@ -29,10 +29,10 @@ std::vector<double> spaced(const std::string& what, double low, double high, int
     throw std::invalid_argument(fmt::format(
         "{} range: {:g} to {:g}; accepted: greater than 0, the second greater than the first", what, low, high));
   }
-  return logSpaced(low, high, points);
+  return response::logSpaced(low, high, points);
 }
 
-Sweeps complete(const SweepOptions& options, const Specification& specification) {
+Sweeps complete(const SweepOptions& options, const estimation::Specification& specification) {
   if (options.points < 2 || options.points > 10000) {
     throw std::invalid_argument(fmt::format("points: {}; accepted: 2 to 10000", options.points));
   }
@@ -53,7 +53,7 @@ Sweeps complete(const SweepOptions& options, const Specification& specification)
 
 // What is missing from the models' closed forms: friction in a simulation takes noise for reversals.
 void addFrictionNote(EstimateReport& report) {
-  for (const ElementDescription& element : report.elements) {
+  for (const element::ElementDescription& element : report.elements) {
     if (element.type == "friction" && element.value("dead_band") == 0.0) {
       report.notes.push_back(
           "friction has no dead band: with measured displacements state it as an element with dead_band about 6 "
@@ -66,7 +66,7 @@ void addFrictionNote(EstimateReport& report) {
 bool allSettled(const EstimateReport& report) {
   bool settled = report.working_point.settled;
   for (const auto* points : {&report.over_frequency, &report.over_amplitude, &report.over_product}) {
-    for (const SweepPoint& point : *points) {
+    for (const response::SweepPoint& point : *points) {
       settled = settled && point.settled;
     }
   }
@@ -74,10 +74,10 @@ bool allSettled(const EstimateReport& report) {
 }
 
 // Lines "  name value unit" of an element, with what follows from its parameters.
-std::string elementText(const ElementDescription& element) {
-  const ElementType* type = findElementType(element.type);
+std::string elementText(const element::ElementDescription& element) {
+  const element::ElementType* type = element::findElementType(element.type);
   std::string text;
-  for (const ParameterInfo& parameter : type->parameters) {
+  for (const element::ParameterInfo& parameter : type->parameters) {
     std::string values;
     for (const double value : element.list(parameter.name)) {
       values += fmt::format("{}{:.6g}", values.empty() ? "" : ", ", value);
@@ -93,10 +93,10 @@ std::string elementText(const ElementDescription& element) {
   return text;
 }
 
-std::string sweepText(const std::string& title, const std::vector<SweepPoint>& points) {
+std::string sweepText(const std::string& title, const std::vector<response::SweepPoint>& points) {
   std::string text = fmt::format("\n  {}\n  {:>12} {:>12} {:>14} {:>12} {:>12}\n", title, "f [Hz]", "A [mm]", "K [N/m]",
                                  "delta [deg]", "loss [J]");
-  for (const SweepPoint& point : points) {
+  for (const response::SweepPoint& point : points) {
     text +=
         fmt::format("  {:>12.5g} {:>12.5g} {:>14.7g} {:>12.5g} {:>12.5g}{}\n", point.frequency, point.amplitude * 1e3,
                     point.characteristics.stiffness, point.characteristics.loss_angle * kDegrees,
@@ -105,9 +105,9 @@ std::string sweepText(const std::string& title, const std::vector<SweepPoint>& p
   return text;
 }
 
-std::string specificationText(const Specification& specification) {
+std::string specificationText(const estimation::Specification& specification) {
   std::string text;
-  for (const ParameterInfo& parameter : specificationParameters()) {
+  for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
       text += fmt::format("    {:<20} {:.6g}{}\n", parameter.name, specification.at(parameter.name),
                           parameter.unit == "1" ? "" : " " + parameter.unit);
@@ -116,7 +116,7 @@ std::string specificationText(const Specification& specification) {
   return text;
 }
 
-nlohmann::ordered_json pointJson(const SweepPoint& point) {
+nlohmann::ordered_json pointJson(const response::SweepPoint& point) {
   return {{"frequency_hz", point.frequency},
           {"amplitude_m", point.amplitude},
           {"stiffness_n_per_m", point.characteristics.stiffness},
@@ -125,17 +125,17 @@ nlohmann::ordered_json pointJson(const SweepPoint& point) {
           {"settled", point.settled}};
 }
 
-nlohmann::ordered_json pointsJson(const std::vector<SweepPoint>& points) {
+nlohmann::ordered_json pointsJson(const std::vector<response::SweepPoint>& points) {
   auto json = nlohmann::ordered_json::array();
-  for (const SweepPoint& point : points) {
+  for (const response::SweepPoint& point : points) {
     json.push_back(pointJson(point));
   }
   return json;
 }
 
-nlohmann::ordered_json elementJson(const ElementDescription& element) {
+nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
   nlohmann::ordered_json json = {{"type", element.type}};
-  for (const ParameterInfo& parameter : findElementType(element.type)->parameters) {
+  for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
     const std::vector<double>& values = element.list(parameter.name);
     json[parameter.name] = parameter.is_list ? nlohmann::ordered_json(values) : nlohmann::ordered_json(values.at(0));
   }
@@ -148,11 +148,11 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
     specification[key] = value;
   }
   auto elements = nlohmann::ordered_json::array();
-  for (const ElementDescription& element : report.elements) {
+  for (const element::ElementDescription& element : report.elements) {
     elements.push_back(elementJson(element));
   }
   return {{"component", report.description.name},
-          {"model", toString(report.description.model)},
+          {"model", estimation::toString(report.description.model)},
           {"specification", specification},
           {"elements", elements},
           {"notes", report.notes},
@@ -164,39 +164,40 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
           {"at_constant_product", pointsJson(report.over_product)}};
 }
 
-using Quantity = double (*)(const SweepPoint&);
+using Quantity = double (*)(const response::SweepPoint&);
 
-Curve curveOf(const EstimateReport& report, const std::vector<SweepPoint>& points, Quantity x, Quantity y) {
-  Curve curve;
+io::Curve curveOf(const EstimateReport& report, const std::vector<response::SweepPoint>& points, Quantity x,
+                  Quantity y) {
+  io::Curve curve;
   curve.label = report.description.name;
-  for (const SweepPoint& point : points) {
+  for (const response::SweepPoint& point : points) {
     curve.x.push_back(x(point));
     curve.y.push_back(y(point));
   }
   return curve;
 }
 
-double frequencyOf(const SweepPoint& point) { return point.frequency; }
-double amplitudeOf(const SweepPoint& point) { return point.amplitude * 1e3; }
-double stiffnessOf(const SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
+double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
+double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
+double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
 }  // namespace
 
-EstimateReport makeEstimateReport(const ComponentDescription& description, const SweepOptions& options) {
+EstimateReport makeEstimateReport(const io::ComponentDescription& description, const SweepOptions& options) {
   const Sweeps sweeps = complete(options, description.specification);
-  const Component component = description.makeComponent();
+  const component::Component component = description.makeComponent();
   EstimateReport report;
   report.description = description;
   report.elements = component.elements();
-  report.notes = estimationNotes(description.model, description.specification);
+  report.notes = estimation::estimationNotes(description.model, description.specification);
   report.linear = component.linear();
   report.product = sweeps.product;
   addFrictionNote(report);
 
-  Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
+  io::Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
   const auto at = [&](double frequency, double amplitude) {
-    const SweepPoint point = characteristicsAt(component, frequency, amplitude);
+    const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude);
     progress.advance();
     return point;
   };
@@ -216,16 +217,16 @@ EstimateReport makeEstimateReport(const ComponentDescription& description, const
 
 std::string toText(const EstimateReport& report) {
   std::string text =
-      fmt::format("component {}, model {}\n", report.description.name, toString(report.description.model));
+      fmt::format("component {}, model {}\n", report.description.name, estimation::toString(report.description.model));
   const std::string specification = specificationText(report.description.specification);
   if (!specification.empty()) {
     text += "  specification\n" + specification;
   }
   text += "  elements\n";
-  for (const ElementDescription& element : report.elements) {
+  for (const element::ElementDescription& element : report.elements) {
     text += fmt::format("    {:<20} {}\n", element.type, elementText(element));
   }
-  const SweepPoint& point = report.working_point;
+  const response::SweepPoint& point = report.working_point;
   text += fmt::format(
       "  at {:g} Hz and {:g} mm\n    stiffness K {:.7g} N/m, loss angle {:.5g} deg = {:.6g} rad, "
       "relative damping {:.4g} %\n",
@@ -253,13 +254,13 @@ std::string toJson(const std::vector<EstimateReport>& reports) {
   return json.dump(2) + "\n";
 }
 
-Figure toFigure(const std::vector<EstimateReport>& reports) {
-  Figure figure;
+io::Figure toFigure(const std::vector<EstimateReport>& reports) {
+  io::Figure figure;
   figure.title = "Stiffness and loss angle";
   const struct {
     const char* title;
     const char* x_label;
-    const std::vector<SweepPoint> EstimateReport::*points;
+    const std::vector<response::SweepPoint> EstimateReport::*points;
     Quantity x;
   } columns[] = {{"constant amplitude", "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
                  {"constant frequency", "amplitude [mm]", &EstimateReport::over_amplitude, amplitudeOf},
@@ -271,7 +272,7 @@ Figure toFigure(const std::vector<EstimateReport>& reports) {
   figure.columns = 3;
   for (const auto& row : rows) {
     for (const auto& column : columns) {
-      Axes axes;
+      io::Axes axes;
       axes.title = column.title;
       axes.x_label = column.x_label;
       axes.y_label = row.y_label;
@@ -285,4 +286,4 @@ Figure toFigure(const std::vector<EstimateReport>& reports) {
   return figure;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::command

@@ -1,22 +1,22 @@
 // The report of `estimate --from-log`.
-#include "rubber_suspension/command/identify.h"
+#include "command/identify.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "rubber_suspension/io/replay.h"
+#include "rubber_suspension/gap/replay.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::command {
 namespace {
 
-std::string intervalText(const IdentifiedParameter& parameter) {
+std::string intervalText(const fit::IdentifiedParameter& parameter) {
   return std::isfinite(parameter.upper) ? fmt::format("{:.6g} to {:.6g}", parameter.lower, parameter.upper)
                                         : fmt::format("from {:.6g}, without upper limit", parameter.lower);
 }
 
-std::string directionText(const UndeterminedDirection& direction) {
+std::string directionText(const fit::UndeterminedDirection& direction) {
   std::string text;
   for (const auto& [name, weight] : direction.weights) {
     text += fmt::format("{}{:+.2g} {}", text.empty() ? "" : ", ", weight, name);
@@ -28,16 +28,16 @@ nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
-  Axes axes;
+io::Axes emptyAxes(const std::string& title, const std::string& x_label, const std::string& y_label) {
+  io::Axes axes;
   axes.title = title;
   axes.x_label = x_label;
   axes.y_label = y_label;
   return axes;
 }
 
-Curve curveOf(const std::string& label, const std::string& style) {
-  Curve curve;
+io::Curve curveOf(const std::string& label, const std::string& style) {
+  io::Curve curve;
   curve.label = label;
   curve.style = style;
   return curve;
@@ -48,39 +48,40 @@ std::size_t stride(std::size_t samples) { return 1 + samples / 20000; }
 
 }  // namespace
 
-Identification identifyFromLogs(const ComponentDescription& description, const std::vector<Log>& logs,
-                                IdentificationOptions options) {
-  std::vector<Measurement> measurements;
-  for (const Log& log : logs) {
+fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
+                                     fit::IdentificationOptions options) {
+  std::vector<fit::Measurement> measurements;
+  for (const log::Log& log : logs) {
     if (log.force.size() != log.size()) {
-      throw LogError(log.name + ": has no measured force, which is needed to find parameters");
+      throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
     measurements.push_back({log.stamp, log.displacement, log.force});
   }
-  const bool spread = description.model == Model::multi_maxwell;
+  const bool spread = description.model == estimation::Model::multi_maxwell;
   if (spread) {
     options.held.emplace_back("maxwell.break_frequency");
   }
-  Identification result = identify(description.allElements(), measurements, options);
+  fit::Identification result = fit::identify(description.allElements(), measurements, options);
   if (spread) {
     result.notes.emplace_back("break frequencies of multi_maxwell are kept as estimated");
   }
   return result;
 }
 
-ComponentDescription identifiedComponent(const ComponentDescription& description, const Identification& result) {
-  ComponentDescription component;
+io::ComponentDescription identifiedComponent(const io::ComponentDescription& description,
+                                             const fit::Identification& result) {
+  io::ComponentDescription component;
   component.name = description.name;
-  component.model = Model::elements;
+  component.model = estimation::Model::elements;
   component.elements = result.elements;
   return component;
 }
 
-std::string toText(const std::string& component, const Identification& result) {
+std::string toText(const std::string& component, const fit::Identification& result) {
   std::string text =
       fmt::format("component {}, parameters from measured logs\n  {:<24} {:<22} {:>14} {}  95 % interval\n", component,
                   "element", "parameter", "value", "unit ");
-  for (const IdentifiedParameter& parameter : result.parameters) {
+  for (const fit::IdentifiedParameter& parameter : result.parameters) {
     text += fmt::format("  {:<24} {:<22} {:>14.6g} {:<6} {}{}\n", parameter.element, parameter.name, parameter.value,
                         parameter.unit, intervalText(parameter), parameter.determined ? "" : "  not determined");
   }
@@ -89,7 +90,7 @@ std::string toText(const std::string& component, const Identification& result) {
       fmt::format("  residual {:.6g} N, {:.3g} % of the force's standard deviation; worth {:.0f} independent samples\n",
                   result.residual, 100.0 * result.relative_residual, result.independent_samples);
   text += fmt::format("  {} of {} starts ended at this optimum\n", result.starts_at_best, result.starts);
-  for (const UndeterminedDirection& direction : result.undetermined) {
+  for (const fit::UndeterminedDirection& direction : result.undetermined) {
     text += fmt::format("  not determined: {} (relative changes that leave the force the same{})\n",
                         directionText(direction),
                         std::isfinite(direction.deviation)
@@ -102,10 +103,10 @@ std::string toText(const std::string& component, const Identification& result) {
   return text;
 }
 
-std::string toJson(const std::string& component, const Identification& result) {
+std::string toJson(const std::string& component, const fit::Identification& result) {
   nlohmann::ordered_json json = {{"schema", "rubber_suspension/identification/1"}, {"component", component}};
   json["parameters"] = nlohmann::ordered_json::array();
-  for (const IdentifiedParameter& parameter : result.parameters) {
+  for (const fit::IdentifiedParameter& parameter : result.parameters) {
     json["parameters"].push_back({{"element", parameter.element},
                                   {"index", parameter.index},
                                   {"name", parameter.name},
@@ -122,7 +123,7 @@ std::string toJson(const std::string& component, const Identification& result) {
   json["starts"] = result.starts;
   json["starts_at_best"] = result.starts_at_best;
   json["undetermined"] = nlohmann::ordered_json::array();
-  for (const UndeterminedDirection& direction : result.undetermined) {
+  for (const fit::UndeterminedDirection& direction : result.undetermined) {
     auto weights = nlohmann::ordered_json::object();
     for (const auto& [name, weight] : direction.weights) {
       weights[name] = weight;
@@ -133,20 +134,20 @@ std::string toJson(const std::string& component, const Identification& result) {
   return json.dump(2) + "\n";
 }
 
-Figure identificationFigure(const ComponentDescription& description, const Identification& result,
-                            const std::vector<Log>& logs) {
-  Figure figure;
+io::Figure identificationFigure(const io::ComponentDescription& description, const fit::Identification& result,
+                                const std::vector<log::Log>& logs) {
+  io::Figure figure;
   figure.title = description.name + ": measured and fitted";
-  const Component component(result.elements);
-  for (const Log& log : logs) {
-    const std::vector<double> force = replay(component, log).force;
-    Axes loop = emptyAxes(log.name, "displacement [mm]", "force [kN]");
-    Axes rest = emptyAxes(log.name, "time [s]", "measured less fitted [kN]");
+  const component::Component component(result.elements);
+  for (const log::Log& log : logs) {
+    const std::vector<double> force = gap::replay(component, log).force;
+    io::Axes loop = emptyAxes(log.name, "displacement [mm]", "force [kN]");
+    io::Axes rest = emptyAxes(log.name, "time [s]", "measured less fitted [kN]");
     loop.curves = {curveOf("measured", "-"), curveOf("fitted", "-")};
     rest.curves = {curveOf("", "-")};
     for (std::size_t i = 0; i < log.size(); i += stride(log.size())) {
       const double fitted = (force[i] + result.force_offset) * 1e-3;
-      for (Curve& curve : loop.curves) {
+      for (io::Curve& curve : loop.curves) {
         curve.x.push_back(log.displacement[i] * 1e3);
       }
       loop.curves[0].y.push_back(log.force[i] * 1e-3);
@@ -160,4 +161,4 @@ Figure identificationFigure(const ComponentDescription& description, const Ident
   return figure;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::command

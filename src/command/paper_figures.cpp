@@ -1,5 +1,5 @@
 // Figures 3, 4, 5, 6 and 8 of Polach (IAVSD 2015).
-#include "rubber_suspension/command/paper_figures.h"
+#include "command/paper_figures.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/progress.h"
 #include "rubber_suspension/estimation/specification.h"
-#include "rubber_suspension/io/progress.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::command {
 namespace {
 
 constexpr double kFrequency = 4.0;   // f_n [Hz]
@@ -21,47 +21,47 @@ constexpr double kDegrees = 180.0 / M_PI;
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-Component exampleModel(Model model, const Values& further) {
-  Specification specification;
+component::Component exampleModel(estimation::Model model, const Values& further) {
+  estimation::Specification specification;
   specification.set("dynamic_stiffness", 4.2e6);
   specification.set("nominal_frequency", kFrequency);
-  if (model != Model::kelvin_voigt) {
+  if (model != estimation::Model::kelvin_voigt) {
     specification.set("static_stiffness", 3e6);
   }
   for (const auto& [key, value] : further) {
     specification.set(key, value);
   }
-  return Component(estimate(model, specification));
+  return component::Component(estimation::estimate(model, specification));
 }
 
 struct NamedComponent {
   std::string label;
-  Component component;
+  component::Component component;
 };
 
 NamedComponent bergModel() {
   return {"M6 Berg",
-          exampleModel(Model::berg,
+          exampleModel(estimation::Model::berg,
                        {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}, {"break_frequency", 1.45}})};
 }
 
 std::vector<NamedComponent> allModels() {
-  return {
-      {"M1 Kelvin-Voigt", exampleModel(Model::kelvin_voigt, {{"relative_damping", 0.05}})},
-      {"M2 Maxwell", exampleModel(Model::maxwell, {{"break_frequency", 1.43}})},
-      {"M3 Maxwell, dashpot",
-       exampleModel(Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
-      {"M4 friction", exampleModel(Model::friction, {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
-      {"M5 friction, dashpot",
-       exampleModel(Model::friction_dashpot, {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
-      bergModel()};
+  return {{"M1 Kelvin-Voigt", exampleModel(estimation::Model::kelvin_voigt, {{"relative_damping", 0.05}})},
+          {"M2 Maxwell", exampleModel(estimation::Model::maxwell, {{"break_frequency", 1.43}})},
+          {"M3 Maxwell, dashpot",
+           exampleModel(estimation::Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
+          {"M4 friction",
+           exampleModel(estimation::Model::friction, {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
+          {"M5 friction, dashpot", exampleModel(estimation::Model::friction_dashpot,
+                                                {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
+          bergModel()};
 }
 
 std::vector<NamedComponent> maxwellModels() {
   std::vector<NamedComponent> models;
   for (const double break_frequency : {0.5, 1.0, 2.0, 4.0, 8.0}) {
     models.push_back({fmt::format("M2, f_b = {:g} Hz", break_frequency),
-                      exampleModel(Model::maxwell, {{"break_frequency", break_frequency}})});
+                      exampleModel(estimation::Model::maxwell, {{"break_frequency", break_frequency}})});
   }
   return models;
 }
@@ -71,7 +71,7 @@ std::vector<NamedComponent> multiMaxwellModels() {
   for (const int count : {3, 5}) {
     models.push_back(
         {fmt::format("M2, n_M = {}", count),
-         exampleModel(Model::multi_maxwell,
+         exampleModel(estimation::Model::multi_maxwell,
                       {{"maximum_stiffness", 4.9e6}, {"high_frequency", 25.0}, {"maxwell_elements", count}})});
   }
   models.push_back(bergModel());
@@ -80,7 +80,7 @@ std::vector<NamedComponent> multiMaxwellModels() {
 
 // Evenly spaced on a log axis, and the round frequencies that tables quote.
 std::vector<double> frequencies() {
-  std::vector<double> values = logSpaced(0.1, 40.0, 53);
+  std::vector<double> values = response::logSpaced(0.1, 40.0, 53);
   for (const double round : {0.5, 1.0, 2.0, 4.0, 8.0, 12.0, 20.0}) {
     values.push_back(round);
   }
@@ -89,25 +89,25 @@ std::vector<double> frequencies() {
 }
 
 std::vector<double> amplitudes() {
-  std::vector<double> values = logSpaced(0.05e-3, 10e-3, 47);
+  std::vector<double> values = response::logSpaced(0.05e-3, 10e-3, 47);
   values.push_back(kAmplitude);
   std::sort(values.begin(), values.end());
   return values;
 }
 
-double stiffnessOf(const SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
+double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
-Axes sweepAxes(const PaperFigure& figure, bool over_amplitude, const std::string& y_label,
-               double (*y)(const SweepPoint&)) {
-  Axes axes;
+io::Axes sweepAxes(const PaperFigure& figure, bool over_amplitude, const std::string& y_label,
+                   double (*y)(const response::SweepPoint&)) {
+  io::Axes axes;
   axes.x_label = over_amplitude ? "amplitude [mm]" : "frequency [Hz]";
   axes.y_label = y_label;
   axes.log_x = true;
   for (const PaperCurve& paper_curve : figure.curves) {
-    Curve curve;
+    io::Curve curve;
     curve.label = paper_curve.label;
-    for (const SweepPoint& point : paper_curve.points) {
+    for (const response::SweepPoint& point : paper_curve.points) {
       curve.x.push_back(over_amplitude ? point.amplitude * 1e3 : point.frequency);
       curve.y.push_back(y(point));
     }
@@ -126,7 +126,7 @@ PaperFigure breakFrequencyFigure() {
   PaperFigure figure{
       3, fmt::format("Figure 3: M2 for several break frequencies, all through K_n at {:g} Hz", kFrequency), {}, {}};
   for (const NamedComponent& model : maxwellModels()) {
-    figure.curves.push_back({model.label, sweepFrequency(model.component, frequencies(), kAmplitude), {}});
+    figure.curves.push_back({model.label, response::sweepFrequency(model.component, frequencies(), kAmplitude), {}});
   }
   drawSweeps(figure, false);
   return figure;
@@ -135,7 +135,8 @@ PaperFigure breakFrequencyFigure() {
 PaperFigure productFigure(int number, const std::string& title, const std::vector<NamedComponent>& models) {
   PaperFigure figure{number, fmt::format("Figure {}: {}, A f = {:g} mm Hz", number, title, kProduct * 1e3), {}, {}};
   for (const NamedComponent& model : models) {
-    figure.curves.push_back({model.label, sweepConstantProduct(model.component, frequencies(), kProduct), {}});
+    figure.curves.push_back(
+        {model.label, response::sweepConstantProduct(model.component, frequencies(), kProduct), {}});
   }
   drawSweeps(figure, false);
   return figure;
@@ -144,7 +145,7 @@ PaperFigure productFigure(int number, const std::string& title, const std::vecto
 PaperFigure amplitudeFigure() {
   PaperFigure figure{5, fmt::format("Figure 5: models over amplitude at {:g} Hz", kFrequency), {}, {}};
   for (const NamedComponent& model : allModels()) {
-    figure.curves.push_back({model.label, sweepAmplitude(model.component, amplitudes(), kFrequency), {}});
+    figure.curves.push_back({model.label, response::sweepAmplitude(model.component, amplitudes(), kFrequency), {}});
   }
   drawSweeps(figure, true);
   return figure;
@@ -157,14 +158,14 @@ PaperFigure loopFigure() {
   figure.figure.title = figure.title;
   figure.figure.columns = 3;
   for (const NamedComponent& model : allModels()) {
-    const SettledLoop loop = simulateSettledLoop(model.component, kFrequency, kAmplitude);
+    const response::SettledLoop loop = response::simulateSettledLoop(model.component, kFrequency, kAmplitude);
     figure.curves.push_back({model.label, {}, loop});
-    Curve curve;
+    io::Curve curve;
     for (std::size_t i = 0; i <= loop.force.size(); ++i) {
       curve.x.push_back(loop.displacement[i % loop.force.size()] * 1e3);
       curve.y.push_back(loop.force[i % loop.force.size()] * 1e-3);
     }
-    Axes axes;
+    io::Axes axes;
     axes.title = model.label;
     axes.x_label = "displacement [mm]";
     axes.y_label = "force [kN]";
@@ -181,7 +182,7 @@ void writeCsv(const PaperFigure& figure, const std::string& path) {
   file << (loops ? "curve,displacement_m,force_n\n"
                  : "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad\n");
   for (const PaperCurve& curve : figure.curves) {
-    for (const SweepPoint& point : curve.points) {
+    for (const response::SweepPoint& point : curve.points) {
       file << fmt::format("\"{}\",{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.label, point.frequency, point.amplitude,
                           point.characteristics.stiffness, point.characteristics.loss_angle);
     }
@@ -207,17 +208,17 @@ std::vector<std::string> writePaperFigures(const std::vector<PaperFigure>& figur
   if (error) {
     throw std::runtime_error(folder + ": " + error.message());
   }
-  Progress progress("figures", figures.size());
+  io::Progress progress("figures", figures.size());
   std::vector<std::string> paths;
   for (const PaperFigure& figure : figures) {
     const std::string base = (std::filesystem::path(folder) / fmt::format("figure_{}", figure.number)).string();
     writeCsv(figure, base + ".csv");
-    drawFigure(figure.figure, base + ".svg");
-    drawFigure(figure.figure, base + ".png");
+    io::drawFigure(figure.figure, base + ".svg");
+    io::drawFigure(figure.figure, base + ".png");
     paths.insert(paths.end(), {base + ".csv", base + ".svg", base + ".png"});
     progress.advance();
   }
   return paths;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::command

@@ -13,25 +13,25 @@
 #include "rubber_suspension/element/maxwell_bank.h"
 #include "rubber_suspension/element/spring.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 namespace {
 
-void add(ComponentForce& sum, Part part, double force) {
+void add(element::ComponentForce& sum, element::Part part, double force) {
   switch (part) {
-    case Part::elastic:
+    case element::Part::elastic:
       sum.elastic += force;
       break;
-    case Part::viscous:
+    case element::Part::viscous:
       sum.viscous += force;
       break;
-    case Part::friction:
+    case element::Part::friction:
       sum.friction += force;
       break;
   }
   sum.total += force;
 }
 
-void scale(ComponentForce& force, double factor) {
+void scale(element::ComponentForce& force, double factor) {
   force.total *= factor;
   force.elastic *= factor;
   force.viscous *= factor;
@@ -115,18 +115,18 @@ void ComponentState::restore(double displacement, const std::vector<double>& mem
   branch_ = {};
 }
 
-Component::Component(const std::vector<ElementDescription>& elements) {
-  for (const ElementDescription& description : elements) {
-    descriptions_.push_back(complete(description));
-    const ElementPointer element = makeElement(description);
-    if (const auto* effect = std::get_if<std::shared_ptr<const DisplacementEffect>>(&element)) {
+Component::Component(const std::vector<element::ElementDescription>& elements) {
+  for (const element::ElementDescription& description : elements) {
+    descriptions_.push_back(element::complete(description));
+    const element::ElementPointer element = element::makeElement(description);
+    if (const auto* effect = std::get_if<std::shared_ptr<const element::DisplacementEffect>>(&element)) {
       displacement_effects_.push_back({*effect, 0});
-    } else if (const auto* factor = std::get_if<std::shared_ptr<const ForceEffect>>(&element)) {
+    } else if (const auto* factor = std::get_if<std::shared_ptr<const element::ForceEffect>>(&element)) {
       force_effects_.push_back({*factor, 0});
-    } else if (const auto* mount = std::get_if<std::shared_ptr<const SeriesElement>>(&element)) {
+    } else if (const auto* mount = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element)) {
       placeMount(*mount);
     } else {
-      const auto& law = std::get<std::shared_ptr<const ParallelElement>>(element);
+      const auto& law = std::get<std::shared_ptr<const element::ParallelElement>>(element);
       if (law->onRig()) {
         rig_.push_back({law, 0});
       } else {
@@ -137,7 +137,7 @@ Component::Component(const std::vector<ElementDescription>& elements) {
   reserveMemory();
 }
 
-void Component::placeMount(const std::shared_ptr<const SeriesElement>& mount) {
+void Component::placeMount(const std::shared_ptr<const element::SeriesElement>& mount) {
   mounted_ = true;
   if (const auto compliance = mount->compliance()) {
     mount_compliance_.tension += compliance->tension;
@@ -147,21 +147,21 @@ void Component::placeMount(const std::shared_ptr<const SeriesElement>& mount) {
   }
 }
 
-void Component::placeSpecimen(const std::shared_ptr<const ParallelElement>& law) {
-  const auto addMaxwell = [this](const Maxwell& maxwell) {
+void Component::placeSpecimen(const std::shared_ptr<const element::ParallelElement>& law) {
+  const auto addMaxwell = [this](const element::Maxwell& maxwell) {
     maxwell_stiffness_.push_back(maxwell.stiffness());
     maxwell_rate_.push_back(maxwell.rate());
     fastest_rate_ = std::max(fastest_rate_, maxwell.rate());
   };
-  if (const auto* spring = dynamic_cast<const Spring*>(law.get())) {
+  if (const auto* spring = dynamic_cast<const element::Spring*>(law.get())) {
     spring_stiffness_ += spring->stiffness();
-  } else if (const auto* dashpot = dynamic_cast<const Dashpot*>(law.get())) {
+  } else if (const auto* dashpot = dynamic_cast<const element::Dashpot*>(law.get())) {
     dashpot_damping_ += dashpot->damping();
-  } else if (const auto* maxwell = dynamic_cast<const Maxwell*>(law.get())) {
+  } else if (const auto* maxwell = dynamic_cast<const element::Maxwell*>(law.get())) {
     addMaxwell(*maxwell);
-  } else if (const auto* bank = dynamic_cast<const MaxwellBank*>(law.get())) {
+  } else if (const auto* bank = dynamic_cast<const element::MaxwellBank*>(law.get())) {
     std::for_each(bank->elements().begin(), bank->elements().end(), addMaxwell);
-  } else if (const auto* berg = dynamic_cast<const BergFriction*>(law.get())) {
+  } else if (const auto* berg = dynamic_cast<const element::BergFriction*>(law.get())) {
     bergs_.push_back(*berg);
   } else {
     specimen_.push_back({law, 0});
@@ -179,10 +179,11 @@ void Component::reserveMemory() {
   maxwells_ = maxwell_stiffness_.size();
   reserve(maxwells_);
   // One at least, so that there is something to point to.
-  const std::size_t blocks = std::max<std::size_t>(1, (maxwells_ + MaxwellBlock::kSize - 1) / MaxwellBlock::kSize);
-  maxwell_stiffness_.resize(blocks * MaxwellBlock::kSize);
-  maxwell_rate_.resize(blocks * MaxwellBlock::kSize);
-  reserve(bergs_.size() * BergFriction::kMemorySize);
+  const std::size_t blocks =
+      std::max<std::size_t>(1, (maxwells_ + kernel::MaxwellBlock::kSize - 1) / kernel::MaxwellBlock::kSize);
+  maxwell_stiffness_.resize(blocks * kernel::MaxwellBlock::kSize);
+  maxwell_rate_.resize(blocks * kernel::MaxwellBlock::kSize);
+  reserve(bergs_.size() * element::BergFriction::kMemorySize);
   placeAll(specimen_);
   placeAll(force_effects_);
   trial_size_ = memory_size_;
@@ -205,19 +206,19 @@ ComponentState Component::makeState() const {
   ComponentState state;
   state.memory_.resize(memory_size_);
   state.scratch_.resize(mounted_ ? trial_size_ : 0);
-  state.maxwell_blocks_.resize(maxwell_stiffness_.size() / MaxwellBlock::kSize);
+  state.maxwell_blocks_.resize(maxwell_stiffness_.size() / kernel::MaxwellBlock::kSize);
   rest(state, 0.0);
   return state;
 }
 
-ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {
+element::ComponentForce Component::specimenRest(double displacement, bool as_new, double* memory) const {
   std::fill(memory, memory + maxwells_, 0.0);
-  ComponentForce force;
+  element::ComponentForce force;
   force.elastic = force.total = spring_stiffness_ * displacement;
   double* berg_memory = memory + maxwells_;
-  for (const BergFriction& berg : bergs_) {
-    add(force, Part::friction, berg.rest(displacement, berg_memory));
-    berg_memory += BergFriction::kMemorySize;
+  for (const element::BergFriction& berg : bergs_) {
+    add(force, element::Part::friction, berg.rest(displacement, berg_memory));
+    berg_memory += element::BergFriction::kMemorySize;
   }
   for (const auto& element : specimen_) {
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
@@ -232,19 +233,20 @@ ComponentForce Component::specimenRest(double displacement, bool as_new, double*
   return force;
 }
 
-inline ComponentForce Component::plainStep(const ComponentState& state, const Motion& motion, double* memory) const {
+inline element::ComponentForce Component::plainStep(const ComponentState& state, const element::Motion& motion,
+                                                    double* memory) const {
   const double viscous = viscousStep(state, motion.increment, memory);
   double friction = 0.0;
   double* berg_memory = memory + maxwells_;
-  for (const BergFriction& berg : bergs_) {
+  for (const element::BergFriction& berg : bergs_) {
     friction += berg.advance(motion.displacement, berg_memory);
-    berg_memory += BergFriction::kMemorySize;
+    berg_memory += element::BergFriction::kMemorySize;
   }
   return sumOf(motion.displacement, viscous, friction);
 }
 
-void Component::specimenSteps(const ComponentState& state, const Motion* motion, std::size_t count, double* memory,
-                              ComponentForce* force) const {
+void Component::specimenSteps(const ComponentState& state, const element::Motion* motion, std::size_t count,
+                              double* memory, element::ComponentForce* force) const {
   for (std::size_t i = 0; i < count; ++i) {
     force[i] = plainStep(state, motion[i], memory);
   }
@@ -258,9 +260,9 @@ void Component::specimenSteps(const ComponentState& state, const Motion* motion,
   }
 }
 
-void Component::addSteps(const Placed<ParallelElement>& element, const Motion* motion, std::size_t count,
-                         double* memory, ComponentForce* force) {
-  const Part part = element.law->part();
+void Component::addSteps(const Placed<element::ParallelElement>& element, const element::Motion* motion,
+                         std::size_t count, double* memory, element::ComponentForce* force) {
+  const element::Part part = element.law->part();
   for (std::size_t i = 0; i < count; ++i) {
     add(force[i], part, element.law->step(motion[i], memory + element.offset));
   }
@@ -291,8 +293,8 @@ double Component::behindMountAtRest(ComponentState& state, double displacement, 
 // Force of friction at the end of a trial step [N], from the memory of all elements of that kind.
 inline double Component::trialFriction(double specimen, const double* memory) const {
   double friction = 0.0;
-  for (const BergFriction& berg : bergs_) {
-    std::array<double, BergFriction::kMemorySize> trial;
+  for (const element::BergFriction& berg : bergs_) {
+    std::array<double, element::BergFriction::kMemorySize> trial;
     std::copy_n(memory, trial.size(), trial.begin());
     friction += berg.advance(specimen, trial.data());
     memory += trial.size();
@@ -306,8 +308,8 @@ inline Component::Line Component::lineOf(const ComponentState& state) const {
   double slope = state.dashpot_gain_;
   double held = 0.0;
   for (std::size_t i = 0; i < maxwells_; ++i) {
-    const MaxwellBlock& block = state.maxwell_blocks_[i / MaxwellBlock::kSize];
-    const std::size_t pair = i % MaxwellBlock::kSize / 2;
+    const kernel::MaxwellBlock& block = state.maxwell_blocks_[i / kernel::MaxwellBlock::kSize];
+    const std::size_t pair = i % kernel::MaxwellBlock::kSize / 2;
     slope += block.gain[pair][i % 2];
     held += block.decay[pair][i % 2] * state.memory_[i];
   }
@@ -319,7 +321,8 @@ inline double Component::forceAt(double specimen, Line line, const double* berg_
 }
 
 // Displacement of such a specimen behind a mount of this compliance.
-inline double Component::meet(Line line, double compliance, const ComponentState& state, const Motion& motion) const {
+inline double Component::meet(Line line, double compliance, const ComponentState& state,
+                              const element::Motion& motion) const {
   const double slope = 1.0 + compliance * line.slope;
   const double rest = compliance * line.held - motion.displacement;
   const double* berg_memory = state.memory_.data() + maxwells_;
@@ -337,11 +340,11 @@ inline double Component::meet(Line line, double compliance, const ComponentState
       state.memory_[behind_mount_slot_] + motion.increment, slope);
 }
 
-double Component::plainBehindMount(const ComponentState& state, const Motion& motion) const {
+double Component::plainBehindMount(const ComponentState& state, const element::Motion& motion) const {
   return meet(lineOf(state), mount_compliance_.tension, state, motion);
 }
 
-double Component::plainBehindUnevenMount(const ComponentState& state, const Motion& motion) const {
+double Component::plainBehindUnevenMount(const ComponentState& state, const element::Motion& motion) const {
   const Line line = lineOf(state);
   const double* berg_memory = state.memory_.data() + maxwells_;
   if (joints_.empty()) {
@@ -354,7 +357,7 @@ double Component::plainBehindUnevenMount(const ComponentState& state, const Moti
       state.memory_[behind_mount_slot_] + motion.increment);
 }
 
-double Component::behindMount(ComponentState& state, const Motion& motion) const {
+double Component::behindMount(ComponentState& state, const element::Motion& motion) const {
   if (specimen_.empty() && force_effects_.empty()) {
     return mount_is_linear_ ? plainBehindMount(state, motion) : plainBehindUnevenMount(state, motion);
   }
@@ -362,15 +365,15 @@ double Component::behindMount(ComponentState& state, const Motion& motion) const
   return solveSeries(
       [&](double specimen) {
         std::copy_n(state.memory_.begin(), trial_size_, state.scratch_.begin());
-        const Motion trial{motion.dt, specimen, specimen - before};
-        ComponentForce force;
+        const element::Motion trial{motion.dt, specimen, specimen - before};
+        element::ComponentForce force;
         specimenSteps(state, &trial, 1, state.scratch_.data(), &force);
         return specimen + mountDeflection(force.total) - motion.displacement;
       },
       before + motion.increment);
 }
 
-ComponentForce Component::settle(ComponentState& state, double displacement, bool as_new) const {
+element::ComponentForce Component::settle(ComponentState& state, double displacement, bool as_new) const {
   double* memory = state.memory_.data();
   double specimen = displacement;
   for (const auto& effect : displacement_effects_) {
@@ -383,7 +386,7 @@ ComponentForce Component::settle(ComponentState& state, double displacement, boo
     specimen = behindMountAtRest(state, specimen, as_new);
     memory[behind_mount_slot_] = specimen;
   }
-  ComponentForce force = specimenRest(specimen, as_new, memory);
+  element::ComponentForce force = specimenRest(specimen, as_new, memory);
   for (const auto& element : rig_) {
     add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
   }
@@ -392,15 +395,15 @@ ComponentForce Component::settle(ComponentState& state, double displacement, boo
   return force;
 }
 
-ComponentForce Component::rest(ComponentState& state, double displacement) const {
+element::ComponentForce Component::rest(ComponentState& state, double displacement) const {
   return settle(state, displacement, true);
 }
 
-ComponentForce Component::recover(ComponentState& state, double displacement) const {
+element::ComponentForce Component::recover(ComponentState& state, double displacement) const {
   return settle(state, displacement, false);
 }
 
-ComponentForce Component::fullStep(ComponentState& state, double dt, double displacement) const {
+element::ComponentForce Component::fullStep(ComponentState& state, double dt, double displacement) const {
   if (dt != state.prepared_dt_) {
     prepare(state, dt);
   }
@@ -408,7 +411,7 @@ ComponentForce Component::fullStep(ComponentState& state, double dt, double disp
     return leanStep(state, displacement);
   }
   if (!plain_) {
-    ComponentForce force;
+    element::ComponentForce force;
     stepsThroughEffects(state, dt, &displacement, 1, &force);
     return force;
   }
@@ -423,7 +426,7 @@ ComponentForce Component::fullStep(ComponentState& state, double dt, double disp
 }
 
 // Increments of displacements [m], the one before the first being kept in `last`.
-void Component::takeIncrements(Motion* motion, std::size_t count, double& last) {
+void Component::takeIncrements(element::Motion* motion, std::size_t count, double& last) {
   for (std::size_t i = 0; i < count; ++i) {
     motion[i].increment = motion[i].displacement - last;
     last = motion[i].displacement;
@@ -431,10 +434,10 @@ void Component::takeIncrements(Motion* motion, std::size_t count, double& last) 
 }
 
 void Component::stepsThroughEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
-                                    ComponentForce* force) const {
+                                    element::ComponentForce* force) const {
   double* memory = state.memory_.data();
-  std::array<Motion, kEffectBlock> actuator;
-  std::array<Motion, kEffectBlock> specimen;
+  std::array<element::Motion, kEffectBlock> actuator;
+  std::array<element::Motion, kEffectBlock> specimen;
   for (std::size_t i = 0; i < count; ++i) {
     actuator[i] = {dt, displacement[i], 0.0};
   }
@@ -465,9 +468,9 @@ void Component::stepsThroughEffects(ComponentState& state, double dt, const doub
 Tangent Component::tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const {
   constexpr double kDistance = 1e-8;  // [m]
   trial = state;
-  const ComponentForce above = step(trial, dt, displacement + kDistance);
+  const element::ComponentForce above = step(trial, dt, displacement + kDistance);
   trial = state;
-  const ComponentForce below = step(trial, dt, displacement - kDistance);
+  const element::ComponentForce below = step(trial, dt, displacement - kDistance);
   const double distance = (displacement + kDistance) - (displacement - kDistance);
   const double retained = (above.elastic - below.elastic) + (above.friction - below.friction);
   return {retained / distance, dt * (above.viscous - below.viscous) / distance};
@@ -518,4 +521,4 @@ std::optional<std::complex<double>> Component::complexStiffness(double frequency
   return total;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

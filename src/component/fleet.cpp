@@ -7,14 +7,15 @@
 #include <array>
 #include <stdexcept>
 
-#include "fleet_numbers.h"
+#include "component/fleet_numbers.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell_bank.h"
 #include "rubber_suspension/element/spring.h"
-#define RUBBER_SUSPENSION_KERNELS "fleet_kernels.h"
-#include "instruction_sets.h"
+#define RUBBER_SUSPENSION_LAYER component
+#define RUBBER_SUSPENSION_KERNELS "component/fleet_kernels.h"
+#include "kernel/instruction_sets.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 namespace {
 
 [[noreturn]] void refuse(std::size_t index, const std::string& reason) {
@@ -23,8 +24,8 @@ namespace {
 
 }  // namespace
 
-ComponentFleet::ComponentFleet(const std::vector<Component>& components) : size_(components.size()) {
-  for (const Component& component : components) {
+ComponentFleet::ComponentFleet(const std::vector<component::Component>& components) : size_(components.size()) {
+  for (const component::Component& component : components) {
     try {
       laws_.push_back(lawsOf(component));
     } catch (const std::invalid_argument& error) {
@@ -53,21 +54,21 @@ ComponentFleet::ComponentFleet(const std::vector<Component>& components) : size_
   rest(0.0);
 }
 
-ComponentFleet::Laws ComponentFleet::lawsOf(const Component& component) {
+ComponentFleet::Laws ComponentFleet::lawsOf(const component::Component& component) {
   Laws laws;
-  for (const ElementDescription& description : component.elements()) {
-    const ElementPointer element = makeElement(description);
-    const auto* parallel = std::get_if<std::shared_ptr<const ParallelElement>>(&element);
-    const ParallelElement* law = parallel != nullptr ? parallel->get() : nullptr;
-    if (const auto* spring = dynamic_cast<const Spring*>(law)) {
+  for (const element::ElementDescription& description : component.elements()) {
+    const element::ElementPointer element = element::makeElement(description);
+    const auto* parallel = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+    const element::ParallelElement* law = parallel != nullptr ? parallel->get() : nullptr;
+    if (const auto* spring = dynamic_cast<const element::Spring*>(law)) {
       laws.spring_stiffness += spring->stiffness();
-    } else if (const auto* dashpot = dynamic_cast<const Dashpot*>(law)) {
+    } else if (const auto* dashpot = dynamic_cast<const element::Dashpot*>(law)) {
       laws.damping += dashpot->damping();
-    } else if (const auto* maxwell = dynamic_cast<const Maxwell*>(law)) {
+    } else if (const auto* maxwell = dynamic_cast<const element::Maxwell*>(law)) {
       laws.maxwells.push_back(*maxwell);
-    } else if (const auto* bank = dynamic_cast<const MaxwellBank*>(law)) {
+    } else if (const auto* bank = dynamic_cast<const element::MaxwellBank*>(law)) {
       laws.maxwells.insert(laws.maxwells.end(), bank->elements().begin(), bank->elements().end());
-    } else if (const auto* berg = dynamic_cast<const BergFriction*>(law)) {
+    } else if (const auto* berg = dynamic_cast<const element::BergFriction*>(law)) {
       laws.bergs.push_back(*berg);
     } else {
       throw std::invalid_argument(description.type + "; accepted: springs, dashpots, Maxwell elements, Berg friction");
@@ -88,11 +89,11 @@ void ComponentFleet::rest(double displacement) {
   for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
     number(lane, kDisplacement) = displacement;
     number(lane, kSpring) = laws_[lane].spring_stiffness;
-    for (const BergFriction& berg : laws_[lane].bergs) {
+    for (const element::BergFriction& berg : laws_[lane].bergs) {
       number(lane, kMaximumForce) = berg.maximumForce();
       number(lane, kCompliance) = berg.compliance();
       number(lane, kDeadBand) = berg.deadBand();
-      std::array<double, BergFriction::kMemorySize> memory{};
+      std::array<double, element::BergFriction::kMemorySize> memory{};
       berg.rest(displacement, memory.data());
       for (std::size_t k = 0; k < memory.size(); ++k) {
         number(lane, kReferenceDisplacement + k) = memory[k];
@@ -107,8 +108,8 @@ void ComponentFleet::prepare(double dt) {
   for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
     number(lane, kDashpot) = laws_[lane].damping / dt;
     for (std::size_t k = 0; k < maxwells_; ++k) {
-      const Maxwell& maxwell = laws_[lane].maxwells[k];
-      const MaxwellStep step(maxwell.stiffness(), Relaxation::over(dt * maxwell.rate()));
+      const element::Maxwell& maxwell = laws_[lane].maxwells[k];
+      const element::MaxwellStep step(maxwell.stiffness(), element::Relaxation::over(dt * maxwell.rate()));
       number(lane, kFirstMaxwell + kMaxwellRows * k + kDecay) = step.decay;
       number(lane, kFirstMaxwell + kMaxwellRows * k + kGain) = step.gain;
     }
@@ -182,4 +183,4 @@ void ComponentFleet::simulateBlock(const double* displacement, std::size_t count
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

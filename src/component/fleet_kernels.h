@@ -1,5 +1,5 @@
 // The steps of a fleet, for one kind of processor: the laws are those of Component::step. See instruction_sets.h.
-#include "lanes.h"
+#include "kernel/lanes.h"
 
 // Some lanes of the rows of eight components, as many as a vector has.
 class Group {

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/component/fleet.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 constexpr std::size_t kLanes = sizeof(LaneRow) / sizeof(double);
 
@@ -67,14 +67,14 @@ struct LogBlock {
   }
 
   /// Fills in what friction needs, from an element of friction whose motion is that of all, and from its group.
-  void findStretches(const BergFriction& berg, const LaneRow* group) {
-    std::array<double, BergFriction::kMemorySize> memory{};
+  void findStretches(const element::BergFriction& berg, const LaneRow* group) {
+    std::array<double, element::BergFriction::kMemorySize> memory{};
     for (std::size_t k = 0; k < memory.size(); ++k) {
       memory[k] = group[kReferenceDisplacement + k].lane[0];
     }
     Stretch* next = stretch;
     for (std::size_t i = 0; i < size;) {
-      const double turning_point = memory[BergFriction::kExtremum];
+      const double turning_point = memory[element::BergFriction::kExtremum];
       std::size_t end = i + berg.followUntilTurn(displacement + i, size - i, memory.data());
       const bool turns = end == i;
       if (turns) {
@@ -83,15 +83,15 @@ struct LogBlock {
       }
       bool begins = turns;
       while (i < end) {
-        *next++ = sameSide(i, end, memory[BergFriction::kReferenceDisplacement]);
+        *next++ = sameSide(i, end, memory[element::BergFriction::kReferenceDisplacement]);
         next[-1].turns = begins;
         next[-1].turning_point = turning_point;
         begins = false;
         i = next[-1].end;
       }
     }
-    extremum = memory[BergFriction::kExtremum];
-    direction = memory[BergFriction::kDirection];
+    extremum = memory[element::BergFriction::kExtremum];
+    direction = memory[element::BergFriction::kDirection];
   }
 
  private:
@@ -106,4 +106,4 @@ struct LogBlock {
   }
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

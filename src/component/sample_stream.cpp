@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubber_suspension/component/sample_checks.h"
+#include "kernel/sample_checks.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 namespace {
 
 constexpr double kLongestGap = 9e9;  // [s], what fits into signed nanoseconds
@@ -84,16 +84,16 @@ void SampleStream::goBack() {
   }
 }
 
-ComponentForce SampleStream::rest(double displacement) {
+element::ComponentForce SampleStream::rest(double displacement) {
   save();
-  const ComponentForce force = component_.rest(state_, displacement);
+  const element::ComponentForce force = component_.rest(state_, displacement);
   if (std::isfinite(force.total)) {
     save();
   }
   return force;
 }
 
-inline ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
+inline element::ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
   if (!started_ || verdict == Verdict::restarted) {
     return rest(displacement);
   }
@@ -132,7 +132,7 @@ std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displ
   const std::uint64_t step = between(last_stamp_, stamp[0]);
   std::size_t size = 1;
   const std::size_t most = std::min(kMost, count);
-  while (size + kTogether <= most && allEven(stamp + size - 1, kTogether, step)) {
+  while (size + kTogether <= most && kernel::allEven(stamp + size - 1, kTogether, step)) {
     size += kTogether;
   }
   while (size < most && between(stamp[size - 1], stamp[size]) == step && stamp[size] > stamp[size - 1]) {
@@ -143,12 +143,12 @@ std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displ
 
 // False, and nothing has happened, where a displacement or a force is not finite.
 bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force) {
-  if (!allFinite(displacement, count)) {
+  if (!kernel::allFinite(displacement, count)) {
     return false;
   }
   save();
   component_.simulate(state_, secondsBetween(last_stamp_, stamp[0]), displacement, count, force);
-  if (!allFinite(force, count)) {
+  if (!kernel::allFinite(force, count)) {
     goBack();
     return false;
   }
@@ -190,4 +190,4 @@ void SampleStream::restore(std::int64_t last_stamp, double displacement, const s
   started_ = true;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

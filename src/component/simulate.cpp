@@ -5,13 +5,13 @@
 
 #include "rubber_suspension/component/component.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 namespace {
 
 // Samples. The Maxwell elements wait for their own last forces; the processor fills that time with what else there is
 // to do for a block, if the block is short enough for it to see that.
 constexpr std::size_t kSimulationBlock = 32;
-constexpr std::size_t kMostMaxwells = MaxwellBlock::kSize;
+constexpr std::size_t kMostMaxwells = kernel::MaxwellBlock::kSize;
 
 // Steps of springs, dashpots, Maxwell elements and Berg friction alone.
 struct PlainSteps {
@@ -22,20 +22,21 @@ struct PlainSteps {
   double spring_stiffness;
   double dashpot_gain;
   std::size_t maxwells;
-  const MaxwellBlock* maxwell;
+  const kernel::MaxwellBlock* maxwell;
   double* maxwell_force;
   std::size_t bergs;
-  const BergFriction* berg;
+  const element::BergFriction* berg;
   double* berg_memory;
 };
 
 }  // namespace
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component
 
-#define RUBBER_SUSPENSION_KERNELS "simulate_kernels.h"
-#include "instruction_sets.h"
+#define RUBBER_SUSPENSION_LAYER component
+#define RUBBER_SUSPENSION_KERNELS "kernel/simulate_kernels.h"
+#include "kernel/instruction_sets.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 void Component::simulate(ComponentState& state, double dt, const double* displacement, std::size_t count,
                          double* force) const {
@@ -59,13 +60,13 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
 
 void Component::simulateEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
                                 double* force) const {
-  std::array<ComponentForce, kEffectBlock> forces;
+  std::array<element::ComponentForce, kEffectBlock> forces;
   for (std::size_t first = 0; first < count; first += kEffectBlock) {
     const std::size_t size = std::min(kEffectBlock, count - first);
     stepsThroughEffects(state, dt, displacement + first, size, forces.data());
     std::transform(forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(size), force + first,
-                   [](const ComponentForce& parts) { return parts.total; });
+                   [](const element::ComponentForce& parts) { return parts.total; });
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 TrialStepper::TrialStepper(const Component& component)
     : component_(component), accepted_(component.makeState()), trial_(component.makeState()) {
@@ -20,13 +20,13 @@ double TrialStepper::since(double time) const {
   return time - time_;
 }
 
-ComponentForce TrialStepper::rest(double time, double displacement) {
+element::ComponentForce TrialStepper::rest(double time, double displacement) {
   time_ = time;
   force_ = component_.rest(accepted_, displacement);
   return force_;
 }
 
-ComponentForce TrialStepper::attempt(double time, double displacement) {
+element::ComponentForce TrialStepper::attempt(double time, double displacement) {
   const double dt = since(time);
   if (dt == 0.0) {
     return force_;
@@ -44,7 +44,7 @@ Tangent TrialStepper::tangent(double time, double displacement) {
   return component_.tangent(accepted_, dt, displacement, trial_);
 }
 
-ComponentForce TrialStepper::accept(double time, double displacement) {
+element::ComponentForce TrialStepper::accept(double time, double displacement) {
   const double dt = since(time);
   if (dt > 0.0) {
     force_ = component_.step(accepted_, dt, displacement);
@@ -53,4 +53,4 @@ ComponentForce TrialStepper::accept(double time, double displacement) {
   return force_;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

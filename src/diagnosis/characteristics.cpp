@@ -1,11 +1,11 @@
 // Errors of stiffness, loss angle and energy per cycle.
-#include "characteristics.h"
+#include "diagnosis/characteristics.h"
 
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kWindow = 4.0;  // [s]
@@ -50,13 +50,13 @@ Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
 
 }  // namespace
 
-CharacteristicErrors characteristicErrors(const std::vector<Record>& records,
+CharacteristicErrors characteristicErrors(const std::vector<log::Record>& records,
                                           const std::vector<Eigen::VectorXd>& simulated) {
   CharacteristicErrors sum;
   double windows = 0.0;
   double energy_reference = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Record& record = records[r];
+    const log::Record& record = records[r];
     const auto count = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() / kWindow));
     for (Eigen::Index w = 0; w < count; ++w) {
       const Eigen::Index first = record.size() * w / count;
@@ -84,4 +84,4 @@ CharacteristicErrors characteristicErrors(const std::vector<Record>& records,
   return sum;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

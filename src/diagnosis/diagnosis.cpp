@@ -12,15 +12,15 @@
 #include <numeric>
 #include <random>
 
-#include "characteristics.h"
-#include "rubber_suspension/diagnosis/bounded_least_squares.h"
+#include "diagnosis/characteristics.h"
 #include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/experiment.h"
 #include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/diagnosis/parallel.h"
 #include "rubber_suspension/diagnosis/verdict.h"
+#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "rubber_suspension/fit/parallel.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 // Squared error of a block of a log in units of its force's variance, and its share of all samples.
@@ -41,7 +41,7 @@ double rootMeanSquare(const std::vector<BlockError>& blocks) {
   return std::sqrt(sum / weight);
 }
 
-std::vector<BlockError> blocksOfFit(const Fit& fit) {
+std::vector<BlockError> blocksOfFit(const fit::Fit& fit) {
   std::vector<BlockError> blocks;
   for (std::size_t b = 0; b < fit.block_errors.size(); ++b) {
     blocks.push_back({fit.block_errors[b], fit.block_weights[b]});
@@ -49,11 +49,11 @@ std::vector<BlockError> blocksOfFit(const Fit& fit) {
   return blocks;
 }
 
-std::vector<BlockError> blocksOfReplay(const std::vector<Record>& records, const Forces& forces) {
+std::vector<BlockError> blocksOfReplay(const std::vector<log::Record>& records, const Forces& forces) {
   constexpr Eigen::Index kBlocks = 10;
   std::vector<BlockError> blocks;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Record& record = records[r];
+    const log::Record& record = records[r];
     for (Eigen::Index b = 0; b < kBlocks; ++b) {
       const Eigen::Index first = record.size() * b / kBlocks;
       const Eigen::Index count = record.size() * (b + 1) / kBlocks - first;
@@ -65,13 +65,13 @@ std::vector<BlockError> blocksOfReplay(const std::vector<Record>& records, const
   return blocks;
 }
 
-Eigen::VectorXd asRecorded(const Record& record) { return record.raw_displacement; }
+Eigen::VectorXd asRecorded(const log::Record& record) { return record.raw_displacement; }
 
 // Each log on a new specimen at rest, from the displacement as recorded: what `replay` and the node compute.
-Forces replayEach(const std::vector<ElementDescription>& elements, const std::vector<Record>& records) {
+Forces replayEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records) {
   Forces forces;
-  for (const Record& record : records) {
-    forces.push_back(simulate(elements, {record}, asRecorded).front());
+  for (const log::Record& record : records) {
+    forces.push_back(fit::simulate(elements, {record}, asRecorded).front());
   }
   return forces;
 }
@@ -112,9 +112,9 @@ std::array<double, 2> closedInterval(const std::vector<BlockError>& before, cons
 }
 
 // What mounts of either side have in common as one mount, and one for the rest of the softer side.
-void writeCommonPartOfMounts(std::vector<ElementDescription>& entries) {
+void writeCommonPartOfMounts(std::vector<element::ElementDescription>& entries) {
   const auto mountOf = [&](double side) {
-    return std::find_if(entries.begin(), entries.end(), [&](const ElementDescription& entry) {
+    return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {
       return entry.type == "series_compliance" && entry.values.count("side") != 0 && entry.value("side") == side;
     });
   };
@@ -136,15 +136,15 @@ void writeCommonPartOfMounts(std::vector<ElementDescription>& entries) {
 }
 
 // The entries of a fitted trial as a user would write them: sliders of one friction in one table.
-std::vector<ElementDescription> entriesOf(const Trial& trial) {
-  std::vector<ElementDescription> entries;
-  ElementDescription sliders{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
+std::vector<element::ElementDescription> entriesOf(const Trial& trial) {
+  std::vector<element::ElementDescription> entries;
+  element::ElementDescription sliders{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   for (std::size_t a = 0; a < trial.atoms.size(); ++a) {
     const double scale = trial.fit.point.scales[static_cast<Eigen::Index>(a)];
     if (scale == 0.0) {
       continue;
     }
-    const ElementDescription entry = trial.atoms[a].at(scale);
+    const element::ElementDescription entry = trial.atoms[a].at(scale);
     if (entry.type == sliders.type) {
       for (auto& [name, values] : sliders.values) {
         values.push_back(entry.value(name));
@@ -161,9 +161,9 @@ std::vector<ElementDescription> entriesOf(const Trial& trial) {
 }
 
 // Headline numbers of an effect for the report; all of them are in `add`.
-std::map<std::string, double> parametersOf(const std::vector<ElementDescription>& entries) {
+std::map<std::string, double> parametersOf(const std::vector<element::ElementDescription>& entries) {
   std::map<std::string, double> result;
-  for (const ElementDescription& entry : entries) {
+  for (const element::ElementDescription& entry : entries) {
     if (entry.type == "iwan_table") {
       double force = 0.0;
       for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
@@ -183,7 +183,7 @@ std::map<std::string, double> parametersOf(const std::vector<ElementDescription>
   return result;
 }
 
-double meanFrequency(const Record& record) {
+double meanFrequency(const log::Record& record) {
   const Eigen::Index steps = record.size() - 1;
   const double rate = std::sqrt((record.displacement.tail(steps) - record.displacement.head(steps)).squaredNorm() /
                                 static_cast<double>(steps)) /
@@ -194,10 +194,10 @@ double meanFrequency(const Record& record) {
 
 // What each log alone would make of the model's own parameters, by one Gauss-Newton step from the joint fit. Directions
 // that a log hardly determines stay near the joint fit: a prior of 10 % keeps them there.
-std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joint) {
+std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit::Fit& joint) {
   constexpr double kPrior = 0.1;
   std::vector<ParameterByLog> result;
-  const BlockGrams blocks = fitter.linearise(joint.point, {}, false);
+  const fit::BlockGrams blocks = fitter.linearise(joint.point, {}, false);
   const Eigen::Index own = fitter.own().size();
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(own + 1, own + 1);
@@ -210,8 +210,8 @@ std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joi
     Eigen::MatrixXd normal = gram.topLeftCorner(own, own);
     normal.diagonal().array() += variance / (kPrior * kPrior) / 100.0;
     const Eigen::VectorXd infinite = Eigen::VectorXd::Constant(own, 2.0);
-    const Eigen::VectorXd step = boundedLeastSquares(normal, gram.col(own).head(own), -infinite, infinite);
-    const Record& record = fitter.records()[r];
+    const Eigen::VectorXd step = fit::boundedLeastSquares(normal, gram.col(own).head(own), -infinite, infinite);
+    const log::Record& record = fitter.records()[r];
     ParameterByLog row;
     row.log = record.name;
     row.amplitude = std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
@@ -222,14 +222,14 @@ std::vector<ParameterByLog> parametersByLog(const Fitter& fitter, const Fit& joi
   return result;
 }
 
-std::vector<Record> makeRecords(const std::vector<Log>& logs, int threads) {
-  std::vector<Record> records(logs.size());
-  parallelFor(logs.size(), threads, [&](std::size_t i) { records[i] = makeRecord(logs[i]); });
+std::vector<log::Record> makeRecords(const std::vector<log::Log>& logs, int threads) {
+  std::vector<log::Record> records(logs.size());
+  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { records[i] = log::makeRecord(logs[i]); });
   return records;
 }
 
-ComponentDescription augmentedDescription(const OwnParameters& own, const Trial& trial) {
-  ComponentDescription result = own.apply(trial.fit.point.own);
+io::ComponentDescription augmentedDescription(const fit::OwnParameters& own, const Trial& trial) {
+  io::ComponentDescription result = own.apply(trial.fit.point.own);
   const auto entries = entriesOf(trial);
   result.add.insert(result.add.end(), entries.begin(), entries.end());
   return result;
@@ -237,7 +237,7 @@ ComponentDescription augmentedDescription(const OwnParameters& own, const Trial&
 
 // Share of a log whose displacement repeats what it did one period before, the period being where the displacement
 // resembles itself best; repeats let noise be told from error without a model.
-double repeatsOf(const Record& record) {
+double repeatsOf(const log::Record& record) {
   constexpr double kSame = 0.05;  // difference over deviation that counts as a repeat
   constexpr Eigen::Index kCoarse = 1024;
   const Eigen::Index stride = std::max<Eigen::Index>(1, record.size() / kCoarse);
@@ -258,7 +258,7 @@ double repeatsOf(const Record& record) {
   return best;
 }
 
-Admission admit(const Record& record, bool hold_out, double noise) {
+Admission admit(const log::Record& record, bool hold_out, double noise) {
   Admission admission;
   admission.log = record.name;
   admission.hold_out = hold_out;
@@ -274,14 +274,14 @@ Admission admit(const Record& record, bool hold_out, double noise) {
 
 class Diagnoser {
  public:
-  Diagnoser(const ComponentDescription& component, const std::vector<Log>& logs, const std::vector<Log>& hold_out,
-            const DiagnosisOptions& options)
+  Diagnoser(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
+            const std::vector<log::Log>& hold_out, const DiagnosisOptions& options)
       : options_(options),
         component_(component),
         training_(makeRecords(logs, options.threads)),
         held_out_(makeRecords(hold_out, options.threads)),
-        own_(component, Level::specification),
-        own_elements_(component, Level::elements),
+        own_(component, fit::Level::specification),
+        own_elements_(component, fit::Level::elements),
         fitter_(training_, own_),
         element_fitter_(training_, own_elements_) {}
 
@@ -313,18 +313,19 @@ class Diagnoser {
     result_.records = training_;
     result_.records.insert(result_.records.end(), held_out_.begin(), held_out_.end());
     result_.training = training_.size();
-    const auto all = [&](const ComponentDescription& description) {
+    const auto all = [&](const io::ComponentDescription& description) {
       const auto elements = description.allElements();
-      Forces forces = simulate(elements, training_, asRecorded);
+      Forces forces = fit::simulate(elements, training_, asRecorded);
       const Forces unseen = replayEach(elements, held_out_);
       forces.insert(forces.end(), unseen.begin(), unseen.end());
       return forces;
     };
-    const std::array<std::pair<const ComponentDescription*, Forces*>, 3> models = {
+    const std::array<std::pair<const io::ComponentDescription*, Forces*>, 3> models = {
         {{&component_, &result_.force_configured},
          {&result_.re_estimated, &result_.force_re_estimated},
          {&result_.augmented, &result_.force_augmented}}};
-    parallelFor(models.size(), options_.threads, [&](std::size_t i) { *models[i].second = all(*models[i].first); });
+    fit::parallelFor(models.size(), options_.threads,
+                     [&](std::size_t i) { *models[i].second = all(*models[i].first); });
   }
 
   // A trend follows whatever is slow, creep for one, but foresees nothing: where effects without a trend close half of
@@ -426,12 +427,12 @@ class Diagnoser {
 
   double unseenGap(const Trial& trial) const {
     Forces forces;
-    for (const Record& record : held_out_) {
-      std::vector<Atom> atoms = trial.atoms;
-      for (Atom& atom : atoms) {
+    for (const log::Record& record : held_out_) {
+      std::vector<fit::Atom> atoms = trial.atoms;
+      for (fit::Atom& atom : atoms) {
         atom.unit_effect = atom.exact ? std::make_shared<const Forces>(Forces{atom.exact(record)}) : nullptr;
       }
-      forces.push_back(Fitter({record}, own_).forces(trial.fit.point, atoms)->front());
+      forces.push_back(fit::Fitter({record}, own_).forces(trial.fit.point, atoms)->front());
     }
     return rootMeanSquare(blocksOfReplay(held_out_, forces));
   }
@@ -462,7 +463,7 @@ class Diagnoser {
         std::min(1.0, closedFraction(result_.gap.re_estimated, result_.gap.augmented, result_.gap.noise_floor));
     result_.closed_interval = closedInterval(before_, after_, result_.gap.noise_floor, options_);
     result_.admission.resize(noise.size());
-    parallelFor(noise.size(), options_.threads, [&](std::size_t r) {
+    fit::parallelFor(noise.size(), options_.threads, [&](std::size_t r) {
       result_.admission[r] = admit(result_.records[r], r >= training_.size(), noise[r]);
     });
     mapGap();
@@ -473,14 +474,14 @@ class Diagnoser {
     std::vector<double> floors = frictionNoise(result_.augmented.allElements(), held_out_);
     for (std::size_t r = 0; r < held_out_.size(); ++r) {
       const Eigen::VectorXd left = held_out_[r].force - result_.force_augmented[training_.size() + r];
-      floors[r] = std::max(whiteNoiseFloor(held_out_[r], left), floors[r]);
+      floors[r] = std::max(log::whiteNoiseFloor(held_out_[r], left), floors[r]);
     }
     return floors;
   }
 
   // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
   void mapGap() {
-    const std::vector<Record>& records = held_out_.empty() ? training_ : held_out_;
+    const std::vector<log::Record>& records = held_out_.empty() ? training_ : held_out_;
     const auto of = [&](const Forces& forces) { return held_out_.empty() ? forces : unseen(forces); };
     const std::array<std::function<void()>, 3> tasks = {
         [&] { result_.errors_before = characteristicErrors(records, of(result_.force_re_estimated)); },
@@ -490,15 +491,15 @@ class Diagnoser {
           for (std::size_t r = 0; r < training_.size(); ++r) {
             residual.push_back(training_[r].force - result_.force_configured[r]);
           }
-          result_.where = gapMap(training_, residual, result_.search.record_noise);
+          result_.where = gap::gapMap(training_, residual, result_.search.record_noise);
         }};
-    parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
+    fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
   void describeCandidates() {
     result_.candidates.resize(result_.search.candidates.size());
-    parallelFor(result_.candidates.size(), options_.threads,
-                [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
+    fit::parallelFor(result_.candidates.size(), options_.threads,
+                     [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
                      [](const CandidateResult& a, const CandidateResult& b) {
                        return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
@@ -530,7 +531,7 @@ class Diagnoser {
   }
 
   void describeOwnParameters() {
-    const Fit& joint = result_.search.re_estimated.fit;
+    const fit::Fit& joint = result_.search.re_estimated.fit;
     result_.own_ratios = own_.ratios(joint.point.own);
     result_.by_log = parametersByLog(fitter_, joint);
   }
@@ -612,15 +613,16 @@ class Diagnoser {
   std::string sentence() const {
     const Gap& gap = result_.gap;
     const std::string closes = fmt::format(
-        "adding {} closes {:.0f} % of what own parameters leave (gap {:.1f} % to {:.1f} %, noise floor {:.1f} %)",
+        "adding {} closes {:.0f} % of what re-estimation leaves (gap {:.1f} % to {:.1f} %, noise floor {:.1f} %)",
         namesText(), 100.0 * result_.closed, 100.0 * gap.re_estimated, 100.0 * gap.augmented, 100.0 * gap.noise_floor);
     switch (verdict_.kind) {
       case VerdictKind::none:
-        return fmt::format("The model meets the measurement: the gap of {:.1f} % is at the noise floor of {:.1f} %.",
-                           100.0 * gap.as_configured, 100.0 * gap.noise_floor);
+        return fmt::format(
+            "The model agrees with the measurement: the gap of {:.1f} % is at the noise floor of {:.1f} %.",
+            100.0 * gap.as_configured, 100.0 * gap.noise_floor);
       case VerdictKind::parameter_error:
         return fmt::format(
-            "The model's own values are off: re-estimating them takes the gap from {:.1f} % to {:.1f} %.",
+            "The model's parameters are off: re-estimating them reduces the gap from {:.1f} % to {:.1f} %.",
             100.0 * gap.as_configured, 100.0 * gap.re_estimated);
       case VerdictKind::named:
         return fmt::format("The model lacks {}: {}.", namesText(), closes);
@@ -628,30 +630,31 @@ class Diagnoser {
         return fmt::format("The model most probably lacks {}: {}. These logs cannot tell apart: {}.", namesText(),
                            closes, setsText());
       case VerdictKind::partly:
-        return fmt::format("The model lacks {}, and something else: {}; a significant rest is not explained.",
-                           namesText(), closes);
+        return fmt::format(
+            "The model lacks {}, and something else: {}; a significant part of the gap remains unexplained.",
+            namesText(), closes);
       default:
         if (only_unseen_logs_differ_) {
           return fmt::format(
-              "The logs of the fit bear the model out, the unseen ones do not (gap {:.1f} %, noise floor {:.1f} %): "
-              "they "
-              "show something that the others lack. Fit logs that go as far.",
+              "The logs of the fit confirm the model, the unseen ones do not (gap {:.1f} %, noise floor {:.1f} %): "
+              "they show "
+              "something that the logs of the fit do not. Fit logs that cover the same range.",
               100.0 * gap.augmented, 100.0 * gap.noise_floor);
         }
         return fmt::format(
             "The gap of {:.1f} % is real (noise floor {:.1f} %) and no effect of the list explains it: {}",
-            100.0 * gap.re_estimated, 100.0 * gap.noise_floor, "see where it lies before trusting the model there.");
+            100.0 * gap.re_estimated, 100.0 * gap.noise_floor, "see where it lies before you trust the model there.");
     }
   }
 
   const DiagnosisOptions& options_;
-  const ComponentDescription& component_;
-  std::vector<Record> training_;
-  std::vector<Record> held_out_;
-  OwnParameters own_;
-  OwnParameters own_elements_;
-  Fitter fitter_;
-  Fitter element_fitter_;
+  const io::ComponentDescription& component_;
+  std::vector<log::Record> training_;
+  std::vector<log::Record> held_out_;
+  fit::OwnParameters own_;
+  fit::OwnParameters own_elements_;
+  fit::Fitter fitter_;
+  fit::Fitter element_fitter_;
   Verdict verdict_;
   std::vector<BlockError> before_;
   std::vector<BlockError> after_;
@@ -661,12 +664,12 @@ class Diagnoser {
 
 }  // namespace
 
-Diagnosis diagnose(const ComponentDescription& component, const std::vector<Log>& logs,
-                   const std::vector<Log>& hold_out, const DiagnosisOptions& options) {
+Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
+                   const std::vector<log::Log>& hold_out, const DiagnosisOptions& options) {
   if (logs.empty()) {
-    throw LogError("no log: a diagnosis needs at least one");
+    throw log::LogError("no log: a diagnosis needs at least one");
   }
   return Diagnoser(component, logs, hold_out, options).run();
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -5,14 +5,14 @@
 
 #include <set>
 
-#include "rubber_suspension/diagnosis/candidate.h"
+#include "rubber_suspension/fit/candidate.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 // A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute; which elements a candidate takes does not depend on it.
-Excitation typicalExcitation() {
-  Excitation excitation;
+fit::Excitation typicalExcitation() {
+  fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;
   excitation.stiffness = 3e6;
   excitation.force = 4e3;
@@ -24,9 +24,9 @@ Excitation typicalExcitation() {
   return excitation;
 }
 
-std::string elementsOf(const Candidate& candidate) {
+std::string elementsOf(const fit::Candidate& candidate) {
   std::set<std::string> types;
-  for (const Atom& atom : candidate.atoms) {
+  for (const fit::Atom& atom : candidate.atoms) {
     types.insert(atom.at(atom.typical).type);
   }
   std::string text;
@@ -45,11 +45,11 @@ std::string effectReference() {
       "is\nin [parameters.md](parameters.md), how the search works in [diagnosis.md](diagnosis.md). An effect of the "
       "rig is one of\nthe measurement and not of the rubber: it explains a gap, and does not belong into a vehicle.\n\n"
       "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
-  for (const Candidate& candidate : candidates(typicalExcitation())) {
+  for (const fit::Candidate& candidate : fit::candidates(typicalExcitation())) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
                         candidate.documentation, elementsOf(candidate));
   }
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

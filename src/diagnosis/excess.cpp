@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kFloorMargin = 1.03;        // the floor is known to some percent only
@@ -90,4 +90,4 @@ const Trial* hiddenEffect(const Search& search) {
   return best;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

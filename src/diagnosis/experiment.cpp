@@ -8,7 +8,7 @@
 
 #include "rubber_suspension/component/component.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -23,11 +23,11 @@ Experiment make(const std::string& description, double length, double dt, Law di
 }
 
 // Steps that resolve the motion; no finer than the logs.
-double stepFor(const Excitation& excitation, double frequency) {
+double stepFor(const fit::Excitation& excitation, double frequency) {
   return std::max(excitation.dt, 1.0 / (200.0 * frequency));
 }
 
-void addSines(const Excitation& excitation, std::vector<Experiment>& menu) {
+void addSines(const fit::Excitation& excitation, std::vector<Experiment>& menu) {
   for (const double part : {0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * excitation.highest_frequency;
@@ -41,14 +41,14 @@ void addSines(const Excitation& excitation, std::vector<Experiment>& menu) {
 }
 
 // The fastest sine of full stroke that the rig has shown to be able to run.
-double fullStrokeFrequency(const Excitation& excitation) {
+double fullStrokeFrequency(const fit::Excitation& excitation) {
   return std::min(excitation.highest_frequency,
                   excitation.highest_rate / (2.0 * kPi * excitation.largest_displacement));
 }
 
 }  // namespace
 
-std::vector<Experiment> experimentMenu(const Excitation& excitation) {
+std::vector<Experiment> experimentMenu(const fit::Excitation& excitation) {
   const double z = excitation.largest_displacement;
   const double frequency = fullStrokeFrequency(excitation);
   const double dt = stepFor(excitation, frequency);
@@ -75,14 +75,14 @@ std::vector<Experiment> experimentMenu(const Excitation& excitation) {
   return menu;
 }
 
-Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vector<ElementDescription>& one,
-                           const std::vector<ElementDescription>& other, double noise) {
-  const Component first(one);
-  const Component second(other);
+Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vector<element::ElementDescription>& one,
+                           const std::vector<element::ElementDescription>& other, double noise) {
+  const component::Component first(one);
+  const component::Component second(other);
   Discrimination best;
   for (const Experiment& experiment : menu) {
-    ComponentState a = first.makeState();
-    ComponentState b = second.makeState();
+    component::ComponentState a = first.makeState();
+    component::ComponentState b = second.makeState();
     first.rest(a, experiment.displacement[0]);
     second.rest(b, experiment.displacement[0]);
     double sum = 0.0;
@@ -98,4 +98,4 @@ Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vecto
   return best;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

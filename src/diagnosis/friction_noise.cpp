@@ -5,20 +5,20 @@
 #include <array>
 #include <cmath>
 
-#include "rubber_suspension/diagnosis/hypothesis.h"
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/fit/hypothesis.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 // Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
-std::vector<ElementDescription> bergFriction(const std::vector<ElementDescription>& elements, double noise,
-                                             double dead_band_factor) {
+std::vector<element::ElementDescription> bergFriction(const std::vector<element::ElementDescription>& elements,
+                                                      double noise, double dead_band_factor) {
   constexpr double kOfNoise = 4.0;
-  std::vector<ElementDescription> result;
-  for (const ElementDescription& element : elements) {
+  std::vector<element::ElementDescription> result;
+  for (const element::ElementDescription& element : elements) {
     if (element.type == "friction") {
-      result.push_back(complete(element));
+      result.push_back(element::complete(element));
       double& dead_band = result.back().values.at("dead_band").front();
       dead_band = dead_band_factor * (dead_band > 0.0 ? dead_band : kOfNoise * noise);
     }
@@ -28,10 +28,11 @@ std::vector<ElementDescription> bergFriction(const std::vector<ElementDescriptio
 
 }  // namespace
 
-std::vector<double> frictionNoise(const std::vector<ElementDescription>& elements, const std::vector<Record>& records) {
+std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
+                                  const std::vector<log::Record>& records) {
   constexpr std::array<double, 3> kVariants = {0.7, 1.0, 1.4};  // factors of the dead band
   double noise = 0.0;
-  for (const Record& record : records) {
+  for (const log::Record& record : records) {
     noise = std::max(noise, record.displacement_noise);
   }
   std::vector<double> result(records.size(), 0.0);
@@ -39,12 +40,12 @@ std::vector<double> frictionNoise(const std::vector<ElementDescription>& element
   if (friction.empty()) {
     return result;
   }
-  const auto plain = simulate(friction, records);
+  const auto plain = fit::simulate(friction, records);
   unsigned draw = 0;
   for (const double factor : kVariants) {
     ++draw;
-    const auto noisy = simulate(bergFriction(elements, noise, factor), records,
-                                [draw](const Record& record) { return withNoiseDrawn(record, draw); });
+    const auto noisy = fit::simulate(bergFriction(elements, noise, factor), records,
+                                     [draw](const log::Record& record) { return log::withNoiseDrawn(record, draw); });
     for (std::size_t r = 0; r < plain.size(); ++r) {
       result[r] += (noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()) / kVariants.size();
     }
@@ -55,4 +56,4 @@ std::vector<double> frictionNoise(const std::vector<ElementDescription>& element
   return result;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

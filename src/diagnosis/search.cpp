@@ -11,9 +11,9 @@
 
 #include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/diagnosis/parallel.h"
+#include "rubber_suspension/fit/parallel.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr int kBaseIterations = 14;
@@ -24,7 +24,7 @@ constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 
-Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+Trial makeTrial(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
   Trial trial;
   trial.members = members;
   for (const int member : members) {
@@ -35,12 +35,12 @@ Trial makeTrial(const std::vector<Candidate>& candidates, const std::vector<int>
 }
 
 bool allAdditive(const Trial& trial) {
-  return std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const Atom& atom) { return atom.additive; });
+  return std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const fit::Atom& atom) { return atom.additive; });
 }
 
 constexpr double kFar = 0.2;  // a logarithm of an own parameter: far enough for a second start from the configured ones
 
-void keepBetter(Fit fit, Trial& trial) {
+void keepBetter(fit::Fit fit, Trial& trial) {
   if (trial.fit.block_errors.empty() || fit.score() < trial.fit.score()) {
     trial.fit = std::move(fit);
   }
@@ -48,11 +48,11 @@ void keepBetter(Fit fit, Trial& trial) {
 
 // A single effect, from where the own parameters alone arrived, and from where it gets with the configured ones kept if
 // these are far from there or if it changes what the others do; in the latter case from no effect, too.
-void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& re_estimated,
+void fitSingle(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& re_estimated,
                Trial& trial) {
   const bool trends = hasTrends(candidates, trial.members);
-  const Point configured = fitter.configured(trial.atoms.size());
-  Point start = configured;
+  const fit::Point configured = fitter.configured(trial.atoms.size());
+  fit::Point start = configured;
   start.own = re_estimated.fit.point.own;
   keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
   const bool far = start.furthestMove() > kFar;
@@ -67,16 +67,17 @@ void fitSingle(const Fitter& fitter, const std::vector<Candidate>& candidates, c
 }
 
 // Several effects, from where some of them arrived.
-void fitFurther(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& from, Trial& trial) {
+void fitFurther(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& from,
+                Trial& trial) {
   const bool trends = hasTrends(candidates, trial.members);
-  Point start = fitter.configured(trial.atoms.size());
+  fit::Point start = fitter.configured(trial.atoms.size());
   std::vector<bool> active(trial.atoms.size(), true);
   start.own = from.fit.point.own;
   std::size_t place = 0;
   std::size_t place_from = 0;
   for (const int member : trial.members) {
     const bool known = std::find(from.members.begin(), from.members.end(), member) != from.members.end();
-    for (const Atom& atom : candidates[static_cast<std::size_t>(member)].atoms) {
+    for (const fit::Atom& atom : candidates[static_cast<std::size_t>(member)].atoms) {
       if (known) {
         const double scale = from.fit.point.scales[static_cast<Eigen::Index>(place_from++)];
         start.scales[static_cast<Eigen::Index>(place)] = scale;
@@ -104,10 +105,10 @@ const Trial& bestMember(const Search& result, const std::vector<int>& members) {
 
 // A dashpot takes the displacement as linear between samples: its force lags by half a step, which looks like a delay.
 // RMS of what the lag makes of the model's force, weighted as a gap is.
-double discretisationError(const Fitter& fitter, const Point& point) {
-  std::vector<ElementDescription> elements = *fitter.elements(point, {});
+double discretisationError(const fit::Fitter& fitter, const fit::Point& point) {
+  std::vector<element::ElementDescription> elements = *fitter.elements(point, {});
   bool any = false;
-  for (ElementDescription& element : elements) {
+  for (element::ElementDescription& element : elements) {
     if (element.type == "dashpot") {
       element.values["order"] = {2.0};
       any = true;
@@ -116,11 +117,11 @@ double discretisationError(const Fitter& fitter, const Point& point) {
   if (!any) {
     return 0.0;
   }
-  const auto smooth = simulate(elements, fitter.records());
+  const auto smooth = fit::simulate(elements, fitter.records());
   const auto lagging = *fitter.forces(point, {});
   double sum = 0.0;
   for (std::size_t r = 0; r < smooth.size(); ++r) {
-    const Record& record = fitter.records()[r];
+    const log::Record& record = fitter.records()[r];
     sum += (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
            std::pow(record.force_deviation, 2);
   }
@@ -129,15 +130,16 @@ double discretisationError(const Fitter& fitter, const Point& point) {
 
 // For each log, the larger one of the white noise of what the best model leaves above the band of the excitation, and
 // of what the noise of the displacement causes.
-void estimateNoise(const Fitter& fitter, const Fit& best, const std::vector<Atom>& atoms, Search& result) {
+void estimateNoise(const fit::Fitter& fitter, const fit::Fit& best, const std::vector<fit::Atom>& atoms,
+                   Search& result) {
   const auto forces = *fitter.forces(best.point, atoms);
   const std::vector<double> caused =
       frictionNoise(*fitter.elements(result.re_estimated.fit.point, {}), fitter.records());
   double sum = 0.0;
   bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
-    const Record& record = fitter.records()[r];
-    const double white = whiteNoiseFloor(record, record.force - forces[r]);
+    const log::Record& record = fitter.records()[r];
+    const double white = log::whiteNoiseFloor(record, record.force - forces[r]);
     by_displacement = by_displacement || caused[r] > white;
     result.record_noise.push_back(std::max(white, caused[r]));
     sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());
@@ -157,13 +159,13 @@ struct Screened {
 class Screen {
  public:
   // About a fitted trial: its own parameters and scales, all other candidates at nothing.
-  Screen(const Fitter& fitter, const std::vector<Candidate>& candidates, const Trial& about, int threads)
+  Screen(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& about, int threads)
       : candidates_(candidates), own_(fitter.own().size()), threads_(threads) {
-    Point point{about.fit.point.own, {}};
+    fit::Point point{about.fit.point.own, {}};
     std::vector<double> scales;
     for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
       columns_of_.emplace_back();
-      for (const Atom& atom : candidates[static_cast<std::size_t>(c)].atoms) {
+      for (const fit::Atom& atom : candidates[static_cast<std::size_t>(c)].atoms) {
         columns_of_.back().push_back(own_ + static_cast<Eigen::Index>(all_.size()));
         all_.push_back(atom);
         scales.push_back(0.0);
@@ -199,7 +201,7 @@ class Screen {
       lower[i] = lower_[columns[static_cast<std::size_t>(i)]];
       upper[i] = upper_[columns[static_cast<std::size_t>(i)]];
     }
-    const std::vector<double> errors = crossValidate(blocks_, columns, lower, upper);
+    const std::vector<double> errors = fit::crossValidate(blocks_, columns, lower, upper);
     return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
   }
 
@@ -258,24 +260,24 @@ class Screen {
   // Best first.
   std::vector<Screened> screened(const std::vector<std::vector<int>>& sets) const {
     std::vector<Screened> result(sets.size());
-    parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = (*this)(sets[i]); });
+    fit::parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = (*this)(sets[i]); });
     std::stable_sort(result.begin(), result.end(),
                      [](const Screened& x, const Screened& y) { return x.error < y.error; });
     return result;
   }
 
-  const std::vector<Candidate>& candidates_;
+  const std::vector<fit::Candidate>& candidates_;
   Eigen::Index own_;
   int threads_;
-  std::vector<Atom> all_;
+  std::vector<fit::Atom> all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
-  BlockGrams blocks_;
+  fit::BlockGrams blocks_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
 };
 
 // Take the best of a screening that are not yet in the list.
-void choose(const std::vector<Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
+void choose(const std::vector<fit::Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
             std::vector<Trial>& trials) {
   for (std::size_t i = 0; i < std::min(most, screened.size()); ++i) {
     const auto same = [&](const Trial& trial) { return trial.members == screened[i].members; };
@@ -291,14 +293,14 @@ void sortByScore(std::vector<Trial>& trials) {
 
 class Searcher {
  public:
-  Searcher(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress)
+  Searcher(const fit::Fitter& fitter, const fit::Fitter& element_level, int threads, const ProgressCallback& progress)
       : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
 
   Search run() {
-    say("re-estimating the model's own parameters", 0.0);
+    say("re-estimating the model parameters", 0.0);
     reEstimate();
     say("fitting single effects", 0.1);
-    result_.candidates = candidates(result_.excitation);
+    result_.candidates = fit::candidates(result_.excitation);
     fitter_.precompute(result_.candidates, threads_);
     fitSingles();
     say("screening all pairs", 0.4);
@@ -330,8 +332,8 @@ class Searcher {
           result_.discretisation = discretisationError(fitter_, result_.re_estimated.fit.point);
         },
         [this] { result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations); },
-        [this] { result_.excitation = summarise(fitter_.records()); }};
-    parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
+        [this] { result_.excitation = fit::summarise(fitter_.records()); }};
+    fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
   void fitSingles() {
@@ -344,8 +346,8 @@ class Searcher {
       order.push_back(&single);
     }
     std::stable_partition(order.begin(), order.end(), [](const Trial* single) { return !allAdditive(*single); });
-    parallelFor(order.size(), threads_,
-                [&](std::size_t i) { fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]); });
+    fit::parallelFor(order.size(), threads_,
+                     [&](std::size_t i) { fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]); });
     std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
                  [&](const Trial& trial) { return !hasLastResort(result_.candidates, trial.members); });
     sortByScore(ranked_);
@@ -378,7 +380,7 @@ class Searcher {
       const Screen screen(fitter_, result_.candidates, *single, threads_);
       choose(result_.candidates, screen.additions(single->members), kAdditionsFitted, result_.pairs);
     }
-    parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
+    fit::parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
       Trial& pair = result_.pairs[i];
       fitFurther(fitter_, result_.candidates, bestMember(result_, pair.members), pair);
     });
@@ -389,13 +391,13 @@ class Searcher {
     const Trial& pair = result_.pairs.front();
     const Screen screen(fitter_, result_.candidates, pair, threads_);
     choose(result_.candidates, screen.additions(pair.members), kAdditionsFitted, result_.triples);
-    parallelFor(result_.triples.size(), threads_,
-                [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
+    fit::parallelFor(result_.triples.size(), threads_,
+                     [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
     sortByScore(result_.triples);
   }
 
-  const Fitter& fitter_;
-  const Fitter& element_level_;
+  const fit::Fitter& fitter_;
+  const fit::Fitter& element_level_;
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
@@ -404,18 +406,19 @@ class Searcher {
 
 }  // namespace
 
-bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+bool hasTrends(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
   return std::any_of(members.begin(), members.end(),
                      [&](int member) { return candidates[static_cast<std::size_t>(member)].free_trend; });
 }
 
-bool hasLastResort(const std::vector<Candidate>& candidates, const std::vector<int>& members) {
+bool hasLastResort(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
   return std::any_of(members.begin(), members.end(),
                      [&](int member) { return candidates[static_cast<std::size_t>(member)].last_resort; });
 }
 
-Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress) {
+Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, int threads,
+              const ProgressCallback& progress) {
   return Searcher(fitter, element_level, threads, progress).run();
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

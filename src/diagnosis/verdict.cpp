@@ -9,7 +9,7 @@
 
 #include "rubber_suspension/diagnosis/excess.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kNeedsAnother = 0.55;  // one more effect has to reduce the excess below this part
@@ -37,7 +37,7 @@ class Decision {
 
   Verdict decide() {
     rank();
-    if (rubber_suspension::excess(search_, search_.configured_gap) < insignificant(search_)) {
+    if (rubber_suspension::diagnosis::excess(search_, search_.configured_gap) < insignificant(search_)) {
       verdict_.kind = VerdictKind::none;
       verdict_.model = configuredTrial();
     } else if (closedByOwnParameters(search_)) {
@@ -54,7 +54,7 @@ class Decision {
   }
 
  private:
-  double excess(const Trial& trial) const { return rubber_suspension::excess(search_, trial); }
+  double excess(const Trial& trial) const { return rubber_suspension::diagnosis::excess(search_, trial); }
 
   bool allowed(const Trial& trial) const {
     return (trends_ || !hasTrends(search_.candidates, trial.members)) &&
@@ -269,4 +269,4 @@ Verdict decide(const Search& search, std::size_t most_effects, bool trends) {
   return Decision(search, most_effects, trends).decide();
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 double AsymmetricStiffness::stiffening(double displacement) const {
   constexpr double kSteepest = 20.0;
@@ -34,4 +34,4 @@ ElementType asymmetricStiffnessType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

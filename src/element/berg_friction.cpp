@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 double BergFriction::rest(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
@@ -74,11 +74,11 @@ ElementType bergFrictionType() {
            {"displacement", "m", Range::positive(), std::nullopt,
             "displacement z2 from rest at which friction reaches half of its maximum"},
            {"dead_band", "m", Range::nonNegative(), 0.0,
-            "way back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
+            "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const BergFriction>(
                 description.value("maximum_force"), description.value("displacement"), description.value("dead_band"));
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 BumpStop::Side sideFrom(const ElementDescription& description) {
@@ -41,4 +41,4 @@ ElementType bumpStopType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -29,7 +29,7 @@
 #include "rubber_suspension/element/stress_softening.h"
 #include "rubber_suspension/element/time_delay.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 std::string parameterNames(const ElementType& type) {
@@ -136,4 +136,4 @@ ElementPointer makeElement(const ElementDescription& description) {
   return requireType(full.type).make(full);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -1,7 +1,7 @@
 // Coulomb friction with the elasticity of its contact.
 #include "rubber_suspension/element/coulomb_friction.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType coulombFrictionType() {
   return {"coulomb_friction",
@@ -14,4 +14,4 @@ ElementType coulombFrictionType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

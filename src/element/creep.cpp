@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 constexpr double kElementsPerDecade = 2.0;
@@ -54,4 +54,4 @@ ElementType creepType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

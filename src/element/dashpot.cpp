@@ -1,7 +1,7 @@
 // Linear dashpot.
 #include "rubber_suspension/element/dashpot.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType dashpotType() {
   return {"dashpot",
@@ -22,4 +22,4 @@ ElementType dashpotType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

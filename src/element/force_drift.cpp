@@ -1,7 +1,7 @@
 // Force that grows with time.
 #include "rubber_suspension/element/force_drift.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType forceDriftType() {
   return {"force_drift",
@@ -12,4 +12,4 @@ ElementType forceDriftType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

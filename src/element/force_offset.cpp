@@ -1,7 +1,7 @@
 // Constant force.
 #include "rubber_suspension/element/force_offset.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType forceOffsetType() {
   return {"force_offset",
@@ -12,4 +12,4 @@ ElementType forceOffsetType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

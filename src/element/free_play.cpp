@@ -1,11 +1,11 @@
 // Free play.
 #include "rubber_suspension/element/free_play.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType freePlayType() {
   return {"free_play",
-          "Dead zone of displacement in which the specimen is not moved.",
+          "Dead zone of displacement in which the test piece does not move.",
           {{"gap", "m", Range::positive(), std::nullopt, "width g of the dead zone to either side of zero"},
            {"share", "1", {0.0, 1.0, true, false}, 1.0, "part s of the motion within the gap that is lost"}},
           [](const ElementDescription& description) -> ElementPointer {
@@ -13,4 +13,4 @@ ElementType freePlayType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

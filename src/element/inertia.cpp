@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
@@ -72,7 +72,7 @@ std::optional<std::complex<double>> SmoothedInertia::complexStiffness(double ome
 ElementType inertiaType() {
   return {"inertia",
           "Mass that moves with the actuator: F = m d2z/dt2.",
-          {{"mass", "kg", Range::positive(), std::nullopt, "moving mass m between load cell and specimen"},
+          {{"mass", "kg", Range::positive(), std::nullopt, "moving mass m between load cell and test piece"},
            {"bandwidth", "Hz", Range::nonNegative(), 0.0,
             "of a filter for displacements with noise; 0: none, for displacements that are smooth"}},
           [](const ElementDescription& description) -> ElementPointer {
@@ -85,4 +85,4 @@ ElementType inertiaType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

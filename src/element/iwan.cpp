@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 constexpr int kMaximumSliders = 64;
@@ -85,4 +85,4 @@ ElementType iwanTableType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -1,7 +1,7 @@
 // Maxwell element.
 #include "rubber_suspension/element/maxwell.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType maxwellType() {
   return {"maxwell",
@@ -14,4 +14,4 @@ ElementType maxwellType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

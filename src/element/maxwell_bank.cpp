@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 double MaxwellBank::rest(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + elements_.size(), 0.0);
@@ -26,4 +26,4 @@ std::optional<std::complex<double>> MaxwellBank::complexStiffness(double omega) 
   return stiffness;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -1,7 +1,7 @@
 // Maxwell element whose dashpot yields to large forces.
 #include "rubber_suspension/element/nonlinear_maxwell.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 double NonlinearMaxwell::step(const Motion& motion, double* memory) const {
   const double half = 0.5 * motion.dt * linear_.rate() / force_;
@@ -24,4 +24,4 @@ ElementType nonlinearMaxwellType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 bool Range::contains(double value) const {
   const bool above = open_lower ? value > lower : value >= lower;
@@ -36,4 +36,4 @@ void refuseValue(const std::string& type, const std::string& parameter, double v
       fmt::format("{}.{}: {:g} {} is out of range; accepted: {}", type, parameter, value, unit, accepted));
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

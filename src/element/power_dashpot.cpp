@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 PowerDashpot::PowerDashpot(double damping, double reference_rate, double exponent)
     : damping_(damping), reference_rate_(reference_rate), exponent_(exponent) {}
@@ -24,4 +24,4 @@ ElementType powerDashpotType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

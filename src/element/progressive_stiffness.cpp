@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 double ProgressiveStiffness::stiffening(double displacement) const {
   constexpr double kSteepest = 20.0;
@@ -41,4 +41,4 @@ ElementType progressiveStiffnessType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

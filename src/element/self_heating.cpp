@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/relaxation.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kRise, kLossForce };
@@ -32,14 +32,15 @@ double SelfHeating::step(const Motion& motion, const ComponentForce& force, doub
 }
 
 ElementType selfHeatingType() {
-  return {"self_heating",
-          "Softening by the heat of the specimen's own loss: slow fall under hard work, recovery at rest.",
-          {{"energy_sensitivity", "1/J", Range::positive(), std::nullopt, "relative softening per energy lost"},
-           {"time_constant", "s", Range::positive(), std::nullopt, "time constant of cooling"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SelfHeating>(description.value("energy_sensitivity"),
-                                                       description.value("time_constant"));
-          }};
+  return {
+      "self_heating",
+      "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
+      {{"energy_sensitivity", "1/J", Range::positive(), std::nullopt, "relative softening per energy lost"},
+       {"time_constant", "s", Range::positive(), std::nullopt, "time constant of cooling"}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const SelfHeating>(description.value("energy_sensitivity"),
+                                                   description.value("time_constant"));
+      }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 SeriesCompliance::Side sideFrom(const ElementDescription& description) {
@@ -34,7 +34,7 @@ std::optional<SeriesElement::Compliance> SeriesCompliance::compliance() const {
 
 ElementType seriesComplianceType() {
   return {"series_compliance",
-          "Bracket, joint or rig that yields in series with the specimen: u = F/(K_s (1 + |F|/F_c)).",
+          "Compliance of bracket, joint or rig in series with the test piece: u = F/(K_s (1 + |F|/F_c)).",
           {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness K_s of what is in series"},
            {"closing_force", "N", Range::nonNegative(), 0.0,
             "force F_c that halves its compliance, as of a joint that closes under load; 0: linear"},
@@ -45,4 +45,4 @@ ElementType seriesComplianceType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 double SliderBank::backbone(double displacement) const {
   double force = 0.0;
@@ -26,4 +26,4 @@ double SliderBank::step(const Motion& motion, double* memory) const {
   return force;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

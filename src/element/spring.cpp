@@ -1,7 +1,7 @@
 // Linear spring.
 #include "rubber_suspension/element/spring.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 ElementType springType() {
   return {"spring",
@@ -12,4 +12,4 @@ ElementType springType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 constexpr const char* kName = "spring_table";
@@ -65,4 +65,4 @@ ElementType springTableType() {
       }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

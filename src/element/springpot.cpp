@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 constexpr double kTwoPi = 2.0 * M_PI;
@@ -89,4 +89,4 @@ ElementType springpotType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/element/relaxation.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 enum Slot { kLargest, kReach };
@@ -50,11 +50,11 @@ ElementType stressSofteningType() {
           {{"reduction", "1", Range::closed(0.0, 0.9), std::nullopt, "share R of the force that is lost deep within"},
            {"width", "1", Range::closed(0.01, 10.0), 0.5,
             "width w of the transition, as a share of the energy at the largest past displacement"},
-           {"path", "m", Range::nonNegative(), 0.0, "way travelled over which softening sets in; 0: at once"}},
+           {"path", "m", Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const StressSoftening>(description.value("reduction"), description.value("width"),
                                                            description.value("path"));
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 namespace {
 
 constexpr int kSamples = 256;
@@ -80,4 +80,4 @@ ElementType timeDelayType() {
           }};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

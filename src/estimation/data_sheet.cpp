@@ -11,9 +11,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "models.h"
+#include "estimation/models.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 using Values = std::map<std::string, double>;
@@ -27,16 +27,16 @@ constexpr double kLowestShearShapeFactor = 1.0;  // bending adds (t/a)^2/3 to th
 
 bool isDataSheetKey(const std::string& key) {
   const auto& table = dataSheetParameters();
-  return std::any_of(table.begin(), table.end(), [&](const ParameterInfo& row) { return row.name == key; });
+  return std::any_of(table.begin(), table.end(), [&](const element::ParameterInfo& row) { return row.name == key; });
 }
 
 void checkRanges(const Values& values) {
   for (const auto& [key, value] : values) {
     for (const auto* table : {&dataSheetParameters(), &specificationParameters()}) {
-      for (const ParameterInfo& row : *table) {
+      for (const element::ParameterInfo& row : *table) {
         if (row.name == key && !row.range.contains(value)) {
           throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
-                                                  row.unit == "1" ? "" : " " + row.unit, describe(row.range),
+                                                  row.unit == "1" ? "" : " " + row.unit, element::describe(row.range),
                                                   row.documentation));
         }
       }
@@ -121,7 +121,7 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
 
 double angleAt(const Specification& specification, double frequency) {
   std::complex<double> sum = 0.0;
-  for (const ElementDescription& element : estimateMaxwellDashpot(specification)) {
+  for (const element::ElementDescription& element : estimateMaxwellDashpot(specification)) {
     if (element.type == "spring") {
       sum += element.value("stiffness");
     } else if (element.type == "dashpot") {
@@ -223,17 +223,17 @@ double compressionFactor(double shape_factor) {
   return 1.0 + 2.0 * shape_factor * shape_factor;
 }
 
-const std::vector<ParameterInfo>& dataSheetParameters() {
-  static const std::vector<ParameterInfo> table = {
-      {"shore_a", "1", Range::closed(kLowestHardness, kHighestHardness), std::nullopt, "Shore A hardness"},
-      {"loaded_area", "m^2", Range::positive(), std::nullopt, "loaded area of one layer"},
-      {"layer_thickness", "m", Range::positive(), std::nullopt, "thickness of one layer of rubber"},
-      {"shape_factor", "1", Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
+const std::vector<element::ParameterInfo>& dataSheetParameters() {
+  static const std::vector<element::ParameterInfo> table = {
+      {"shore_a", "1", element::Range::closed(kLowestHardness, kHighestHardness), std::nullopt, "Shore A hardness"},
+      {"loaded_area", "m^2", element::Range::positive(), std::nullopt, "loaded area of one layer"},
+      {"layer_thickness", "m", element::Range::positive(), std::nullopt, "thickness of one layer of rubber"},
+      {"shape_factor", "1", element::Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
        "loaded area over force-free area of one layer"},
-      {"layers", "1", Range::closed(1.0, 100.0), 1.0, "layers in series"},
+      {"layers", "1", element::Range::closed(1.0, 100.0), 1.0, "layers in series"},
       {"dynamic_to_static_ratio", "1", {1.0, 10.0, true, false}, std::nullopt, "K_n/K_st at the nominal frequency"},
-      {"second_frequency", "Hz", Range::positive(), std::nullopt, "frequency of the second loss angle"},
-      {"second_loss_angle", "rad", Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle there"},
+      {"second_frequency", "Hz", element::Range::positive(), std::nullopt, "frequency of the second loss angle"},
+      {"second_loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle there"},
   };
   return table;
 }
@@ -255,4 +255,4 @@ DataSheetResult specificationFromDataSheet(std::optional<Model> model, LoadDirec
   return result;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <complex>
 
-#include "models.h"
+#include "estimation/models.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 // The settled Berg loop of amplitude z0 follows from one number, u = 2 z0/(z2 (1 + mu0)), mu0 = F_f0/F_max:
@@ -45,7 +45,7 @@ double solveForU(Function function) {
 }
 
 // Berg element whose settled loop of this amplitude has this u and this peak force.
-ElementDescription bergElement(double u, double peak_force, double amplitude) {
+element::ElementDescription bergElement(double u, double peak_force, double amplitude) {
   const double mu = settledMu(u);
   return {"friction", {{"maximum_force", {peak_force / mu}}, {"displacement", {2.0 * amplitude / (u * (1.0 + mu))}}}};
 }
@@ -83,7 +83,7 @@ std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
   return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
 }
 
-ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
+element::ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
   const double friction_stiffness = point.k_n - point.k_st;
   const double ratio = point.frictionLoss() / friction_stiffness;
   const double u = solveForU([&](double trial) { return lossRatio(trial) - ratio; });
@@ -125,19 +125,19 @@ std::optional<Obstacle> bergObstacle(const Specification& specification) {
   return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
 }
 
-std::vector<ElementDescription> estimateFriction(const Specification& specification) {
+std::vector<element::ElementDescription> estimateFriction(const Specification& specification) {
   const WorkingPoint point = workingPoint(specification, 0.0);
   return {{"spring", {{"stiffness", {point.k_st}}}}, frictionAtTurningPoint(point)};
 }
 
-std::vector<ElementDescription> estimateFrictionDashpot(const Specification& specification) {
+std::vector<element::ElementDescription> estimateFrictionDashpot(const Specification& specification) {
   const WorkingPoint point = workingPoint(specification, viscousShare(specification));
   const double damping = point.viscousLossStiffness() / (2.0 * M_PI * specification.at("nominal_frequency"));
   return {
       {"spring", {{"stiffness", {point.k_st}}}}, frictionAtTurningPoint(point), {"dashpot", {{"damping", {damping}}}}};
 }
 
-std::vector<ElementDescription> estimateBerg(const Specification& specification) {
+std::vector<element::ElementDescription> estimateBerg(const Specification& specification) {
   const WorkingPoint point = workingPoint(specification, viscousShare(specification));
   const double break_frequency = specification.at("break_frequency");
   const double ratio = specification.at("nominal_frequency") / break_frequency;
@@ -145,8 +145,9 @@ std::vector<ElementDescription> estimateBerg(const Specification& specification)
   const auto frictionStiffness = [&](double u) { return point.frictionLoss() / lossRatio(u); };
   const double u =
       solveForU([&](double trial) { return point.k_n - peakStiffness(linear, trial, frictionStiffness(trial)); });
-  std::vector<ElementDescription> elements = {{"spring", {{"stiffness", {point.k_st}}}},
-                                              bergElement(u, frictionStiffness(u) * point.amplitude, point.amplitude)};
+  std::vector<element::ElementDescription> elements = {
+      {"spring", {{"stiffness", {point.k_st}}}},
+      bergElement(u, frictionStiffness(u) * point.amplitude, point.amplitude)};
   if (point.viscous_share > 0.0) {
     const double stiffness = point.viscousLossStiffness() * (ratio + 1.0 / ratio);
     elements.push_back({"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}});
@@ -154,4 +155,4 @@ std::vector<ElementDescription> estimateBerg(const Specification& specification)
   return elements;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <complex>
 
-#include "models.h"
+#include "estimation/models.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 // Stiffness k1 that gives |K*(f_n)| = K_n at a break frequency; positive root of
@@ -66,7 +66,7 @@ std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specificatio
                               limit)};
 }
 
-std::vector<ElementDescription> estimateKelvinVoigt(const Specification& specification) {
+std::vector<element::ElementDescription> estimateKelvinVoigt(const Specification& specification) {
   // tan(delta) = 2 pi f c0/k0 = 2 D: Eq. 11. K_n is the storage stiffness; |K*| = K_n/cos(delta).
   const double stiffness = specification.at("dynamic_stiffness");
   const double damping =
@@ -74,7 +74,7 @@ std::vector<ElementDescription> estimateKelvinVoigt(const Specification& specifi
   return {{"spring", {{"stiffness", {stiffness}}}}, {"dashpot", {{"damping", {damping}}}}};
 }
 
-std::vector<ElementDescription> estimateMaxwell(const Specification& specification) {
+std::vector<element::ElementDescription> estimateMaxwell(const Specification& specification) {
   const double k_st = specification.at("static_stiffness");
   double stiffness = 0.0;
   double break_frequency = 0.0;
@@ -90,7 +90,7 @@ std::vector<ElementDescription> estimateMaxwell(const Specification& specificati
           {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}}};
 }
 
-std::vector<ElementDescription> estimateMaxwellDashpot(const Specification& specification) {
+std::vector<element::ElementDescription> estimateMaxwellDashpot(const Specification& specification) {
   const double k_st = specification.at("static_stiffness");
   const double f_n = specification.at("nominal_frequency");
   const double f_b = specification.at("break_frequency");
@@ -103,4 +103,4 @@ std::vector<ElementDescription> estimateMaxwellDashpot(const Specification& spec
           {"dashpot", {{"damping", {loss / (2.0 * M_PI * f_n)}}}}};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/estimation/specification.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 
 /// Why a specification has no solution.
 struct Obstacle {
@@ -42,21 +42,21 @@ std::optional<Obstacle> storageObstacle(const Specification& specification);
 // M1 to M3 and one element of M2 (linear_models.cpp).
 std::optional<Obstacle> maxwellObstacle(const Specification& specification);
 std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specification);
-std::vector<ElementDescription> estimateKelvinVoigt(const Specification& specification);
-std::vector<ElementDescription> estimateMaxwell(const Specification& specification);
-std::vector<ElementDescription> estimateMaxwellDashpot(const Specification& specification);
+std::vector<element::ElementDescription> estimateKelvinVoigt(const Specification& specification);
+std::vector<element::ElementDescription> estimateMaxwell(const Specification& specification);
+std::vector<element::ElementDescription> estimateMaxwellDashpot(const Specification& specification);
 
 // M4 to M6 (friction_models.cpp).
 std::optional<Obstacle> frictionObstacle(const Specification& specification);
 std::optional<Obstacle> frictionDashpotObstacle(const Specification& specification);
 std::optional<Obstacle> bergObstacle(const Specification& specification);
-std::vector<ElementDescription> estimateFriction(const Specification& specification);
-std::vector<ElementDescription> estimateFrictionDashpot(const Specification& specification);
-std::vector<ElementDescription> estimateBerg(const Specification& specification);
+std::vector<element::ElementDescription> estimateFriction(const Specification& specification);
+std::vector<element::ElementDescription> estimateFrictionDashpot(const Specification& specification);
+std::vector<element::ElementDescription> estimateBerg(const Specification& specification);
 
 // M2 with n_M elements (multi_maxwell.cpp).
 std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification);
-std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification);
+std::vector<element::ElementDescription> estimateMultiMaxwell(const Specification& specification);
 
 /// The frequencies [Hz] over which the Maxwell elements are spread.
 struct Band {
@@ -65,4 +65,4 @@ struct Band {
 };
 Band multiMaxwellBand(const Specification& specification);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

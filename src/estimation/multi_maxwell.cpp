@@ -11,9 +11,9 @@
 #include <optional>
 #include <utility>
 
-#include "models.h"
+#include "estimation/models.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 using Complex = std::complex<double>;
@@ -302,19 +302,19 @@ Band multiMaxwellBand(const Specification& specification) {
   return {lowFrequency(inputs, high_frequency), high_frequency};
 }
 
-std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specification) {
+std::vector<element::ElementDescription> estimateMultiMaxwell(const Specification& specification) {
   const Inputs inputs(specification);
   const Solution solution = solve(inputs);
   const double k_st = inputs.static_stiffness;
   const std::vector<double>& break_frequencies = solution.break_frequencies;
-  const auto add = [](ElementDescription& element, const char* last_name, double value) {
+  const auto add = [](element::ElementDescription& element, const char* last_name, double value) {
     element.values.emplace_hint(element.values.end(), last_name, std::vector<double>(1, value));
   };
-  std::vector<ElementDescription> elements(1 + break_frequencies.size());
+  std::vector<element::ElementDescription> elements(1 + break_frequencies.size());
   elements[0].type = "spring";
   add(elements[0], "stiffness", k_st);
   forEachShare(solution.alpha, break_frequencies.size(), [&](std::size_t i, double share) {
-    ElementDescription& element = elements[1 + i];
+    element::ElementDescription& element = elements[1 + i];
     element.type = "maxwell";
     add(element, "break_frequency", break_frequencies[i]);
     add(element, "stiffness", share * (solution.maximum_stiffness - k_st));
@@ -322,4 +322,4 @@ std::vector<ElementDescription> estimateMultiMaxwell(const Specification& specif
   return elements;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

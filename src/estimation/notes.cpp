@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "models.h"
+#include "estimation/models.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
@@ -49,4 +49,4 @@ std::vector<std::string> estimationNotes(Model model, const Specification& speci
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

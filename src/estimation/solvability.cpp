@@ -1,19 +1,19 @@
 // Intervals of a single input: a scan for values with a solution, its edges refined by bisection.
-#include "solvability.h"
+#include "estimation/solvability.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 constexpr double kReach = 1e4;           // how far the scan goes from the given value, as a factor
 constexpr int kPointsPerDecade = 60;     // of the scan
 constexpr int kNearPointsPerDecade = 8;  // of the distance to another input of the same unit
 
-bool isCount(const ParameterInfo& input) { return input.name == "maxwell_elements"; }
+bool isCount(const element::ParameterInfo& input) { return input.name == "maxwell_elements"; }
 
 void addScanPoints(std::vector<double>& points, double value) {
   const int steps = static_cast<int>(std::lround(2.0 * std::log10(kReach))) * kPointsPerDecade;
@@ -31,7 +31,7 @@ void addPointsNear(std::vector<double>& points, double value) {
   }
 }
 
-std::vector<double> scanPoints(const Specification& specification, const ParameterInfo& input) {
+std::vector<double> scanPoints(const Specification& specification, const element::ParameterInfo& input) {
   std::vector<double> points;
   if (isCount(input)) {
     for (double count = input.range.lower; count <= input.range.upper; count += 1.0) {
@@ -40,7 +40,7 @@ std::vector<double> scanPoints(const Specification& specification, const Paramet
     return points;
   }
   addScanPoints(points, specification.at(input.name));
-  for (const ParameterInfo& other : specificationParameters()) {
+  for (const element::ParameterInfo& other : specificationParameters()) {
     if (other.unit == input.unit && specification.has(other.name)) {
       addPointsNear(points, specification.at(other.name));
     }
@@ -60,11 +60,11 @@ double edge(double without, double with, const std::function<bool(double)>& solv
   return with;
 }
 
-std::string describe(const std::vector<Range>& intervals, const ParameterInfo& input) {
+std::string describe(const std::vector<element::Range>& intervals, const element::ParameterInfo& input) {
   std::string text;
-  for (const Range& interval : intervals) {
-    const std::string part =
-        isCount(input) && interval.lower == interval.upper ? fmt::format("{:g}", interval.lower) : describe(interval);
+  for (const element::Range& interval : intervals) {
+    const std::string part = isCount(input) && interval.lower == interval.upper ? fmt::format("{:g}", interval.lower)
+                                                                                : element::describe(interval);
     text += (text.empty() ? "" : " or ") + part;
   }
   return fmt::format("{} {}{}{}", input.name, text, input.unit == "1" ? "" : " ", input.unit == "1" ? "" : input.unit);
@@ -72,15 +72,15 @@ std::string describe(const std::vector<Range>& intervals, const ParameterInfo& i
 
 }  // namespace
 
-std::vector<Range> solvableIntervals(const Specification& specification, const ParameterInfo& input,
-                                     const Solvable& solvable) {
+std::vector<element::Range> solvableIntervals(const Specification& specification, const element::ParameterInfo& input,
+                                              const Solvable& solvable) {
   const auto withValue = [&](double value) {
     Specification changed = specification;
     changed.set(input.name, value);
     return solvable(changed);
   };
   const std::vector<double> points = scanPoints(specification, input);
-  std::vector<Range> intervals;
+  std::vector<element::Range> intervals;
   bool inside = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (withValue(points[i])) {
@@ -88,7 +88,8 @@ std::vector<Range> solvableIntervals(const Specification& specification, const P
         const double lower = isCount(input) ? points[i]
                              : i == 0       ? input.range.lower
                                             : edge(points[i - 1], points[i], withValue);
-        intervals.push_back(isCount(input) ? Range::closed(lower, lower) : Range::open(lower, input.range.upper));
+        intervals.push_back(isCount(input) ? element::Range::closed(lower, lower)
+                                           : element::Range::open(lower, input.range.upper));
       } else if (isCount(input)) {
         intervals.back().upper = points[i];
       }
@@ -105,11 +106,11 @@ std::vector<Range> solvableIntervals(const Specification& specification, const P
 
 std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable) {
   std::string text;
-  for (const ParameterInfo& input : specificationParameters()) {
+  for (const element::ParameterInfo& input : specificationParameters()) {
     if (!specification.has(input.name)) {
       continue;
     }
-    const std::vector<Range> intervals = solvableIntervals(specification, input, solvable);
+    const std::vector<element::Range> intervals = solvableIntervals(specification, input, solvable);
     if (!intervals.empty()) {
       text += (text.empty() ? "" : "; ") + describe(intervals, input);
     }
@@ -117,4 +118,4 @@ std::string describeSolvableInputs(const Specification& specification, const Sol
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

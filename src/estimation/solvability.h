@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/estimation/specification.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 
 /// True if a specification has a solution.
 using Solvable = std::function<bool(const Specification&)>;
@@ -14,10 +14,10 @@ using Solvable = std::function<bool(const Specification&)>;
 /// The intervals of one input, others kept, in which a solution exists; open intervals in ascending order.
 /// The search looks from 1e-4 to 1e4 times the given value, closely near the other inputs of the same unit; an interval
 /// that reaches the end of the search is reported up to the end of the parameter's own range.
-std::vector<Range> solvableIntervals(const Specification& specification, const ParameterInfo& input,
-                                     const Solvable& solvable);
+std::vector<element::Range> solvableIntervals(const Specification& specification, const element::ParameterInfo& input,
+                                              const Solvable& solvable);
 
 /// "dynamic_stiffness in (3e+06, 4e+06) N/m; maximum_stiffness greater than ..." over all inputs that help.
 std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

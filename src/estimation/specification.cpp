@@ -8,10 +8,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "models.h"
-#include "solvability.h"
+#include "estimation/models.h"
+#include "estimation/solvability.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 namespace {
 
 // More than this ratio of dynamic to static stiffness is a slip of a power of ten, not rubber (1.1 to about 4).
@@ -21,11 +21,11 @@ struct NamedModel {
   ModelInfo info;
   std::string name;
   std::optional<Obstacle> (*obstacle)(const Specification&);
-  std::vector<ElementDescription> (*elements)(const Specification&);
+  std::vector<element::ElementDescription> (*elements)(const Specification&);
 };
 
 std::optional<Obstacle> noObstacle(const Specification& /*specification*/) { return std::nullopt; }
-std::vector<ElementDescription> noElements(const Specification& /*specification*/) { return {}; }
+std::vector<element::ElementDescription> noElements(const Specification& /*specification*/) { return {}; }
 
 const std::vector<NamedModel>& models() {
   static const std::vector<NamedModel> table = {
@@ -103,10 +103,10 @@ const std::vector<NamedModel>& models() {
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
 
-const ParameterInfo* findParameter(std::string_view name) {
+const element::ParameterInfo* findParameter(std::string_view name) {
   const auto& table = specificationParameters();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const element::ParameterInfo& parameter) { return parameter.name == name; });
   return found == table.end() ? nullptr : &*found;
 }
 
@@ -152,15 +152,15 @@ void checkKeys(const NamedModel& model, const Specification& specification) {
 }
 
 void checkRange(const std::string& key, double value) {
-  const ParameterInfo& parameter = *findParameter(key);
+  const element::ParameterInfo& parameter = *findParameter(key);
   if (!parameter.range.contains(value)) {
     throw std::invalid_argument(fmt::format("{}: {:g}{} is out of range; accepted: {} ({})", key, value,
                                             parameter.unit == "1" ? "" : " " + parameter.unit,
-                                            describe(parameter.range), parameter.documentation));
+                                            element::describe(parameter.range), parameter.documentation));
   }
   if (key == "maxwell_elements" && value != std::floor(value)) {
     throw std::invalid_argument(fmt::format("{}: {:g} is not a whole number; accepted: whole numbers {}", key, value,
-                                            describe(parameter.range)));
+                                            element::describe(parameter.range)));
   }
 }
 
@@ -219,29 +219,32 @@ std::optional<Model> modelFromString(const std::string& name) {
   return std::nullopt;
 }
 
-const std::vector<ParameterInfo>& specificationParameters() {
-  static const std::vector<ParameterInfo> table = {
-      {"static_stiffness", "N/m", Range::positive(), std::nullopt, "static stiffness K_st"},
-      {"dynamic_stiffness", "N/m", Range::positive(), std::nullopt, "dynamic stiffness K_n at the nominal frequency"},
-      {"nominal_frequency", "Hz", Range::positive(), std::nullopt, "frequency f_n at which K_n and loss angle hold"},
-      {"maximum_stiffness", "N/m", Range::positive(), std::nullopt, "stiffness K_max at very high frequency"},
-      {"high_frequency", "Hz", Range::positive(), std::nullopt, "upper end f_h of the frequencies of interest"},
-      {"low_frequency", "Hz", Range::positive(), std::nullopt,
+const std::vector<element::ParameterInfo>& specificationParameters() {
+  static const std::vector<element::ParameterInfo> table = {
+      {"static_stiffness", "N/m", element::Range::positive(), std::nullopt, "static stiffness K_st"},
+      {"dynamic_stiffness", "N/m", element::Range::positive(), std::nullopt,
+       "dynamic stiffness K_n at the nominal frequency"},
+      {"nominal_frequency", "Hz", element::Range::positive(), std::nullopt,
+       "frequency f_n at which K_n and loss angle hold"},
+      {"maximum_stiffness", "N/m", element::Range::positive(), std::nullopt, "stiffness K_max at very high frequency"},
+      {"high_frequency", "Hz", element::Range::positive(), std::nullopt,
+       "upper end f_h of the frequencies of interest"},
+      {"low_frequency", "Hz", element::Range::positive(), std::nullopt,
        "lower end f_l of the frequencies of interest; n_M f_h/10^(n_M-1) if absent"},
-      {"maxwell_elements", "1", Range::closed(2, 20), 5.0,
+      {"maxwell_elements", "1", element::Range::closed(2, 20), 5.0,
        "number n_M of Maxwell elements; one element is the model maxwell"},
       {"nominal_amplitude",
        "m",
        {0.0, 1.0, true, false},
        std::nullopt,
        "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
-      {"loss_angle", "rad", Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle at the nominal frequency"},
+      {"loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle at the nominal frequency"},
       {"relative_damping",
        "1",
        {0.0, 1.0, true, false},
        std::nullopt,
        "relative damping D_n = tan(loss angle)/2, 0.05 for 5 %"},
-      {"break_frequency", "Hz", Range::positive(), std::nullopt, "break frequency f_b of the Maxwell element"},
+      {"break_frequency", "Hz", element::Range::positive(), std::nullopt, "break frequency f_b of the Maxwell element"},
       {"viscous_share", "1", {0.0, 1.0, false, true}, 0.2, "viscous share of the loss energy at (f_n, A_n)"},
   };
   return table;
@@ -257,7 +260,7 @@ void checkSpecification(Model model, const Specification& specification) {
   checkPresence(entry(model), specification);
 }
 
-std::vector<ElementDescription> estimate(Model model, const Specification& specification) {
+std::vector<element::ElementDescription> estimate(Model model, const Specification& specification) {
   checkSpecification(model, specification);
   if (const auto obstacle = findObstacle(entry(model), specification)) {
     refuse(entry(model), specification, *obstacle);
@@ -303,4 +306,4 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   return std::nullopt;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

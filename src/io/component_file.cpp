@@ -11,19 +11,19 @@
 #include <set>
 #include <sstream>
 
-#include "rubber_suspension/io/units.h"
-#include "text.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 namespace {
 
 constexpr std::size_t kMaximumNameLength = 100;
 constexpr int kMaximumNesting = 50;  // a component file needs 6
 constexpr int kMaximumIndentation = 200;
 
-std::vector<std::string> namesOf(const std::vector<ParameterInfo>& table) {
+std::vector<std::string> namesOf(const std::vector<element::ParameterInfo>& table) {
   std::vector<std::string> names;
-  for (const ParameterInfo& parameter : table) {
+  for (const element::ParameterInfo& parameter : table) {
     names.push_back(parameter.name);
   }
   return names;
@@ -31,30 +31,31 @@ std::vector<std::string> namesOf(const std::vector<ParameterInfo>& table) {
 
 std::vector<std::string> modelNames() {
   std::vector<std::string> names;
-  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
-    names.push_back(toString(static_cast<Model>(i)));
+  for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
+       ++i) {
+    names.push_back(estimation::toString(static_cast<estimation::Model>(i)));
   }
   return names;
 }
 
 std::vector<std::string> elementTypeNames() {
   std::vector<std::string> names;
-  for (const ElementType& type : elementTypes()) {
+  for (const element::ElementType& type : element::elementTypes()) {
     names.push_back(type.name);
   }
   return names;
 }
 
-const ParameterInfo* findRow(const std::vector<ParameterInfo>& table, const std::string& name) {
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
+const element::ParameterInfo* findRow(const std::vector<element::ParameterInfo>& table, const std::string& name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const element::ParameterInfo& parameter) { return parameter.name == name; });
   return found == table.end() ? nullptr : &*found;
 }
 
-std::string accepted(const ParameterInfo& parameter) {
-  const Range& range = parameter.range;
+std::string accepted(const element::ParameterInfo& parameter) {
+  const element::Range& range = parameter.range;
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
-  const std::string number = bounded ? "a number " + describe(range) : describe(range);
+  const std::string number = bounded ? "a number " + element::describe(range) : element::describe(range);
   if (parameter.unit == "1") {
     return number + (range.upper <= 1.0 ? ", or in %" : "");
   }
@@ -70,7 +71,7 @@ bool isBaseName(const std::string& name) {
 std::string kindOf(const YAML::Node& node) {
   switch (node.Type()) {
     case YAML::NodeType::Scalar:
-      return quoted(node.Scalar());
+      return log::quoted(node.Scalar());
     case YAML::NodeType::Sequence:
       return node.size() == 0 ? "an empty list" : "a list";
     case YAML::NodeType::Map:
@@ -209,13 +210,13 @@ class Loader {
     for (const auto& entry : map) {
       const std::string& key = entry.first.Scalar();
       if (std::find(names.begin(), names.end(), key) == names.end()) {
-        refuse(entry.first, child(path, key), fmt::format("unknown key; accepted: {}", join(names)));
+        refuse(entry.first, child(path, key), fmt::format("unknown key; accepted: {}", log::join(names)));
       }
     }
   }
 
   static std::string child(const std::string& path, const std::string& key) {
-    const std::string shown = isBaseName(key) ? key : quoted(key);
+    const std::string shown = isBaseName(key) ? key : log::quoted(key);
     return path.empty() ? shown : path + "." + shown;
   }
 
@@ -234,7 +235,7 @@ class Loader {
           key, "components",
           fmt::format("{} is not a name of a component; accepted: a letter, then letters, digits and underscores, at "
                       "most {} in all",
-                      quoted(key.Scalar()), kMaximumNameLength));
+                      log::quoted(key.Scalar()), kMaximumNameLength));
     }
     component_ = key.Scalar();
     if (!node.IsMap()) {
@@ -253,17 +254,18 @@ class Loader {
     return description;
   }
 
-  Model loadModel(const YAML::Node& node) const {
-    const YAML::Node model = require(node, "", "model", join(modelNames()));
-    const std::optional<Model> found = model.IsScalar() ? modelFromString(model.Scalar()) : std::nullopt;
+  estimation::Model loadModel(const YAML::Node& node) const {
+    const YAML::Node model = require(node, "", "model", log::join(modelNames()));
+    const std::optional<estimation::Model> found =
+        model.IsScalar() ? estimation::modelFromString(model.Scalar()) : std::nullopt;
     if (!found) {
-      refuse(model, "model", fmt::format("{} is not a model; accepted: {}", kindOf(model), join(modelNames())));
+      refuse(model, "model", fmt::format("{} is not a model; accepted: {}", kindOf(model), log::join(modelNames())));
     }
     return *found;
   }
 
   void loadContent(const YAML::Node& node, ComponentDescription& description) {
-    if (description.model == Model::elements) {
+    if (description.model == estimation::Model::elements) {
       checkKeys(node, "", {"model", "elements", "add"});
       description.elements = loadEntries(require(node, "", "elements", "a list of elements"), "elements");
       if (description.elements.empty()) {
@@ -278,23 +280,23 @@ class Loader {
     }
   }
 
-  Specification loadSpecification(const YAML::Node& node, Model model) {
+  estimation::Specification loadSpecification(const YAML::Node& node, estimation::Model model) {
     if (!node.IsMap()) {
       refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
     }
-    const std::vector<ParameterInfo>& table = specificationParameters();
+    const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
     checkKeys(node, "specification", namesOf(table));
-    Specification specification;
+    estimation::Specification specification;
     for (const auto& entry : node) {
       const std::string& key = entry.first.Scalar();
       specification.set(key, loadNumber(entry.second, child("specification", key), *findRow(table, key)));
     }
-    for (const std::string& key : modelInfo(model).required) {
+    for (const std::string& key : estimation::modelInfo(model).required) {
       require(node, "specification", key, accepted(*findRow(table, key)));
     }
     try {
-      checkSpecification(model, specification);
-      estimate(model, specification);
+      estimation::checkSpecification(model, specification);
+      estimation::estimate(model, specification);
     } catch (const std::invalid_argument& error) {
       refuseSpecification(node, error.what());
     }
@@ -307,26 +309,27 @@ class Loader {
     refuse(value.IsDefined() ? value : map, "", "specification." + message);
   }
 
-  double loadNumber(const YAML::Node& node, const std::string& path, const ParameterInfo& parameter) const {
+  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter) const {
     if (!node.IsScalar()) {
       refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
     }
     double value = 0.0;
     try {
-      value = parseQuantity(node.Scalar(), parameter.unit);
+      value = log::parseQuantity(node.Scalar(), parameter.unit);
     } catch (const std::invalid_argument& error) {
-      refuse(node, path, fmt::format("{}: {}; accepted: {}", quoted(node.Scalar()), error.what(), accepted(parameter)));
+      refuse(node, path,
+             fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
     }
     if (!parameter.range.contains(value)) {
       refuse(node, path,
-             fmt::format("{} is {}; accepted: {}", quoted(node.Scalar()),
+             fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
                          std::isfinite(value) ? "out of range" : "not finite", accepted(parameter)));
     }
     return value;
   }
 
   std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
-                                  const ParameterInfo& parameter) const {
+                                  const element::ParameterInfo& parameter) const {
     if (!parameter.is_list || node.IsScalar()) {
       return {loadNumber(node, path, parameter)};
     }
@@ -342,41 +345,41 @@ class Loader {
     return values;
   }
 
-  std::vector<ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) {
+  std::vector<element::ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) {
     if (!node.IsSequence()) {
       refuse(node, path, fmt::format("{}; accepted: a list of elements", kindOf(node)));
     }
     if (node.size() > kMaximumElements) {
       refuse(node, path, fmt::format("{} elements; accepted: at most {}", node.size(), kMaximumElements));
     }
-    std::vector<ElementDescription> entries;
+    std::vector<element::ElementDescription> entries;
     for (std::size_t i = 0; i < node.size(); ++i) {
       entries.push_back(loadEntry(node[i], fmt::format("{}[{}]", path, i)));
     }
     return entries;
   }
 
-  const ElementType& loadType(const YAML::Node& node, const std::string& path) const {
+  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) const {
     if (!node.IsMap()) {
       refuse(node, path, fmt::format("{}; accepted: a map with the key 'type'", kindOf(node)));
     }
-    const YAML::Node type = require(node, path, "type", join(elementTypeNames()));
-    const ElementType* found = type.IsScalar() ? findElementType(type.Scalar()) : nullptr;
+    const YAML::Node type = require(node, path, "type", log::join(elementTypeNames()));
+    const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
     if (found == nullptr) {
       refuse(type, child(path, "type"),
-             fmt::format("{} is not an element; accepted: {}", kindOf(type), join(elementTypeNames())));
+             fmt::format("{} is not an element; accepted: {}", kindOf(type), log::join(elementTypeNames())));
     }
     return *found;
   }
 
-  ElementDescription loadEntry(const YAML::Node& node, const std::string& path) {
-    const ElementType& type = loadType(node, path);
+  element::ElementDescription loadEntry(const YAML::Node& node, const std::string& path) {
+    const element::ElementType& type = loadType(node, path);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
     checkKeys(node, path, keys);
-    ElementDescription description;
+    element::ElementDescription description;
     description.type = type.name;
-    for (const ParameterInfo& parameter : type.parameters) {
+    for (const element::ParameterInfo& parameter : type.parameters) {
       if (parameter.default_value && !node[parameter.name].IsDefined()) {
         continue;
       }
@@ -384,7 +387,7 @@ class Loader {
       description.values[parameter.name] = loadNumbers(value, child(path, parameter.name), parameter);
     }
     try {
-      makeElement(description);
+      element::makeElement(description);
     } catch (const std::invalid_argument& error) {
       refuse(node, path, error.what());
     }
@@ -401,27 +404,27 @@ class Loader {
 // The shortest text that reads back as the same number.
 std::string number(double value) { return fmt::format("{}", value); }
 
-std::string flowMap(const ElementDescription& description) {
+std::string flowMap(const element::ElementDescription& description) {
   std::string text = fmt::format("{{type: {}", description.type);
   for (const auto& [name, values] : description.values) {
     std::vector<std::string> numbers(values.size());
     std::transform(values.begin(), values.end(), numbers.begin(), number);
-    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", join(numbers)));
+    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
   }
   return text + "}";
 }
 
-std::string entriesYaml(const std::string& key, const std::vector<ElementDescription>& entries) {
+std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries) {
   std::string text = entries.empty() ? "" : fmt::format("    {}:\n", key);
-  for (const ElementDescription& entry : entries) {
+  for (const element::ElementDescription& entry : entries) {
     text += fmt::format("      - {}\n", flowMap(entry));
   }
   return text;
 }
 
-std::string specificationYaml(const Specification& specification) {
+std::string specificationYaml(const estimation::Specification& specification) {
   std::string text = "    specification:\n";
-  for (const ParameterInfo& parameter : specificationParameters()) {
+  for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
       text += fmt::format("      {}: {}{}\n", parameter.name, number(specification.at(parameter.name)),
                           parameter.unit == "1" ? "" : fmt::format("  # [{}]", parameter.unit));
@@ -432,10 +435,11 @@ std::string specificationYaml(const Specification& specification) {
 
 }  // namespace
 
-ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(oneLine(message)) {}
+ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 
-std::vector<ElementDescription> ComponentDescription::allElements() const {
-  std::vector<ElementDescription> all = model == Model::elements ? elements : estimate(model, specification);
+std::vector<element::ElementDescription> ComponentDescription::allElements() const {
+  std::vector<element::ElementDescription> all =
+      model == estimation::Model::elements ? elements : estimation::estimate(model, specification);
   all.insert(all.end(), add.begin(), add.end());
   return all;
 }
@@ -447,7 +451,7 @@ std::vector<ComponentDescription> parseComponentFile(const std::string& text, co
 std::vector<ComponentDescription> loadComponentFile(const std::string& path) {
   std::string text;
   try {
-    text = readFile(path, kMaximumComponentFileSize);
+    text = log::readFile(path, kMaximumComponentFileSize);
   } catch (const std::runtime_error& error) {
     throw ComponentFileError(fmt::format("{}: {}", path, error.what()));
   }
@@ -466,20 +470,20 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
     }
     names.push_back(component.name);
   }
-  throw ComponentFileError(name.empty()
-                               ? fmt::format("more than one component; accepted: the name of one of {}", join(names))
-                               : fmt::format("no component '{}'; accepted: {}", name, join(names)));
+  throw ComponentFileError(
+      name.empty() ? fmt::format("more than one component; accepted: the name of one of {}", log::join(names))
+                   : fmt::format("no component '{}'; accepted: {}", name, log::join(names)));
 }
 
 std::string toYaml(const std::vector<ComponentDescription>& components) {
   std::string text = "components:\n";
   for (const ComponentDescription& component : components) {
-    text += fmt::format("  {}:\n    model: {}\n", component.name, toString(component.model));
-    text += component.model == Model::elements ? entriesYaml("elements", component.elements)
-                                               : specificationYaml(component.specification);
+    text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model));
+    text += component.model == estimation::Model::elements ? entriesYaml("elements", component.elements)
+                                                           : specificationYaml(component.specification);
     text += entriesYaml("add", component.add);
   }
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

@@ -18,7 +18,7 @@
 
 extern char** environ;
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 
 using nlohmann::json;
 
@@ -193,4 +193,4 @@ std::vector<std::string> drawSvg(const std::vector<Figure>& figures) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

@@ -1,5 +1,5 @@
 // A progress bar on a terminal.
-#include "rubber_suspension/io/progress.h"
+#include "io/progress.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 namespace {
 
 std::size_t terminalWidth() {
@@ -61,4 +61,4 @@ std::string Progress::bar(const std::string& label, int percent, std::size_t wid
       .substr(0, width);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

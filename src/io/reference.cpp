@@ -1,13 +1,13 @@
 // The reference page of the component file, written from the tables that check it.
-#include "rubber_suspension/io/reference.h"
+#include "io/reference.h"
 
 #include <fmt/format.h>
 
+#include "log/text.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/estimation/specification.h"
-#include "text.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 namespace {
 
 std::vector<std::string> asCode(std::vector<std::string> names) {
@@ -36,32 +36,32 @@ std::string sentence(std::string text) {
 void addGroups(std::vector<std::string>& needs, const std::string& count,
                const std::vector<std::vector<std::string>>& groups) {
   for (const auto& group : groups) {
-    needs.push_back(fmt::format("{} of {}", count, join(asCode(group))));
+    needs.push_back(fmt::format("{} of {}", count, log::join(asCode(group))));
   }
 }
 
-std::string modelRow(Model model) {
-  const ModelInfo& info = modelInfo(model);
+std::string modelRow(estimation::Model model) {
+  const estimation::ModelInfo& info = estimation::modelInfo(model);
   std::vector<std::string> needs = asCode(info.required);
   addGroups(needs, "one", info.one_of);
   addGroups(needs, "two", info.two_of);
-  return fmt::format("| `{}` | {} | {} | {} |\n", toString(model), escaped(sentence(info.documentation)), join(needs),
-                     join(asCode(info.optional)));
+  return fmt::format("| `{}` | {} | {} | {} |\n", estimation::toString(model), escaped(sentence(info.documentation)),
+                     log::join(needs), log::join(asCode(info.optional)));
 }
 
-std::string parameterTable(const std::vector<ParameterInfo>& parameters) {
+std::string parameterTable(const std::vector<element::ParameterInfo>& parameters) {
   std::string text = "| key | unit | accepted | default | meaning |\n|---|---|---|---|---|\n";
-  for (const ParameterInfo& parameter : parameters) {
+  for (const element::ParameterInfo& parameter : parameters) {
     const std::string unit = parameter.unit == "1" ? "-" : parameter.unit;
     text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", parameter.name, unit,
-                        parameter.is_list ? "list, each " : "", describe(parameter.range),
+                        parameter.is_list ? "list, each " : "", element::describe(parameter.range),
                         parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "",
                         escaped(parameter.documentation));
   }
   return text;
 }
 
-std::string elementSection(const ElementType& type) {
+std::string elementSection(const element::ElementType& type) {
   return fmt::format("\n### {}\n\n{}\n\n{}", type.name, escaped(sentence(type.documentation)),
                      parameterTable(type.parameters));
 }
@@ -77,15 +77,16 @@ std::string parameterReference() {
       "have\n"
       "effects on top in a list `add`.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
-  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
-    text += modelRow(static_cast<Model>(i));
+  for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
+       ++i) {
+    text += modelRow(static_cast<estimation::Model>(i));
   }
-  text += "\n## Keys of `specification`\n\n" + parameterTable(specificationParameters());
+  text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters());
   text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
-  for (const ElementType& type : elementTypes()) {
+  for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);
   }
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 namespace {
 
 bool allFinite(const std::vector<double>& values) {
@@ -68,4 +68,4 @@ Characteristics characteristicsOfEllipse(std::complex<double> complex_stiffness,
           M_PI * complex_stiffness.imag() * amplitude * amplitude};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

@@ -11,10 +11,10 @@
 
 #include "rubber_suspension/element/berg_friction.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 namespace {
 
-using ParallelPointer = std::shared_ptr<const ParallelElement>;
+using ParallelPointer = std::shared_ptr<const element::ParallelElement>;
 
 void checkArguments(double frequency, double amplitude, const LoopOptions& options) {
   if (!(frequency > 0.0) || !std::isfinite(frequency)) {
@@ -81,10 +81,10 @@ void settle(SettledLoop& loop, const LoopOptions& options, const std::function<v
 }
 
 // The laws of a component that consists of parallel laws only; empty if it has anything else.
-std::vector<ParallelPointer> parallelLaws(const Component& component) {
+std::vector<ParallelPointer> parallelLaws(const component::Component& component) {
   std::vector<ParallelPointer> laws;
-  for (const ElementDescription& description : component.elements()) {
-    const ElementPointer element = makeElement(description);
+  for (const element::ElementDescription& description : component.elements()) {
+    const element::ElementPointer element = element::makeElement(description);
     if (!std::holds_alternative<ParallelPointer>(element)) {
       return {};
     }
@@ -99,7 +99,7 @@ struct RunningLaw {
   std::vector<double> memory;
 
   RunningLaw(ParallelPointer element, double amplitude) : law(std::move(element)), memory(law->memorySize()) {
-    if (const auto* berg = dynamic_cast<const BergFriction*>(law.get())) {
+    if (const auto* berg = dynamic_cast<const element::BergFriction*>(law.get())) {
       berg->startSettled(amplitude, 0.0, memory.data());
     } else {
       law->rest(-amplitude, memory.data());
@@ -132,7 +132,7 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
   const auto runCycle = [&](std::vector<double>& force) {
     for (int i = 1; i <= options.samples; ++i) {
       const double displacement = loop.displacement[i % options.samples];
-      const Motion motion{dt, displacement, displacement - last};
+      const element::Motion motion{dt, displacement, displacement - last};
       double sum = 0.0;
       for (RunningLaw& law : running) {
         sum += law.law->step(motion, law.memory.data());
@@ -149,9 +149,9 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
   addEllipse(loop, linear);
 }
 
-void simulateWhole(SettledLoop& loop, const Component& component, const LoopOptions& options) {
+void simulateWhole(SettledLoop& loop, const component::Component& component, const LoopOptions& options) {
   const double dt = 1.0 / (loop.frequency * options.samples);
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   component.rest(state, loop.displacement[0]);
   settle(loop, options, [&](std::vector<double>& force) {
     for (int i = 1; i <= options.samples; ++i) {
@@ -203,7 +203,7 @@ Characteristics SettledLoop::characteristics() const {
   return {0.5 * range / amplitude, std::asin(sine), loss};
 }
 
-SettledLoop simulateSettledLoop(const Component& component, double frequency, double amplitude,
+SettledLoop simulateSettledLoop(const component::Component& component, double frequency, double amplitude,
                                 const LoopOptions& options) {
   checkArguments(frequency, amplitude, options);
   SettledLoop loop;
@@ -220,4 +220,4 @@ SettledLoop simulateSettledLoop(const Component& component, double frequency, do
   return loop;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 
-SweepPoint characteristicsAt(const Component& component, double frequency, double amplitude,
+SweepPoint characteristicsAt(const component::Component& component, double frequency, double amplitude,
                              const LoopOptions& options) {
   if (const auto stiffness = component.complexStiffness(frequency)) {
     return {frequency, amplitude, characteristicsOfEllipse(*stiffness, amplitude), true};
@@ -14,7 +14,7 @@ SweepPoint characteristicsAt(const Component& component, double frequency, doubl
   return {frequency, amplitude, loop.characteristics(), loop.settled};
 }
 
-std::vector<SweepPoint> sweepFrequency(const Component& component, const std::vector<double>& frequencies,
+std::vector<SweepPoint> sweepFrequency(const component::Component& component, const std::vector<double>& frequencies,
                                        double amplitude, const LoopOptions& options) {
   std::vector<SweepPoint> points;
   for (const double frequency : frequencies) {
@@ -23,7 +23,7 @@ std::vector<SweepPoint> sweepFrequency(const Component& component, const std::ve
   return points;
 }
 
-std::vector<SweepPoint> sweepAmplitude(const Component& component, const std::vector<double>& amplitudes,
+std::vector<SweepPoint> sweepAmplitude(const component::Component& component, const std::vector<double>& amplitudes,
                                        double frequency, const LoopOptions& options) {
   std::vector<SweepPoint> points;
   for (const double amplitude : amplitudes) {
@@ -32,8 +32,9 @@ std::vector<SweepPoint> sweepAmplitude(const Component& component, const std::ve
   return points;
 }
 
-std::vector<SweepPoint> sweepConstantProduct(const Component& component, const std::vector<double>& frequencies,
-                                             double product, const LoopOptions& options) {
+std::vector<SweepPoint> sweepConstantProduct(const component::Component& component,
+                                             const std::vector<double>& frequencies, double product,
+                                             const LoopOptions& options) {
   std::vector<SweepPoint> points;
   for (const double frequency : frequencies) {
     points.push_back(characteristicsAt(component, frequency, product / frequency, options));
@@ -49,4 +50,4 @@ std::vector<double> logSpaced(double low, double high, int count) {
   return values;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

@@ -1,9 +1,9 @@
 // How long ago a message arrived.
-#include "rubber_suspension/ros_interface/arrival.h"
+#include "ros_interface/arrival.h"
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_clock::time_point callback) {
   if (ros::Time::isSystemTime()) {
@@ -12,4 +12,4 @@ std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_cloc
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - callback).count();
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // Plays the logs of several components side by side through a running node.
-#include "rubber_suspension/ros_interface/bench_player.h"
+#include "ros_interface/bench_player.h"
 
 #include <ros/init.h>
 
@@ -8,7 +8,7 @@
 #include <future>
 #include <utility>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   std::int64_t longest = 0;
@@ -19,8 +19,8 @@ std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   return longest;
 }
 
-Log laterLog(const Log& log, std::int64_t shift) {
-  Log later = log;
+log::Log laterLog(const log::Log& log, std::int64_t shift) {
+  log::Log later = log;
   for (std::int64_t& stamp : later.stamp) {
     stamp += shift;
   }
@@ -30,7 +30,7 @@ Log laterLog(const Log& log, std::int64_t shift) {
 BenchPlayer::BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& options, std::vector<BenchTrack> tracks)
     : options_(options), tracks_(std::move(tracks)) {
   for (const BenchTrack& track : tracks_) {
-    checkLog(track.log);
+    log::checkLog(track.log);
     options_.component = track.component;
     options_.show_progress = players_.empty();
     options_.record_gap = !track.paths.gaps.empty() || !track.paths.bag.empty();
@@ -50,7 +50,7 @@ void BenchPlayer::connect() {
 }
 
 void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follow) {
-  const Log log = laterLog(tracks_[track].log, static_cast<std::int64_t>(pass) * period_);
+  const log::Log log = laterLog(tracks_[track].log, static_cast<std::int64_t>(pass) * period_);
   const PlayResult result = players_[track]->play(log, starts_[track], more_follow);
   if (options_.rate > 0.0) {
     const std::chrono::duration<double> period(1e-9 * static_cast<double>(period_) / options_.rate);
@@ -58,7 +58,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   }
   recorders_[track]->add(log, result);
   last_forces_[track].clear();
-  for (const ComponentForce& force : result.force) {
+  for (const element::ComponentForce& force : result.force) {
     last_forces_[track].push_back(force.total);
   }
   BenchCount& count = counts_[track];
@@ -103,4 +103,4 @@ std::vector<BenchCount> BenchPlayer::play(std::size_t passes) {
   return counts_;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -10,10 +10,10 @@
 #include <functional>
 #include <utility>
 
-#include "rubber_suspension/ros_interface/bag_log.h"
-#include "rubber_suspension/ros_interface/connection.h"
+#include "bag/bag_log.h"
+#include "ros_interface/connection.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 10000;
@@ -58,13 +58,13 @@ void BundleClient::call(const std::string& service) {
 }
 
 void BundleClient::send(std::int64_t stamp, const std::vector<double>& displacement) {
-  message_.header.stamp = toRosTime(stamp);
+  message_.header.stamp = bag::toRosTime(stamp);
   message_.displacement = displacement;
   publisher_.publish(message_);
 }
 
 ForceArray BundleClient::receive(std::int64_t stamp) {
-  const ros::Time time = toRosTime(stamp);
+  const ros::Time time = bag::toRosTime(stamp);
   const bool came = waitFor([&] {
     while (!answers_.empty() && answers_.front().header.stamp < time) {
       answers_.pop_front();
@@ -82,4 +82,4 @@ ForceArray BundleClient::receive(std::int64_t stamp) {
   return answer;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

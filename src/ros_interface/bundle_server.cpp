@@ -1,20 +1,21 @@
 // All components in one message.
-#include "rubber_suspension/ros_interface/bundle_server.h"
+#include "ros_interface/bundle_server.h"
 
 #include <chrono>
 
-#include "rubber_suspension/ros_interface/arrival.h"
+#include "ros_interface/arrival.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 // The channel of a name that stands at place i. Senders name the components in the order of the file, mostly: look
 // there first.
-ComponentChannel* channelNamed(const std::string& name, std::size_t i, const std::vector<ComponentChannel*>& channels) {
+node::ComponentChannel* channelNamed(const std::string& name, std::size_t i,
+                                     const std::vector<node::ComponentChannel*>& channels) {
   if (i < channels.size() && channels[i]->name() == name) {
     return channels[i];
   }
-  for (ComponentChannel* channel : channels) {
+  for (node::ComponentChannel* channel : channels) {
     if (channel->name() == name) {
       return channel;
     }
@@ -23,12 +24,12 @@ ComponentChannel* channelNamed(const std::string& name, std::size_t i, const std
 }
 
 // The channel of entry i.
-ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
-                            const std::vector<ComponentChannel*>& channels) {
+node::ComponentChannel* channelOf(const DisplacementArray& bundle, std::size_t i,
+                                  const std::vector<node::ComponentChannel*>& channels) {
   return bundle.components.empty() ? channels[i] : channelNamed(bundle.components[i], i, channels);
 }
 
-bool isWellFormed(const DisplacementArray& bundle, const std::vector<ComponentChannel*>& channels) {
+bool isWellFormed(const DisplacementArray& bundle, const std::vector<node::ComponentChannel*>& channels) {
   const std::size_t count = bundle.components.empty() ? channels.size() : bundle.components.size();
   if (bundle.displacement.size() != count || count > channels.size()) {
     return false;
@@ -50,7 +51,8 @@ void resize(ForceArray& answer, std::size_t size) {
 
 }  // namespace
 
-bool answerBundle(const DisplacementArray& bundle, const std::vector<ComponentChannel*>& channels, ForceArray& answer) {
+bool answerBundle(const DisplacementArray& bundle, const std::vector<node::ComponentChannel*>& channels,
+                  ForceArray& answer) {
   if (!isWellFormed(bundle, channels)) {
     return false;
   }
@@ -59,8 +61,8 @@ bool answerBundle(const DisplacementArray& bundle, const std::vector<ComponentCh
   resize(answer, bundle.displacement.size());
   std::size_t accepted = 0;
   for (std::size_t i = 0; i < bundle.displacement.size(); ++i) {
-    ComponentChannel* channel = channelOf(bundle, i, channels);
-    ComponentForce force;
+    node::ComponentChannel* channel = channelOf(bundle, i, channels);
+    element::ComponentForce force;
     if (channel->push(stamp, bundle.displacement[i], force)) {
       answer.components[accepted] = channel->name();
       answer.displacement[accepted] = bundle.displacement[i];
@@ -75,7 +77,8 @@ bool answerBundle(const DisplacementArray& bundle, const std::vector<ComponentCh
   return true;
 }
 
-BundleServer::BundleServer(ros::NodeHandle& handle, const std::vector<ComponentChannel*>& channels, int queue_size)
+BundleServer::BundleServer(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
+                           int queue_size)
     : channels_(channels) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   publisher_ = handle.advertise<ForceArray>("forces", size);
@@ -105,4 +108,4 @@ void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

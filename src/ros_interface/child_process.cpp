@@ -1,5 +1,5 @@
 // Programs that a benchmark starts and ends.
-#include "rubber_suspension/ros_interface/child_process.h"
+#include "ros_interface/child_process.h"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
@@ -80,4 +80,4 @@ int freePort() {
   return ntohs(address.sin_port);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

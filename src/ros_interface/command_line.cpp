@@ -1,12 +1,12 @@
 // Command lines of programs that are ROS nodes.
-#include "rubber_suspension/ros_interface/command_line.h"
+#include "ros_interface/command_line.h"
 
 #include <ros/exception.h>
 #include <ros/init.h>
 
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
@@ -35,4 +35,4 @@ void RosCommandLine::initialise(const std::string& node_name) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

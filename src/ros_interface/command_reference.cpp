@@ -1,5 +1,5 @@
 // The reference page of the commands.
-#include "rubber_suspension/ros_interface/command_reference.h"
+#include "ros_interface/command_reference.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "rubber_suspension/ros_interface/child_process.h"
+#include "ros_interface/child_process.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 CommandOutput outputOf(const std::string& command, const std::string& option) {
   const std::string line = fmt::format("'{}' {} 2>/dev/null </dev/null", siblingProgram(command), option);
@@ -47,4 +47,4 @@ std::string commandReference(const std::vector<std::string>& commands) {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

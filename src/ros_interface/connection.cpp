@@ -1,5 +1,5 @@
 // Whether a topic is connected for certain.
-#include "rubber_suspension/ros_interface/connection.h"
+#include "ros_interface/connection.h"
 
 #include <ros/init.h>
 #include <ros/master.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -104,4 +104,4 @@ bool waitForPublishers(const std::string& resolved_topic, double timeout) {
   return false;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // Checks the forces of a bench against a reference.
-#include "rubber_suspension/ros_interface/force_check.h"
+#include "ros_interface/force_check.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,16 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rubber_suspension/io/replay.h"
+#include "rubber_suspension/gap/replay.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
-double sinceStart(const Log& log, std::size_t i) { return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]); }
+double sinceStart(const log::Log& log, std::size_t i) {
+  return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]);
+}
 
-std::ptrdiff_t firstCompared(const Log& log, double skip) {
+std::ptrdiff_t firstCompared(const log::Log& log, double skip) {
   std::size_t first = 0;
   while (first < log.size() && sinceStart(log, first) < skip) {
     ++first;
@@ -29,7 +31,7 @@ std::ptrdiff_t firstCompared(const Log& log, double skip) {
 std::vector<double> totals(const PlayResult& result) {
   std::vector<double> force;
   force.reserve(result.force.size());
-  for (const ComponentForce& answer : result.force) {
+  for (const element::ComponentForce& answer : result.force) {
     force.push_back(answer.total);
   }
   return force;
@@ -37,11 +39,11 @@ std::vector<double> totals(const PlayResult& result) {
 
 }  // namespace
 
-ForceDifference compareForces(const Log& log, const std::vector<double>& reference, const std::vector<double>& force,
-                              double skip) {
+ForceDifference compareForces(const log::Log& log, const std::vector<double>& reference,
+                              const std::vector<double>& force, double skip) {
   const std::ptrdiff_t first = firstCompared(log, skip);
   ForceDifference result{
-      relativeGap({reference.begin() + first, reference.end()}, {force.begin() + first, force.end()}), 0.0, 0.0};
+      gap::relativeGap({reference.begin() + first, reference.end()}, {force.begin() + first, force.end()}), 0.0, 0.0};
   for (auto i = static_cast<std::size_t>(first); i < log.size(); ++i) {
     const double difference = std::abs(force[i] - reference[i]);
     if (!(difference <= result.largest)) {
@@ -52,7 +54,7 @@ ForceDifference compareForces(const Log& log, const std::vector<double>& referen
   return result;
 }
 
-ForceReference measuredReference(const Log& log) {
+ForceReference measuredReference(const log::Log& log) {
   if (log.force.empty()) {
     throw std::invalid_argument(fmt::format(
         "{} has no measured force; accepted: a log with one, or a component file to compare with (--config)",
@@ -61,11 +63,12 @@ ForceReference measuredReference(const Log& log) {
   return {"the force measured in " + log.name, log.force};
 }
 
-ForceReference simulatedReference(const Component& component, const Log& log, const std::string& config) {
-  return {"the force of " + config, simulateLog(component, log)};
+ForceReference simulatedReference(const component::Component& component, const log::Log& log,
+                                  const std::string& config) {
+  return {"the force of " + config, gap::simulateLog(component, log)};
 }
 
-TestCase checkAnswers(const std::string& component, const Log& log, const PlayResult& result) {
+TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result) {
   TestCase test{"oneForceForEachDisplacement", result.exactlyOneEach(), "", result.duration};
   test.message = fmt::format("{}: {} of {} samples answered, {} forces of other stamps", component, result.answered(),
                              log.size(), result.unexpected);
@@ -75,7 +78,7 @@ TestCase checkAnswers(const std::string& component, const Log& log, const PlayRe
   return test;
 }
 
-TestCase checkForces(const Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
+TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
                      double skip) {
   TestCase test{"forces", false, "", 0.0};
   if (result.answered() < log.size()) {
@@ -91,11 +94,11 @@ TestCase checkForces(const Log& log, const ForceReference& reference, const Play
   return test;
 }
 
-Figure forceFigure(const std::string& component, const Log& log, const ForceReference& reference,
-                   const PlayResult& result) {
-  Log with_reference = log;
+io::Figure forceFigure(const std::string& component, const log::Log& log, const ForceReference& reference,
+                       const PlayResult& result) {
+  log::Log with_reference = log;
   with_reference.force = reference.force;
-  return replayFigure(component, with_reference, totals(result), {"reference", "bench"});
+  return gap::replayFigure(component, with_reference, totals(result), {"reference", "bench"});
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

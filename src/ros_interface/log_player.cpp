@@ -1,5 +1,5 @@
 // Plays a log through a running node.
-#include "rubber_suspension/ros_interface/log_player.h"
+#include "ros_interface/log_player.h"
 
 #include <fmt/format.h>
 #include <ros/init.h>
@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
-#include "rubber_suspension/io/progress.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
-#include "rubber_suspension/ros_interface/connection.h"
+#include "bag/bag_log.h"
+#include "io/progress.h"
+#include "ros_interface/connection.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100000;
@@ -44,8 +44,8 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
   subscriber_ = handle_.subscribe<Force>(component + "/force", kQueueSize, callback, ros::VoidConstPtr(),
                                          ros::TransportHints().tcpNoDelay());
   if (options_.record_gap) {
-    const boost::function<void(const GapMessagePtr&)> gap_callback = [this](const GapMessagePtr& gap) { takeGap(gap); };
-    gap_subscriber_ = handle_.subscribe<GapMessage>(component + "/gap", kQueueSize, gap_callback);
+    const boost::function<void(const GapConstPtr&)> gap_callback = [this](const GapConstPtr& gap) { takeGap(gap); };
+    gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kQueueSize, gap_callback);
   }
 }
 
@@ -83,7 +83,7 @@ void LogPlayer::connect() {
   }
 }
 
-void LogPlayer::takeGap(const GapMessagePtr& gap) {
+void LogPlayer::takeGap(const GapConstPtr& gap) {
   result_.gaps.push_back(gap);
   const std::int64_t stamp = static_cast<std::int64_t>(gap->header.stamp.toNSec()) - shift_;
   result_.gap_stamps.push_back(stamp);
@@ -127,7 +127,7 @@ bool LogPlayer::maySend() const {
 void LogPlayer::send() {
   const std::size_t sample = result_.sent++;
   Displacement displacement;
-  displacement.header.stamp = toRosTime(log_->stamp[sample] + shift_);
+  displacement.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
   displacement.displacement = log_->displacement[sample];
   displacement_publisher_.publish(displacement);
   if (!log_->force.empty()) {
@@ -139,7 +139,7 @@ void LogPlayer::send() {
 }
 
 // While the playback is held or stepped, time stands still: the next sample is due at once, whenever it goes on.
-void LogPlayer::sendWhatIsDue(Progress& progress) {
+void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {
     start_ += toDuration(-untilDue());
@@ -189,18 +189,18 @@ void LogPlayer::waitForLastGap() {
   }
 }
 
-PlayResult LogPlayer::play(const Log& log, Steady::time_point start, bool more_follow) {
-  checkLog(log);
+PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool more_follow) {
+  log::checkLog(log);
   connect();
   log_ = &log;
-  shift_ = goes_on_ ? shift_ : headerShift(log);
+  shift_ = goes_on_ ? shift_ : bag::headerShift(log);
   goes_on_ = more_follow;
   result_ = PlayResult();
   result_.shift = shift_;
   result_.force.resize(log.size());
   result_.answers.resize(log.size());
   answered_ = 0;
-  Progress progress("playing " + log.name, options_.show_progress ? log.size() : 0);
+  io::Progress progress("playing " + log.name, options_.show_progress ? log.size() : 0);
   const auto begin = Steady::now();
   start_ = start == Steady::time_point() ? begin : start;
   last_answer_ = begin;
@@ -220,4 +220,4 @@ PlayResult LogPlayer::play(const Log& log, Steady::time_point start, bool more_f
   return std::move(result_);
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // Keeps a node on the loopback interface.
-#include "rubber_suspension/ros_interface/loopback.h"
+#include "ros_interface/loopback.h"
 
 #include <fmt/format.h>
 #include <net/if.h>
@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::array<char, 3> kLoopback = {'l', 'o', '\0'};
@@ -80,4 +80,4 @@ std::string interfaceOf(std::uint32_t port) {
   return {};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,12 +1,12 @@
 // What the node tells about itself once per second.
-#include "rubber_suspension/ros_interface/node_diagnostics.h"
+#include "ros_interface/node_diagnostics.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>
 
 #include <algorithm>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::size_t kLongestLine = 2000;
@@ -22,9 +22,9 @@ double microseconds(double seconds) { return 1e6 * seconds; }
 
 }  // namespace
 
-std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
-  const StreamCounters& old = before.counters;
-  const StreamCounters& fresh = now.counters;
+std::string describeFaults(const node::ChannelReport& before, const node::ChannelReport& now) {
+  const component::StreamCounters& old = before.counters;
+  const component::StreamCounters& fresh = now.counters;
   std::string text;
   append(text, old.not_finite, fresh.not_finite, "not finite (dropped)");
   append(text, old.repeated, fresh.repeated, "with a repeated stamp (dropped)");
@@ -36,10 +36,10 @@ std::string describeFaults(const ChannelReport& before, const ChannelReport& now
   return text;
 }
 
-void fillStatus(const ChannelReport& before, const ChannelReport& now, double elapsed,
+void fillStatus(const node::ChannelReport& before, const node::ChannelReport& now, double elapsed,
                 diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const StreamCounters& counters = now.counters;
+  const component::StreamCounters& counters = now.counters;
   const double rate = static_cast<double>(counters.accepted - before.counters.accepted) / elapsed;
   const std::string faults = describeFaults(before, now);
   if (!faults.empty()) {
@@ -66,7 +66,7 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
   status.add("last displacement [m]", now.displacement);
 }
 
-void addGap(const LiveGap& gap, const MatchCounters& counters, const GapSettings& settings,
+void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const node::GapSettings& settings,
             diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   if (counters.matched + counters.unmatched + counters.not_finite == 0) {
@@ -84,16 +84,16 @@ void addGap(const LiveGap& gap, const MatchCounters& counters, const GapSettings
   status.add("gap, beyond noise", gap.beyond_noise);
   status.add("gap, trend [1/s]", gap.trend);
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
-    status.add("gap, share of " + toString(static_cast<Quantity>(i)), gap.share[i]);
+    status.add("gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
   }
-  const GapLevel level = gap.level(settings);
-  if (level == GapLevel::warn || level == GapLevel::error) {
-    status.mergeSummaryf(level == GapLevel::warn ? DiagnosticStatus::WARN : DiagnosticStatus::ERROR,
+  const node::GapLevel level = gap.level(settings);
+  if (level == node::GapLevel::warn || level == node::GapLevel::error) {
+    status.mergeSummaryf(level == node::GapLevel::warn ? DiagnosticStatus::WARN : DiagnosticStatus::ERROR,
                          "gap of %.3g beyond noise", gap.beyond_noise);
   }
 }
 
-Gap gapMessage(const LiveGap& gap, const GapSettings& settings) {
+Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
   Gap message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(gap.stamp));
   message.level = static_cast<std::uint8_t>(gap.level(settings));
@@ -103,16 +103,16 @@ Gap gapMessage(const LiveGap& gap, const GapSettings& settings) {
   message.noise_floor = gap.noise_floor;
   message.beyond_noise = gap.beyond_noise;
   message.trend = gap.trend;
-  const auto share = [&](Quantity quantity) { return gap.share[static_cast<std::size_t>(quantity)]; };
-  message.share_stiffness = share(Quantity::stiffness);
-  message.share_loss = share(Quantity::loss);
-  message.share_harmonics = share(Quantity::harmonics);
-  message.share_mean = share(Quantity::mean);
-  message.share_drift = share(Quantity::drift);
+  const auto share = [&](gap::Quantity quantity) { return gap.share[static_cast<std::size_t>(quantity)]; };
+  message.share_stiffness = share(gap::Quantity::stiffness);
+  message.share_loss = share(gap::Quantity::loss);
+  message.share_harmonics = share(gap::Quantity::harmonics);
+  message.share_mean = share(gap::Quantity::mean);
+  message.share_drift = share(gap::Quantity::drift);
   for (std::size_t i = 0; i < std::min(gap.cells.size(), kMostCells); ++i) {
     const auto& cell = gap.cells[i];
     message.cells.emplace_back();
-    message.cells.back().quantity = toString(cell.quantity);
+    message.cells.back().quantity = gap::toString(cell.quantity);
     message.cells.back().frequency_low = cell.frequency[0];
     message.cells.back().frequency_high = cell.frequency[1];
     message.cells.back().amplitude_low = cell.amplitude[0];
@@ -124,17 +124,18 @@ Gap gapMessage(const LiveGap& gap, const GapSettings& settings) {
 }
 
 NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle,
-                                 const std::vector<ComponentChannel*>& channels, const GapSettings& gap_settings)
+                                 const std::vector<node::ComponentChannel*>& channels,
+                                 const node::GapSettings& gap_settings)
     : gap_settings_(gap_settings),
       updater_(handle, private_handle, private_handle.getNamespace()),
       last_update_(std::chrono::steady_clock::now()) {
   updater_.setHardwareID("none");
   watched_.reserve(channels.size());  // the tasks refer to the entries
-  for (ComponentChannel* channel : channels) {
+  for (node::ComponentChannel* channel : channels) {
     watched_.push_back({channel,
                         channel->report(),
                         {},
-                        GapTracker(gap_settings),
+                        node::GapTracker(gap_settings),
                         {},
                         {},
                         handle.advertise<Gap>(channel->name() + "/gap", 10)});
@@ -170,7 +171,7 @@ void NodeDiagnostics::updateGaps() {
   for (std::size_t i = 0; i < watched_.size() && std::chrono::steady_clock::now() < end; ++i) {
     Watched& watched = watched_[next_gap_];
     next_gap_ = (next_gap_ + 1) % watched_.size();
-    const MatchCounters matches = watched.channel->gap().counters();
+    const node::MatchCounters matches = watched.channel->gap().counters();
     const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
     watched.matches = matches;
     if (news) {
@@ -202,4 +203,4 @@ void NodeDiagnostics::update() {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

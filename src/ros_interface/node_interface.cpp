@@ -1,5 +1,5 @@
 // What the node `simulate` can be asked over ROS, in one table.
-#include "rubber_suspension/ros_interface/node_interface.h"
+#include "ros_interface/node_interface.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <fmt/format.h>
@@ -13,9 +13,9 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include "rubber_suspension/ros_interface/node_settings.h"
+#include "ros_interface/node_settings.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using Kind = InterfaceEntry::Kind;
@@ -68,7 +68,7 @@ std::string definition() {
 
 const std::vector<InterfaceEntry>& nodeInterface() {
   static const std::vector<InterfaceEntry> table = {
-      topic<Displacement>("COMPONENT/displacement", Kind::subscribed, "each accepted one is answered by one force"),
+      topic<Displacement>("COMPONENT/displacement", Kind::subscribed, "each accepted sample is answered by one force"),
       topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement"),
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
                            "optional: with the force of the real component the node watches the gap"),
@@ -77,12 +77,12 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       topic<ForceArray>("forces", Kind::published, "the answer to it"),
       topic<diagnostic_msgs::DiagnosticArray>("/diagnostics", Kind::published,
                                               "once per second: rate, drops, rejects, latency and gap per component"),
-      service<std_srvs::Trigger>("~reset", "all components become new specimens at rest"),
+      service<std_srvs::Trigger>("~reset", "reset all components: at rest, as new"),
       service<std_srvs::Trigger>("~save_state", "write the state of all components to ~state_file"),
-      service<std_srvs::Trigger>("~load_state", "go on from the state in ~state_file"),
-      service<std_srvs::Trigger>("~reload", "read the component file again; components that are the same go on"),
-      service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement, and stays as it was"),
-      service<std_srvs::Trigger>("COMPONENT/reset", "one component becomes a new specimen at rest"),
+      service<std_srvs::Trigger>("~load_state", "continue from the state in ~state_file"),
+      service<std_srvs::Trigger>("~reload", "read the component file again; unchanged components keep their state"),
+      service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement and keeps its state"),
+      service<std_srvs::Trigger>("COMPONENT/reset", "reset one component: at rest, as new"),
       service<std_srvs::SetBool>("COMPONENT/set_enabled", "as ~set_enabled, for one component"),
   };
   return table;
@@ -91,7 +91,8 @@ const std::vector<InterfaceEntry>& nodeInterface() {
 std::string topicReference() {
   std::string text =
       "# Reference of the node `simulate`\n\n"
-      "Written by the command `reference` from the table that a test holds a running node to. `COMPONENT` stands for\n"
+      "Written by the command `reference` from a table; a test compares it with a running node. `COMPONENT` stands "
+      "for\n"
       "the name of each component, `~` for the name of the node.\n\n"
       "## Topics\n\n" +
       topicTable() + "\n## Services\n\n" + serviceTable() + "\n## Private parameters\n\n```\n" +
@@ -101,4 +102,4 @@ std::string topicReference() {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

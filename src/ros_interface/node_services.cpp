@@ -1,5 +1,5 @@
 // What a bench may ask of the node besides forces.
-#include "rubber_suspension/ros_interface/node_services.h"
+#include "ros_interface/node_services.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>
@@ -8,9 +8,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "rubber_suspension/ros_interface/state_file.h"
+#include "node/state_file.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 // The entry of that name, as all the lists here are small and unsorted.
@@ -22,9 +22,9 @@ auto findNamed(const Entries& entries, Name name_of, const std::string& name) {
 // For every channel the entry of its name; throws unless the names are the same on both sides.
 template <class Entries, class Name>
 std::vector<const typename Entries::value_type*> matchByName(const Entries& entries, Name name_of,
-                                                             const std::vector<ComponentChannel*>& channels) {
+                                                             const std::vector<node::ComponentChannel*>& channels) {
   std::vector<const typename Entries::value_type*> matched;
-  for (const ComponentChannel* channel : channels) {
+  for (const node::ComponentChannel* channel : channels) {
     const auto found = findNamed(entries, name_of, channel->name());
     if (found == entries.end()) {
       throw std::invalid_argument(fmt::format("component {} is missing", channel->name()));
@@ -33,7 +33,7 @@ std::vector<const typename Entries::value_type*> matchByName(const Entries& entr
   }
   for (const auto& entry : entries) {
     const std::string& name = name_of(entry);
-    const auto channel_name = [](const ComponentChannel* channel) { return channel->name(); };
+    const auto channel_name = [](const node::ComponentChannel* channel) { return channel->name(); };
     if (findNamed(channels, channel_name, name) == channels.end()) {
       throw std::invalid_argument(
           fmt::format("component {} is not one of this node, which would need a restart", name));
@@ -50,9 +50,9 @@ void requireStateFile(const NodeSettings& settings) {
 
 }  // namespace
 
-void loadStates(const std::string& path, const std::vector<ComponentChannel*>& channels) {
-  const std::vector<SavedState> states = readStateFile(path);
-  const auto name_of = [](const SavedState& state) -> const std::string& { return state.component; };
+void loadStates(const std::string& path, const std::vector<node::ComponentChannel*>& channels) {
+  const std::vector<node::SavedState> states = node::readStateFile(path);
+  const auto name_of = [](const node::SavedState& state) -> const std::string& { return state.component; };
   const auto matched = matchByName(states, name_of, channels);
   for (std::size_t i = 0; i < channels.size(); ++i) {
     channels[i]->checkState(*matched[i]);
@@ -62,12 +62,14 @@ void loadStates(const std::string& path, const std::vector<ComponentChannel*>& c
   }
 }
 
-void exchangeModels(const std::vector<ComponentDescription>& descriptions, double max_gap,
-                    const std::vector<ComponentChannel*>& channels) {
-  const auto name_of = [](const ComponentDescription& description) -> const std::string& { return description.name; };
-  std::vector<std::shared_ptr<ComponentChannel::Model>> models;
-  for (const ComponentDescription* description : matchByName(descriptions, name_of, channels)) {
-    models.push_back(ComponentChannel::makeModel(*description, max_gap));
+void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
+                    const std::vector<node::ComponentChannel*>& channels) {
+  const auto name_of = [](const io::ComponentDescription& description) -> const std::string& {
+    return description.name;
+  };
+  std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
+  for (const io::ComponentDescription* description : matchByName(descriptions, name_of, channels)) {
+    models.push_back(node::ComponentChannel::makeModel(*description, max_gap));
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     channels[i]->exchange(models[i]);
@@ -75,20 +77,20 @@ void exchangeModels(const std::vector<ComponentDescription>& descriptions, doubl
 }
 
 NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-                           const std::vector<ComponentChannel*>& channels)
+                           const std::vector<node::ComponentChannel*>& channels)
     : private_handle_(private_handle), settings_(settings), channels_(channels) {
   advertise(private_handle, "reset", [this] {
-    std::for_each(channels_.begin(), channels_.end(), [](ComponentChannel* channel) { channel->reset(); });
-    return fmt::format("{} components are new specimens at rest", channels_.size());
+    std::for_each(channels_.begin(), channels_.end(), [](node::ComponentChannel* channel) { channel->reset(); });
+    return fmt::format("{} components are reset: at rest, as new", channels_.size());
   });
   advertise(private_handle, "save_state", [this] { return save(); });
   advertise(private_handle, "load_state", [this] { return load(); });
   advertise(private_handle, "reload", [this] { return reload(); });
   advertiseSwitch(private_handle, "set_enabled", channels_);
-  for (ComponentChannel* channel : channels_) {
+  for (node::ComponentChannel* channel : channels_) {
     advertise(handle, channel->name() + "/reset", [channel] {
       channel->reset();
-      return channel->name() + " is a new specimen at rest";
+      return channel->name() + " is reset: at rest, as new";
     });
     advertiseSwitch(handle, channel->name() + "/set_enabled", {channel});
   }
@@ -112,10 +114,10 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, s
 }
 
 void NodeServices::advertiseSwitch(ros::NodeHandle& handle, const std::string& name,
-                                   const std::vector<ComponentChannel*>& channels) {
+                                   const std::vector<node::ComponentChannel*>& channels) {
   const boost::function<bool(SetBool::Request&, SetBool::Response&)> answer =
       [name, channels](SetBool::Request& request, SetBool::Response& response) {
-        for (ComponentChannel* channel : channels) {
+        for (node::ComponentChannel* channel : channels) {
           channel->setEnabled(request.data != 0U);
         }
         response.success = 1U;
@@ -136,11 +138,11 @@ std::vector<std::string> NodeServices::names() const {
 
 std::string NodeServices::save() const {
   requireStateFile(settings_);
-  std::vector<SavedState> states;
-  for (const ComponentChannel* channel : channels_) {
+  std::vector<node::SavedState> states;
+  for (const node::ComponentChannel* channel : channels_) {
     states.push_back(channel->save());
   }
-  writeStateFile(settings_.state_file, states);
+  node::writeStateFile(settings_.state_file, states);
   return fmt::format("{} components saved to {}", states.size(), settings_.state_file);
 }
 
@@ -155,4 +157,4 @@ std::string NodeServices::reload() const {
   return fmt::format("{} components reloaded", channels_.size());
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // The node's private parameters, checked strictly against one table.
-#include "rubber_suspension/ros_interface/node_settings.h"
+#include "ros_interface/node_settings.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "rubber_suspension/ros_interface/parameter_yaml.h"
+#include "ros_interface/parameter_yaml.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -74,12 +74,12 @@ bool readStateFile(const XmlRpcValue& value, NodeSettings& settings) {
 const std::vector<SettingInfo>& settingsTable() {
   static const std::vector<SettingInfo> table = {
       {"max_gap", "a number of seconds greater than 0, at most 1e6",
-       "time between two samples beyond which a gap is reported (default 0.5); it is bridged exactly",
+       "longest time between two samples; a longer time gap is reported and bridged exactly (default 0.5)",
        positive([](NodeSettings& settings) -> double& { return settings.max_gap; }, 1e6)},
       {"queue_size", "a whole number from 1 to 1000000",
        "samples that may wait per topic, in and out, before the oldest is lost (default 10000)",
        integerIn(&NodeSettings::queue_size, 1, 1000000)},
-      {"threads", "a whole number from 1 to 64", "serving threads; components are dealt out in turn (default 1)",
+      {"threads", "a whole number from 1 to 64", "serving threads; components are assigned to them in turn (default 1)",
        integerIn(&NodeSettings::threads, 1, 64)},
       {"realtime_priority", "a whole number from 0 to 98",
        "SCHED_FIFO priority of the serving threads where permitted, 0 for none (default 0)",
@@ -88,16 +88,16 @@ const std::vector<SettingInfo>& settingsTable() {
        flag(&NodeSettings::lock_memory)},
       {"state_file", "text, the path of a file", "where ~save_state and ~load_state keep the state (default none)",
        readStateFile},
-      {"load_state", "true or false", "go on from state_file at the start, if it is there (default false)",
+      {"load_state", "true or false", "continue from state_file at the start, if it exists (default false)",
        flag(&NodeSettings::load_state)},
       {"gap_window", "a number of seconds greater than 0, at most 1e5",
        "length of the sliding window of the live gap (default 10)",
        positive([](NodeSettings& settings) -> double& { return settings.gap.window; }, 1e5)},
       {"gap_warn", "a number greater than 0, at most 1e6",
-       "live gap beyond noise, over the measured force's deviation, from which on to warn (default 0.1)",
+       "live gap beyond noise, over the measured force's standard deviation, at which to warn (default 0.1)",
        positive([](NodeSettings& settings) -> double& { return settings.gap.warn; }, 1e6)},
       {"gap_error", "a number greater than 0, at most 1e6",
-       "live gap beyond noise from which on to report an error (default 0.3)",
+       "live gap beyond noise at which to report an error (default 0.3)",
        positive([](NodeSettings& settings) -> double& { return settings.gap.error; }, 1e6)},
   };
   return table;
@@ -169,7 +169,7 @@ NodeSettings readNodeSettings(const ros::NodeHandle& private_handle) {
   return settings;
 }
 
-std::vector<ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
+std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle) {
   XmlRpcValue file;
   XmlRpcValue components;
   const bool has_file = private_handle.getParam("config_file", file);
@@ -181,13 +181,13 @@ std::vector<ComponentDescription> readComponents(const ros::NodeHandle& private_
                                             has_file ? "both" : "neither of the", file_name, components_name));
   }
   if (has_components) {
-    return parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
+    return io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
   }
   if (file.getType() != XmlRpcValue::TypeString) {
     throw std::invalid_argument(
         fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
   }
-  return loadComponentFile(static_cast<const std::string&>(file));
+  return io::loadComponentFile(static_cast<const std::string&>(file));
 }
 
 std::string describeNodeSettings() {
@@ -200,4 +200,4 @@ std::string describeNodeSettings() {
   return text;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

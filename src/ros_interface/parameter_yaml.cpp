@@ -1,5 +1,5 @@
 // Parameters of the parameter server as YAML text.
-#include "rubber_suspension/ros_interface/parameter_yaml.h"
+#include "ros_interface/parameter_yaml.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -87,4 +87,4 @@ std::string write(const XmlRpcValue& value, int depth) {
 
 std::string toYamlText(const XmlRpcValue& value) { return write(value, 0); }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,9 +1,9 @@
 // Holds, steps and lets go a playback from outside.
-#include "rubber_suspension/ros_interface/play_control.h"
+#include "ros_interface/play_control.h"
 
 #include <fmt/format.h>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 void PlayControl::step() {
   running_ = false;
@@ -21,15 +21,15 @@ PlayControlServices::PlayControlServices(const ros::NodeHandle& private_handle, 
 bool PlayControlServices::pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   control_.pause(request.data);
   response.success = true;
-  response.message = request.data ? "held" : "running";
+  response.message = request.data ? "paused" : "running";
   return true;
 }
 
 bool PlayControlServices::step(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
   control_.step();
   response.success = true;
-  response.message = fmt::format("{} samples of each component let go so far", control_.granted());
+  response.message = fmt::format("{} samples of each component released so far", control_.granted());
   return true;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

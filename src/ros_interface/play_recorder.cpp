@@ -1,5 +1,5 @@
 // Records what a playback brought.
-#include "rubber_suspension/ros_interface/play_recorder.h"
+#include "ros_interface/play_recorder.h"
 
 #include <fmt/format.h>
 #include <rubber_suspension/Gap.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr const char* kGapHeader =
@@ -17,10 +17,10 @@ constexpr const char* kGapHeader =
     "share_harmonics,share_mean,share_drift\n";
 
 [[noreturn]] void failToWrite(const std::string& path) {
-  throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  throw log::LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
 }
 
-std::string gapRow(std::int64_t stamp, const GapMessage& gap) {
+std::string gapRow(std::int64_t stamp, const Gap& gap) {
   return fmt::format("{:.9f},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                      1e-9 * static_cast<double>(stamp), static_cast<int>(gap.level), gap.window, gap.samples, gap.gap,
                      gap.noise_floor, gap.beyond_noise, gap.trend, gap.share_stiffness, gap.share_loss,
@@ -38,7 +38,7 @@ RecordPaths recordPathsIn(const std::string& folder, const std::string& componen
 
 PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& component) : paths_(paths) {
   if (!paths.forces.empty()) {
-    forces_ = std::make_unique<LogCsvWriter>(paths.forces, true);
+    forces_ = std::make_unique<log::LogCsvWriter>(paths.forces, true);
   }
   if (!paths.gaps.empty()) {
     gaps_.open(paths.gaps, std::ios::binary);
@@ -48,11 +48,11 @@ PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& componen
     }
   }
   if (!paths.bag.empty()) {
-    bag_ = std::make_unique<BagWriter>(paths.bag, component);
+    bag_ = std::make_unique<bag::BagWriter>(paths.bag, component);
   }
 }
 
-void PlayRecorder::add(const Log& log, const PlayResult& result) {
+void PlayRecorder::add(const log::Log& log, const PlayResult& result) {
   for (std::size_t i = 0; forces_ && i < log.size(); ++i) {
     if (result.answers[i] > 0) {
       forces_->append(log.stamp[i], log.displacement[i], result.force[i].total);
@@ -70,7 +70,7 @@ void PlayRecorder::addGaps(const PlayResult& result) {
   }
 }
 
-void PlayRecorder::addToBag(const Log& log, const PlayResult& result) {
+void PlayRecorder::addToBag(const log::Log& log, const PlayResult& result) {
   const std::int64_t shift = result.shift;
   for (std::size_t i = 0; i < result.sent; ++i) {
     bag_->writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
@@ -81,7 +81,7 @@ void PlayRecorder::addToBag(const Log& log, const PlayResult& result) {
       bag_->writeForce(log.stamp[i] + shift, log.displacement[i], result.force[i]);
     }
   }
-  for (const GapMessagePtr& gap : result.gaps) {
+  for (const GapConstPtr& gap : result.gaps) {
     bag_->writeGap(*gap);
   }
 }
@@ -101,4 +101,4 @@ void PlayRecorder::close() {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // Registers the node anew when the master was restarted.
-#include "rubber_suspension/ros_interface/registration_keeper.h"
+#include "ros_interface/registration_keeper.h"
 
 #include <fmt/format.h>
 #include <ros/connection_manager.h>
@@ -10,7 +10,7 @@
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -109,4 +109,4 @@ void RegistrationKeeper::check() {
   lost_ = registration == Registration::no_answer;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

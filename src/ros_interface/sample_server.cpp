@@ -1,12 +1,12 @@
 // The topics of one component.
-#include "rubber_suspension/ros_interface/sample_server.h"
+#include "ros_interface/sample_server.h"
 
 #include <chrono>
 
-#include "rubber_suspension/ros_interface/arrival.h"
+#include "ros_interface/arrival.h"
 
-namespace rubber_suspension {
-void fillForce(const Displacement& displacement, const ComponentForce& force, Force& message) {
+namespace rubber_suspension::ros_interface {
+void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message) {
   message.header = displacement.header;
   message.displacement = displacement.displacement;
   message.force = force.total;
@@ -15,7 +15,8 @@ void fillForce(const Displacement& displacement, const ComponentForce& force, Fo
   message.friction = force.friction;
 }
 
-SampleServer::SampleServer(ros::NodeHandle& handle, ComponentChannel& channel, int queue_size) : channel_(channel) {
+SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& channel, int queue_size)
+    : channel_(channel) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   publisher_ = handle.advertise<Force>(channel.name() + "/force", size);
   subscriber_ = handle.subscribe(channel.name() + "/displacement", size, &SampleServer::serve, this,
@@ -40,7 +41,7 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   if (const std::uint32_t lost = watch_.take(event.getConnectionHeaderPtr().get(), sample.header.seq)) {
     channel_.countLost(lost);
   }
-  ComponentForce force;
+  element::ComponentForce force;
   if (!channel_.push(static_cast<std::int64_t>(sample.header.stamp.toNSec()), sample.displacement, force)) {
     return;
   }
@@ -50,4 +51,4 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
 // A thread that serves a group of components.
-#include "rubber_suspension/ros_interface/serving_thread.h"
+#include "ros_interface/serving_thread.h"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 std::string ServingThread::start(int realtime_priority) {
   running_ = true;
@@ -47,4 +47,4 @@ std::string lockMemory() {
                                                  : fmt::format("memory not locked: {}", std::strerror(errno));
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -1,14 +1,14 @@
 // The node, put together.
-#include "rubber_suspension/ros_interface/simulate_node.h"
+#include "ros_interface/simulate_node.h"
 
 #include <ros/console.h>
 #include <unistd.h>
 
 #include <algorithm>
 
-#include "rubber_suspension/ros_interface/loopback.h"
+#include "ros_interface/loopback.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
     : handle_(handle), private_handle_(private_handle), settings_(readNodeSettings(private_handle_)) {
@@ -30,8 +30,8 @@ SimulateNode::~SimulateNode() {
 }
 
 void SimulateNode::makeChannels() {
-  for (const ComponentDescription& description : readComponents(private_handle_)) {
-    channels_.push_back(std::make_unique<ComponentChannel>(description, settings_.max_gap));
+  for (const io::ComponentDescription& description : readComponents(private_handle_)) {
+    channels_.push_back(std::make_unique<node::ComponentChannel>(description, settings_.max_gap));
   }
   if (settings_.load_state && access(settings_.state_file.c_str(), F_OK) == 0) {
     loadStates(settings_.state_file, channels());
@@ -92,12 +92,12 @@ void SimulateNode::advertiseServices() {
   registration_ = std::make_unique<RegistrationKeeper>(private_handle_, services_->names());
 }
 
-std::vector<ComponentChannel*> SimulateNode::channels() const {
-  std::vector<ComponentChannel*> pointers;
+std::vector<node::ComponentChannel*> SimulateNode::channels() const {
+  std::vector<node::ComponentChannel*> pointers;
   for (const auto& channel : channels_) {
     pointers.push_back(channel.get());
   }
   return pointers;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -4,9 +4,9 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "rubber_suspension/ros_interface/simulate_node.h"
+#include "ros_interface/simulate_node.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 class SimulateNodelet : public nodelet::Nodelet {
  private:
@@ -22,6 +22,6 @@ class SimulateNodelet : public nodelet::Nodelet {
   std::unique_ptr<SimulateNode> node_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface
 
-PLUGINLIB_EXPORT_CLASS(rubber_suspension::SimulateNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(rubber_suspension::ros_interface::SimulateNodelet, nodelet::Nodelet)

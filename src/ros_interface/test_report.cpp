@@ -1,5 +1,5 @@
 // The result of a test node in the XML format of GoogleTest.
-#include "rubber_suspension/ros_interface/test_report.h"
+#include "ros_interface/test_report.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 using Tree = boost::property_tree::ptree;
@@ -80,4 +80,4 @@ void writeTestReport(const std::string& path, const std::string& suite, const st
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

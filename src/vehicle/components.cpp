@@ -1,16 +1,17 @@
 // The rubber components of the vehicle from a component file.
-#include "components.h"
+#include "vehicle/components.h"
 
-#include "half_bogie.h"
 #include "rubber_suspension/io/component_file.h"
+#include "vehicle/half_bogie.h"
 
 namespace rubber_suspension::vehicle {
 
-std::vector<Component> loadStruts(const std::string& path, const std::vector<ElementDescription>& further) {
-  const auto file = loadComponentFile(path);
-  std::vector<Component> components;
+std::vector<component::Component> loadStruts(const std::string& path,
+                                             const std::vector<element::ElementDescription>& further) {
+  const auto file = io::loadComponentFile(path);
+  std::vector<component::Component> components;
   for (const std::string& name : strutNames()) {
-    std::vector<ElementDescription> elements = selectComponent(file, name).allElements();
+    std::vector<element::ElementDescription> elements = io::selectComponent(file, name).allElements();
     elements.insert(elements.end(), further.begin(), further.end());
     components.emplace_back(elements);
   }

@@ -10,6 +10,7 @@ namespace rubber_suspension::vehicle {
 
 /// The components named as the struts, in their order. `further` elements are added to each, such as a delay.
 /// Throws as loadComponentFile and selectComponent do.
-std::vector<Component> loadStruts(const std::string& path, const std::vector<ElementDescription>& further = {});
+std::vector<component::Component> loadStruts(const std::string& path,
+                                             const std::vector<element::ElementDescription>& further = {});
 
 }  // namespace rubber_suspension::vehicle

@@ -1,5 +1,5 @@
 // Forces of the components of a vehicle that steps at fixed times.
-#include "force_exchange.h"
+#include "vehicle/force_exchange.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 namespace rubber_suspension::vehicle {
 
-LibraryExchange::LibraryExchange(const std::vector<Component>& components) {
-  for (const Component& component : components) {
+LibraryExchange::LibraryExchange(const std::vector<component::Component>& components) {
+  for (const component::Component& component : components) {
     streams_.emplace_back(component);
   }
 }
@@ -16,8 +16,8 @@ LibraryExchange::LibraryExchange(const std::vector<Component>& components) {
 void LibraryExchange::send(std::int64_t stamp, const PerStrut& displacement) {
   Answer answer{stamp, {}};
   for (std::size_t i = 0; i < kStruts; ++i) {
-    const StreamForce result = streams_[i].push(stamp, displacement[i]);
-    if (!isAccepted(result.verdict)) {
+    const component::StreamForce result = streams_[i].push(stamp, displacement[i]);
+    if (!component::isAccepted(result.verdict)) {
       throw std::runtime_error(
           fmt::format("{}: displacement {:g} m at {} ns was not accepted", strutNames()[i], displacement[i], stamp));
     }

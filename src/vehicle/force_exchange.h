@@ -5,8 +5,8 @@
 #include <deque>
 #include <vector>
 
-#include "half_bogie.h"
 #include "rubber_suspension/component/sample_stream.h"
+#include "vehicle/half_bogie.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -26,7 +26,7 @@ class ForceExchange {
 class LibraryExchange final : public ForceExchange {
  public:
   /// The components, one per strut, must outlive this object.
-  explicit LibraryExchange(const std::vector<Component>& components);
+  explicit LibraryExchange(const std::vector<component::Component>& components);
 
   void send(std::int64_t stamp, const PerStrut& displacement) override;
   PerStrut receive(std::int64_t stamp) override;
@@ -37,7 +37,7 @@ class LibraryExchange final : public ForceExchange {
     PerStrut force;
   };
 
-  std::vector<SampleStream> streams_;
+  std::vector<component::SampleStream> streams_;
   std::deque<Answer> answers_;
 };
 

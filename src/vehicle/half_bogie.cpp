@@ -1,5 +1,5 @@
 // One side of a bogie as a Simbody model.
-#include "half_bogie.h"
+#include "vehicle/half_bogie.h"
 
 namespace rubber_suspension::vehicle {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "track.h"
+#include "vehicle/track.h"
 
 namespace rubber_suspension::vehicle {
 

@@ -1,5 +1,5 @@
 // What a simulation of the vehicle gave.
-#include "history.h"
+#include "vehicle/history.h"
 
 #include <fmt/format.h>
 
@@ -54,19 +54,19 @@ void writeHistoryCsv(const std::string& path, const History& history) {
   }
 }
 
-Figure historyFigure(const History& history, const History& reference, const std::string& title) {
-  Figure figure;
+io::Figure historyFigure(const History& history, const History& reference, const std::string& title) {
+  io::Figure figure;
   figure.title = title;
   for (std::size_t i = 0; i < kStruts; ++i) {
-    Axes displacement;
+    io::Axes displacement;
     displacement.title = strutNames()[i];
     displacement.x_label = "time [s]";
     displacement.y_label = "displacement [mm]";
-    Curve with{"loop", history.time, {}, "-", 1};
-    Curve without{"undelayed", reference.time, {}, "-", 0};
-    Axes difference = displacement;
+    io::Curve with{"loop", history.time, {}, "-", 1};
+    io::Curve without{"undelayed", reference.time, {}, "-", 0};
+    io::Axes difference = displacement;
     difference.y_label = "difference [mm]";
-    Curve gap{"", history.time, {}, "-", 4};
+    io::Curve gap{"", history.time, {}, "-", 4};
     for (std::size_t n = 0; n < history.size(); ++n) {
       with.y.push_back(1e3 * history.compression[n][i]);
       without.y.push_back(1e3 * reference.compression[n][i]);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "half_bogie.h"
 #include "rubber_suspension/io/figure.h"
+#include "vehicle/half_bogie.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -31,6 +31,6 @@ PerStrut displacementDifference(const History& history, const History& reference
 void writeHistoryCsv(const std::string& path, const History& history);
 
 /// The displacements of a run and their difference to a reference, over time.
-Figure historyFigure(const History& history, const History& reference, const std::string& title);
+io::Figure historyFigure(const History& history, const History& reference, const std::string& title);
 
 }  // namespace rubber_suspension::vehicle

@@ -1,5 +1,5 @@
 // Three ways to step the vehicle.
-#include "simulation.h"
+#include "vehicle/simulation.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ using Matrix = Eigen::Matrix3d;
 // Forces of trial steps from the state at the accepted one.
 class TrialLaw final : public StrutLaw {
  public:
-  explicit TrialLaw(const std::vector<Component>& components) {
-    for (const Component& component : components) {
+  explicit TrialLaw(const std::vector<component::Component>& components) {
+    for (const component::Component& component : components) {
       steppers_.emplace_back(component);
     }
   }
@@ -43,12 +43,12 @@ class TrialLaw final : public StrutLaw {
     return force;
   }
 
-  Tangent tangent(std::size_t strut, double time, double compression) {
+  component::Tangent tangent(std::size_t strut, double time, double compression) {
     return steppers_[strut].tangent(time, compression);
   }
 
  private:
-  std::vector<TrialStepper> steppers_;
+  std::vector<component::TrialStepper> steppers_;
 };
 
 // Forces that somebody else has set.
@@ -147,7 +147,7 @@ class Newmark {
     Matrix result = mass_ * (4.0 / (h * h));
     const PerStrut compression = bogie_.compressions(state_);
     for (std::size_t i = 0; i < kStruts; ++i) {
-      const Tangent tangent = law_.tangent(i, state_.getTime(), compression[i]);
+      const component::Tangent tangent = law_.tangent(i, state_.getTime(), compression[i]);
       const Vector direction = toEigen(bogie_.direction(state_, i));
       result += (tangent.stiffness + tangent.damping / h) * direction * direction.transpose();
     }
@@ -181,8 +181,8 @@ bool exceeds(const State& state, double bound) {
 
 std::int64_t Scene::steps() const { return std::llround(duration * 1e9) / step; }
 
-History runVariableStep(const Scene& scene, const std::vector<Component>& components, const VariableStep& options,
-                        StepCount* count) {
+History runVariableStep(const Scene& scene, const std::vector<component::Component>& components,
+                        const VariableStep& options, StepCount* count) {
   TrialLaw law(components);
   const HalfBogie bogie(scene.parameters, scene.track, law);
   State start = startOf(scene, bogie);
@@ -204,7 +204,7 @@ History runVariableStep(const Scene& scene, const std::vector<Component>& compon
   return history;
 }
 
-History runImplicit(const Scene& scene, const std::vector<Component>& components, int* iterations) {
+History runImplicit(const Scene& scene, const std::vector<component::Component>& components, int* iterations) {
   TrialLaw law(components);
   const HalfBogie bogie(scene.parameters, scene.track, law);
   State state = startOf(scene, bogie);

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "force_exchange.h"
-#include "half_bogie.h"
-#include "history.h"
 #include "rubber_suspension/component/trial_stepper.h"
+#include "vehicle/force_exchange.h"
+#include "vehicle/half_bogie.h"
+#include "vehicle/history.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -37,12 +37,12 @@ struct StepCount {
 
 /// Runge-Kutta-Merson with variable steps: forces of trial steps, the components' memory advances with accepted ones.
 /// No delay: the reference for the others. Throws std::runtime_error where the integrator gives up.
-History runVariableStep(const Scene& scene, const std::vector<Component>& components, const VariableStep& options,
-                        StepCount* count = nullptr);
+History runVariableStep(const Scene& scene, const std::vector<component::Component>& components,
+                        const VariableStep& options, StepCount* count = nullptr);
 
 /// Newmark's method (average acceleration) with Newton iterations on the residual of the multibody system, with the
 /// tangents of the components. Throws std::runtime_error where an iteration does not converge.
-History runImplicit(const Scene& scene, const std::vector<Component>& components, int* iterations = nullptr);
+History runImplicit(const Scene& scene, const std::vector<component::Component>& components, int* iterations = nullptr);
 
 /// A loop with a partner that answers displacements with forces at fixed steps. The forces of step n - delay act,
 /// constant, from step n to step n + 1: they are late by (delay + 1/2) steps in the mean. With delay 0 each step waits

@@ -1,5 +1,5 @@
 // Up to which step a loop with delayed forces stays stable.
-#include "stability.h"
+#include "vehicle/stability.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ using Roots = Eigen::Vector3cd;
 
 // The vehicle for small motion, in the coordinates of HalfBogie.
 struct LinearVehicle {
-  LinearVehicle(const VehicleParameters& parameters, const std::vector<Component>& all) : components(all) {
+  LinearVehicle(const VehicleParameters& parameters, const std::vector<component::Component>& all) : components(all) {
     const double a = parameters.semi_wheelbase;
     mass = Eigen::Vector3d(parameters.frame_mass, parameters.frame_inertia, parameters.body_mass).asDiagonal();
     direction.col(0) << 1.0, a, 0.0;
@@ -45,7 +45,7 @@ struct LinearVehicle {
     return quotient.eigenvalues();
   }
 
-  const std::vector<Component>& components;
+  const std::vector<component::Component>& components;
   Eigen::Matrix3d mass;
   Eigen::Matrix3d damping;
   Eigen::Matrix3d direction;
@@ -103,7 +103,7 @@ double meanEnergy(const VehicleParameters& parameters, const History& history, s
 
 }  // namespace
 
-DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<Component>& components) {
+DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<component::Component>& components) {
   constexpr double kLowest = 2.0 * M_PI * 0.05;
   constexpr double kHighest = 2.0 * M_PI * 500.0;
   constexpr int kPoints = 4000;
@@ -123,8 +123,8 @@ DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<C
   return margin;
 }
 
-double growthRate(const VehicleParameters& parameters, const std::vector<Component>& components, std::int64_t step,
-                  int delay, double duration) {
+double growthRate(const VehicleParameters& parameters, const std::vector<component::Component>& components,
+                  std::int64_t step, int delay, double duration) {
   constexpr double kTooFast = 1e6;  // [m/s]; a run that gets there is unstable, whatever it would do then
   Scene scene;
   scene.parameters = parameters;
@@ -142,8 +142,8 @@ double growthRate(const VehicleParameters& parameters, const std::vector<Compone
   return 0.5 * std::log(after / before) / (0.25 * (history.time.back() - history.time.front()));
 }
 
-double largestStableStep(const VehicleParameters& parameters, const std::vector<Component>& components, int delay,
-                         double guess) {
+double largestStableStep(const VehicleParameters& parameters, const std::vector<component::Component>& components,
+                         int delay, double guess) {
   constexpr double kAccuracy = 1.01;
   constexpr double kShortest = 1e-6;  // [s]; not searched further down
   const auto stable = [&](double step) {

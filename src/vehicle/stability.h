@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "simulation.h"
+#include "vehicle/simulation.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -21,17 +21,17 @@ struct DelayMargin {
 /// where one has magnitude 1, T = -arg(x)/w. [Nyquist's criterion; for a single mass on a single spring it is T = d/w
 /// with d the loss angle at the w of resonance.] Throws std::invalid_argument that names a component that is not
 /// linear, or where there is no such delay.
-DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<Component>& components);
+DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<component::Component>& components);
 
 /// Rate at which a kicked vehicle on level track gains (above 0) or loses speed in a loop of a fixed step [ns] and a
 /// whole number of steps of delay [1/s], measured over the second half of `duration` [s], once what decays fast is
 /// gone.
-double growthRate(const VehicleParameters& parameters, const std::vector<Component>& components, std::int64_t step,
-                  int delay, double duration = 5.0);
+double growthRate(const VehicleParameters& parameters, const std::vector<component::Component>& components,
+                  std::int64_t step, int delay, double duration = 5.0);
 
 /// The largest step [s] at which such a loop loses speed, found by bisection to 1 % around `guess` [s];
 /// 0 where there is none above 1 us.
-double largestStableStep(const VehicleParameters& parameters, const std::vector<Component>& components, int delay,
-                         double guess);
+double largestStableStep(const VehicleParameters& parameters, const std::vector<component::Component>& components,
+                         int delay, double guess);
 
 }  // namespace rubber_suspension::vehicle

@@ -1,5 +1,5 @@
 // The track below the vehicle.
-#include "track.h"
+#include "vehicle/track.h"
 
 namespace rubber_suspension::vehicle {
 namespace {
@@ -7,14 +7,16 @@ namespace {
 constexpr int kCubic = 3;
 constexpr std::size_t kFewest = 4;
 
-double sinceStart(const Log& log, std::size_t i) { return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]); }
+double sinceStart(const log::Log& log, std::size_t i) {
+  return 1e-9 * static_cast<double>(log.stamp[i] - log.stamp[0]);
+}
 
 }  // namespace
 
-Track::Track(const Log& log) {
-  checkLog(log);
+Track::Track(const log::Log& log) {
+  log::checkLog(log);
   if (log.size() < kFewest) {
-    throw LogError(log.name + ": too short for a track; accepted: at least four samples");
+    throw log::LogError(log.name + ": too short for a track; accepted: at least four samples");
   }
   SimTK::Vector time(static_cast<int>(log.size()));
   SimTK::Vector height(static_cast<int>(log.size()));

@@ -3,7 +3,7 @@
 
 #include <Simbody.h>
 
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -15,7 +15,7 @@ class Track {
   Track() = default;
 
   /// From the displacement [m] of a log. Throws LogError as checkLog does, and for less than four samples.
-  explicit Track(const Log& log);
+  explicit Track(const log::Log& log);
 
   /// Height at a time from the start of the log [s], [m].
   double height(double time) const;

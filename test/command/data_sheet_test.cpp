@@ -1,5 +1,5 @@
 // Data sheets as files: a component file that can be used, and errors that say where.
-#include "rubber_suspension/command/data_sheet.h"
+#include "command/data_sheet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ const std::string kSheet = R"(data_sheet:
 
 std::string refusal(const std::string& text) {
   try {
-    componentFileFromDataSheetText(text, "sheet.yaml");
+    command::componentFileFromDataSheetText(text, "sheet.yaml");
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -36,14 +36,14 @@ std::string replaced(const std::string& from, const std::string& to) {
 }
 
 TEST(DataSheetFile, BecomesAComponentFile) {
-  const std::string file = componentFileFromDataSheetText(kSheet, "sheet.yaml");
+  const std::string file = command::componentFileFromDataSheetText(kSheet, "sheet.yaml");
   EXPECT_THAT(file, HasSubstr("# static_stiffness"));
-  const auto components = parseComponentFile(file, "written");
+  const auto components = io::parseComponentFile(file, "written");
   ASSERT_EQ(components.size(), 1u);
   EXPECT_EQ(components[0].name, "bush");
-  EXPECT_EQ(components[0].model, Model::maxwell);
+  EXPECT_EQ(components[0].model, estimation::Model::maxwell);
   EXPECT_NEAR(components[0].specification.at("static_stiffness"),
-              modulusFromShoreA(60.0) * compressionFactor(1.25) * 0.5, 1.0);
+              estimation::modulusFromShoreA(60.0) * estimation::compressionFactor(1.25) * 0.5, 1.0);
   EXPECT_TRUE(components[0].makeComponent().linear());
 }
 
@@ -65,7 +65,7 @@ TEST(DataSheetFile, RefusesInOneLine) {
     EXPECT_THAT(message, HasSubstr(part));
     EXPECT_THAT(message, ::testing::Not(HasSubstr("\n")));
   }
-  EXPECT_THROW(componentFileFromDataSheet("/nowhere/sheet.yaml"), std::runtime_error);
+  EXPECT_THROW(command::componentFileFromDataSheet("/nowhere/sheet.yaml"), std::runtime_error);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The report of `estimate`: the numbers of the sweeps, in text and JSON.
-#include "rubber_suspension/command/estimate.h"
+#include "command/estimate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,14 +27,14 @@ components:
     elements: [{type: spring, stiffness: 1e6}]
 )";
 
-std::vector<ComponentDescription> components() { return parseComponentFile(kFile, "test"); }
+std::vector<io::ComponentDescription> components() { return io::parseComponentFile(kFile, "test"); }
 
-EstimateReport reportOf(const std::string& name, const SweepOptions& options = {}) {
-  return makeEstimateReport(selectComponent(components(), name), options);
+command::EstimateReport reportOf(const std::string& name, const command::SweepOptions& options = {}) {
+  return command::makeEstimateReport(io::selectComponent(components(), name), options);
 }
 
 TEST(EstimateReport, SweepsFollowFromTheSpecification) {
-  const EstimateReport report = reportOf("right");
+  const command::EstimateReport report = reportOf("right");
   EXPECT_FALSE(report.linear);
   EXPECT_EQ(report.working_point.frequency, 4.0);
   EXPECT_EQ(report.working_point.amplitude, 2e-3);
@@ -47,7 +47,7 @@ TEST(EstimateReport, SweepsFollowFromTheSpecification) {
 }
 
 TEST(EstimateReport, SweepsFollowTheOptions) {
-  SweepOptions options;
+  command::SweepOptions options;
   options.lowest_frequency = 1.0;
   options.highest_frequency = 2.0;
   options.lowest_amplitude = 1e-4;
@@ -56,7 +56,7 @@ TEST(EstimateReport, SweepsFollowTheOptions) {
   options.amplitude = 1e-3;
   options.product = 2e-3;
   options.points = 3;
-  const EstimateReport report = reportOf("right", options);
+  const command::EstimateReport report = reportOf("right", options);
   EXPECT_EQ(report.over_frequency.size(), 3u);
   EXPECT_EQ(report.over_frequency.back().frequency, 2.0);
   EXPECT_EQ(report.over_frequency.back().amplitude, 1e-3);
@@ -66,7 +66,7 @@ TEST(EstimateReport, SweepsFollowTheOptions) {
 }
 
 TEST(EstimateReport, RefusesRangesThatAreNone) {
-  SweepOptions options;
+  command::SweepOptions options;
   options.lowest_frequency = 100.0;
   EXPECT_THROW(reportOf("left", options), std::invalid_argument);
   options = {};
@@ -75,8 +75,8 @@ TEST(EstimateReport, RefusesRangesThatAreNone) {
 }
 
 TEST(EstimateReport, JsonHasEveryNumber) {
-  const EstimateReport report = reportOf("right");
-  const auto json = nlohmann::json::parse(toJson({reportOf("left"), report}));
+  const command::EstimateReport report = reportOf("right");
+  const auto json = nlohmann::json::parse(command::toJson({reportOf("left"), report}));
   EXPECT_EQ(json["schema"], "rubber_suspension/estimate/1");
   ASSERT_EQ(json["components"].size(), 2u);
   const auto& right = json["components"][1];
@@ -92,17 +92,17 @@ TEST(EstimateReport, JsonHasEveryNumber) {
 }
 
 TEST(EstimateReport, TextNamesUnitsAndReconstruction) {
-  const std::string text = toText(reportOf("left"));
+  const std::string text = command::toText(reportOf("left"));
   EXPECT_THAT(text, HasSubstr("stiffness 233442 N/m, break_frequency 0.0348316 Hz"));
   EXPECT_THAT(text, HasSubstr("reconstruction"));
   EXPECT_THAT(text, HasSubstr("K [N/m]"));
-  EXPECT_THAT(toText(reportOf("right")), HasSubstr("dead_band"));
+  EXPECT_THAT(command::toText(reportOf("right")), HasSubstr("dead_band"));
 }
 
 TEST(EstimateReport, FigureHasACurvePerComponent) {
-  const Figure figure = toFigure({reportOf("left"), reportOf("right")});
+  const io::Figure figure = command::toFigure({reportOf("left"), reportOf("right")});
   ASSERT_EQ(figure.axes.size(), 6u);
-  for (const Axes& axes : figure.axes) {
+  for (const io::Axes& axes : figure.axes) {
     EXPECT_EQ(axes.curves.size(), 2u);
   }
 }

@@ -1,5 +1,5 @@
 // The paper's figures: the curves pass through every number that is known of them, to its digits.
-#include "rubber_suspension/command/paper_figures.h"
+#include "command/paper_figures.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,13 +11,13 @@
 namespace rubber_suspension {
 namespace {
 
-const std::vector<PaperFigure>& figures() {
-  static const std::vector<PaperFigure> all = paperFigures();
+const std::vector<command::PaperFigure>& figures() {
+  static const std::vector<command::PaperFigure> all = command::paperFigures();
   return all;
 }
 
-const PaperFigure& figure(int number) {
-  for (const PaperFigure& candidate : figures()) {
+const command::PaperFigure& figure(int number) {
+  for (const command::PaperFigure& candidate : figures()) {
     if (candidate.number == number) {
       return candidate;
     }
@@ -25,8 +25,8 @@ const PaperFigure& figure(int number) {
   throw std::out_of_range("no figure " + std::to_string(number));
 }
 
-const SweepPoint& pointAt(const PaperCurve& curve, double frequency) {
-  for (const SweepPoint& point : curve.points) {
+const response::SweepPoint& pointAt(const command::PaperCurve& curve, double frequency) {
+  for (const response::SweepPoint& point : curve.points) {
     if (point.frequency == frequency) {
       return point;
     }
@@ -38,10 +38,10 @@ double degrees(double angle) { return angle * 180.0 / M_PI; }
 
 TEST(PaperFigures, AreTheFiveOfThePaper) {
   std::vector<int> numbers;
-  for (const PaperFigure& one : figures()) {
+  for (const command::PaperFigure& one : figures()) {
     numbers.push_back(one.number);
-    for (const PaperCurve& curve : one.curves) {
-      for (const SweepPoint& point : curve.points) {
+    for (const command::PaperCurve& curve : one.curves) {
+      for (const response::SweepPoint& point : curve.points) {
         EXPECT_TRUE(point.settled);
       }
     }
@@ -52,7 +52,7 @@ TEST(PaperFigures, AreTheFiveOfThePaper) {
 TEST(PaperFigures, Figure3LossAngleAtTheNominalFrequency) {
   const double angles[] = {2.04, 4.06, 7.94, 14.66, 23.73};
   for (int i = 0; i < 5; ++i) {
-    const SweepPoint& point = pointAt(figure(3).curves.at(i), 4.0);
+    const response::SweepPoint& point = pointAt(figure(3).curves.at(i), 4.0);
     EXPECT_NEAR(degrees(point.characteristics.loss_angle), angles[i], 0.005);
     EXPECT_NEAR(point.characteristics.stiffness, 4.2e6, 1.0);
   }
@@ -83,7 +83,7 @@ TEST(PaperFigures, Figure6LoopsMeetTheWorkingPoint) {
   // peak).
   const double accuracy[] = {6e-3, 1e-9, 1e-9, 1e-6, 4e-4, 1e-6};
   for (std::size_t i = 0; i < 6; ++i) {
-    const Characteristics characteristics = figure(6).curves.at(i).loop.characteristics();
+    const response::Characteristics characteristics = figure(6).curves.at(i).loop.characteristics();
     // M2 was given a rounded break frequency, so it meets the loss angle to two digits.
     EXPECT_NEAR(characteristics.stiffness / 4.2e6, 1.0, std::max(accuracy[i], 1e-5)) << i;
     EXPECT_NEAR(degrees(characteristics.loss_angle), 5.71, i == 1 ? 0.06 : 0.01) << i;
@@ -99,7 +99,7 @@ TEST(PaperFigures, Figure8Curves) {
               {{3.28, 3.51, 3.84, 4.20, 4.55, 4.74, 4.95}, {4.88, 6.45, 6.72, 5.71, 4.29, 3.45, 2.51}}};
   for (int curve = 0; curve < 3; ++curve) {
     for (int i = 0; i < 7; ++i) {
-      const SweepPoint& point = pointAt(figure(8).curves.at(curve), frequencies[i]);
+      const response::SweepPoint& point = pointAt(figure(8).curves.at(curve), frequencies[i]);
       EXPECT_NEAR(point.characteristics.stiffness, rows[curve].stiffness[i] * 1e6, 0.005e6);
       const double known = rows[curve].angle[i];
       EXPECT_NEAR(degrees(point.characteristics.loss_angle), known, known >= 10.0 ? 0.05 : 0.005);
@@ -116,7 +116,7 @@ std::string firstLine(const std::filesystem::path& path) {
 
 TEST(PaperFigures, AreWritten) {
   const auto folder = std::filesystem::temp_directory_path() / ("paper_figures_" + std::to_string(getpid()));
-  const auto paths = writePaperFigures({figure(6), figure(8)}, folder.string());
+  const auto paths = command::writePaperFigures({figure(6), figure(8)}, folder.string());
   EXPECT_EQ(paths.size(), 6u);
   for (const std::string& path : paths) {
     EXPECT_GT(std::filesystem::file_size(path), 1000u) << path;
@@ -124,7 +124,7 @@ TEST(PaperFigures, AreWritten) {
   EXPECT_EQ(firstLine(folder / "figure_6.csv"), "curve,displacement_m,force_n");
   EXPECT_EQ(firstLine(folder / "figure_8.csv"), "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad");
   std::filesystem::remove_all(folder);
-  EXPECT_THROW(writePaperFigures({figure(6)}, "/proc/nowhere"), std::runtime_error);
+  EXPECT_THROW(command::writePaperFigures({figure(6)}, "/proc/nowhere"), std::runtime_error);
 }
 
 }  // namespace

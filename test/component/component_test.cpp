@@ -15,17 +15,17 @@
 namespace rubber_suspension::test {
 namespace {
 
-const ElementDescription kSpring{"spring", {{"stiffness", {3e6}}}};
-const ElementDescription kDashpot{"dashpot", {{"damping", {1e4}}}};
-const ElementDescription kMaxwell{"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}};
-const ElementDescription kFastMaxwell{"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {15.0}}}};
-const ElementDescription kFriction{"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}};
-const ElementDescription kMount{"series_compliance", {{"stiffness", {3e7}}}};
+const element::ElementDescription kSpring{"spring", {{"stiffness", {3e6}}}};
+const element::ElementDescription kDashpot{"dashpot", {{"damping", {1e4}}}};
+const element::ElementDescription kMaxwell{"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}};
+const element::ElementDescription kFastMaxwell{"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {15.0}}}};
+const element::ElementDescription kFriction{"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}};
+const element::ElementDescription kMount{"series_compliance", {{"stiffness", {3e7}}}};
 
 /// One of each kind, all slots of the memory in use.
-std::vector<ElementDescription> everything() {
-  std::vector<ElementDescription> all;
-  for (const ElementDescription& description : typicalElements()) {
+std::vector<element::ElementDescription> everything() {
+  std::vector<element::ElementDescription> all;
+  for (const element::ElementDescription& description : typicalElements()) {
     all.push_back(description);
   }
   return all;
@@ -36,9 +36,10 @@ double sineAt(int i, int samples, double amplitude) {
 }
 
 /// First harmonic of the settled force over a sampled sine [N/m].
-std::complex<double> simulatedStiffness(const Component& component, double frequency, int samples, int cycles) {
+std::complex<double> simulatedStiffness(const component::Component& component, double frequency, int samples,
+                                        int cycles) {
   constexpr double kAmplitude = 1e-3;
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= cycles * samples; ++i) {
     const double force = component.step(state, 1.0 / (frequency * samples), sineAt(i, samples, kAmplitude)).total;
@@ -58,7 +59,8 @@ std::complex<double> sampledMaxwell(double stiffness, double break_frequency, do
   return stiffness * (1.0 - decay) / ratio * (1.0 - q) / (1.0 - decay * q);
 }
 
-std::vector<double> walk(const Component& component, ComponentState& state, unsigned seed, int steps) {
+std::vector<double> walk(const component::Component& component, component::ComponentState& state, unsigned seed,
+                         int steps) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<double> forces;
@@ -70,7 +72,7 @@ std::vector<double> walk(const Component& component, ComponentState& state, unsi
 }
 
 TEST(Component, LinearElementsMeetTheirSampledStiffnessExactly) {
-  const Component component({kSpring, kMaxwell, kFastMaxwell});
+  const component::Component component({kSpring, kMaxwell, kFastMaxwell});
   for (const double frequency : {0.5, 4.0, 20.0}) {
     const std::complex<double> expected =
         3e6 + sampledMaxwell(1.3e6, 1.43, frequency, 40) + sampledMaxwell(6e5, 15.0, frequency, 40);
@@ -81,7 +83,7 @@ TEST(Component, LinearElementsMeetTheirSampledStiffnessExactly) {
 }
 
 TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
-  const Component component({kSpring, kDashpot, kMaxwell});
+  const component::Component component({kSpring, kDashpot, kMaxwell});
   const double omega = 2.0 * M_PI * 4.0;
   const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * 1.43));
   const std::complex<double> expected = 3e6 + std::complex<double>(0.0, 1e4 * omega) + 1.3e6 * iwt / (1.0 + iwt);
@@ -91,25 +93,26 @@ TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
 
 TEST(Component, MeetsThePapersExample) {
   // M2 of Polach: K = 4.2 kN/mm and 5.76 degrees at 4 Hz.
-  const Component component({kSpring, {"maxwell", {{"stiffness", {1.3295e6}}, {"break_frequency", {1.43}}}}});
+  const component::Component component(
+      {kSpring, {"maxwell", {{"stiffness", {1.3295e6}}, {"break_frequency", {1.43}}}}});
   const std::complex<double> k = *component.complexStiffness(4.0);
   EXPECT_NEAR(std::abs(k), 4.2e6, 1e3);
   EXPECT_NEAR(std::arg(k) * 180.0 / M_PI, 5.76, 0.01);
 }
 
 TEST(Component, NonlinearElementsHaveNoComplexStiffness) {
-  EXPECT_FALSE(Component({kSpring, kFriction}).linear());
-  EXPECT_FALSE(Component({kSpring, {"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.0}}}}}).linear());
-  EXPECT_FALSE(Component({kSpring, {"free_play", {{"gap", {1e-4}}}}}).linear());
-  EXPECT_FALSE(Component({kSpring, {"stress_softening", {{"reduction", {0.1}}}}}).linear());
-  EXPECT_FALSE(Component({kSpring, kFriction}).complexStiffness(1.0).has_value());
+  EXPECT_FALSE(component::Component({kSpring, kFriction}).linear());
+  EXPECT_FALSE(component::Component({kSpring, {"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.0}}}}}).linear());
+  EXPECT_FALSE(component::Component({kSpring, {"free_play", {{"gap", {1e-4}}}}}).linear());
+  EXPECT_FALSE(component::Component({kSpring, {"stress_softening", {{"reduction", {0.1}}}}}).linear());
+  EXPECT_FALSE(component::Component({kSpring, kFriction}).complexStiffness(1.0).has_value());
 }
 
 TEST(Component, OrderOfElementsIsWithoutInfluenceButForRounding) {
-  const Component one({kSpring, kMaxwell, kFriction, kFastMaxwell, kDashpot});
-  const Component other({kDashpot, kFastMaxwell, kFriction, kMaxwell, kSpring});
-  ComponentState a = one.makeState();
-  ComponentState b = other.makeState();
+  const component::Component one({kSpring, kMaxwell, kFriction, kFastMaxwell, kDashpot});
+  const component::Component other({kDashpot, kFastMaxwell, kFriction, kMaxwell, kSpring});
+  component::ComponentState a = one.makeState();
+  component::ComponentState b = other.makeState();
   const std::vector<double> forces = walk(one, a, 1, 100);
   const std::vector<double> others = walk(other, b, 1, 100);
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -118,37 +121,37 @@ TEST(Component, OrderOfElementsIsWithoutInfluenceButForRounding) {
 }
 
 TEST(Component, PartsAddUpToTheTotal) {
-  const Component component(everything());
-  ComponentState state = component.makeState();
+  const component::Component component(everything());
+  component::ComponentState state = component.makeState();
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> uniform(-2e-3, 2e-3);
   for (int i = 0; i < 300; ++i) {
-    const ComponentForce force = component.step(state, 1e-3, uniform(generator));
+    const element::ComponentForce force = component.step(state, 1e-3, uniform(generator));
     const double largest = std::abs(force.elastic) + std::abs(force.viscous) + std::abs(force.friction);
     ASSERT_NEAR(force.total, force.elastic + force.viscous + force.friction, 1e-14 * largest);
   }
 }
 
 TEST(Component, PartsGoWhereTheyBelong) {
-  const Component component({kSpring, kMaxwell, kFriction});
-  ComponentState state = component.makeState();
-  const ComponentForce force = component.step(state, 1e-9, 1e-3);
+  const component::Component component({kSpring, kMaxwell, kFriction});
+  component::ComponentState state = component.makeState();
+  const element::ComponentForce force = component.step(state, 1e-9, 1e-3);
   EXPECT_DOUBLE_EQ(force.elastic, 3e3);
   EXPECT_NEAR(force.viscous, 1.3e3, 1e-4);
   EXPECT_DOUBLE_EQ(force.friction, 2.5e3);
 }
 
 TEST(Component, WithoutElementsIsWithoutForce) {
-  const Component component({});
-  ComponentState state = component.makeState();
+  const component::Component component({});
+  component::ComponentState state = component.makeState();
   EXPECT_EQ(component.step(state, 1e-3, 1.0).total, 0.0);
   EXPECT_EQ(*component.complexStiffness(1.0), 0.0);
 }
 
 // Springs in series: 1/(1/K + 1/K_s), at once and to the solver's last digits.
 TEST(SeriesMount, TwoSpringsInSeries) {
-  const Component component({kSpring, kMount});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kMount});
+  component::ComponentState state = component.makeState();
   const double stiffness = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
   for (const double z : {1e-3, -2e-3, 1e-9, 0.0, 0.5}) {
     EXPECT_NEAR(component.step(state, 1e-3, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
@@ -159,8 +162,8 @@ TEST(SeriesMount, TwoSpringsInSeries) {
 // Spring and Maxwell element behind a mount are a spring and a Maxwell element of other values:
 // K = K_s (k0 + M)/(K_s + k0 + M); in the time domain the specimen's displacement is taken as linear in between.
 TEST(SeriesMount, TendsToTheClosedFormWithTheStep) {
-  const Component component({kSpring, kMaxwell, kMount});
-  const std::complex<double> specimen = *Component({kSpring, kMaxwell}).complexStiffness(4.0);
+  const component::Component component({kSpring, kMaxwell, kMount});
+  const std::complex<double> specimen = *component::Component({kSpring, kMaxwell}).complexStiffness(4.0);
   const std::complex<double> expected = specimen / (1.0 + specimen / 3e7);
   EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-14);
   const double coarse = std::abs(simulatedStiffness(component, 4.0, 50, 20) - expected);
@@ -170,10 +173,10 @@ TEST(SeriesMount, TendsToTheClosedFormWithTheStep) {
 }
 
 TEST(SeriesMount, ForceBalanceHoldsWithFriction) {
-  const Component mounted({kSpring, kMaxwell, kFriction, kMount});
-  const Component bare({kSpring, kMaxwell, kFriction});
-  ComponentState state = mounted.makeState();
-  ComponentState specimen = bare.makeState();
+  const component::Component mounted({kSpring, kMaxwell, kFriction, kMount});
+  const component::Component bare({kSpring, kMaxwell, kFriction});
+  component::ComponentState state = mounted.makeState();
+  component::ComponentState specimen = bare.makeState();
   for (int i = 1; i <= 400; ++i) {
     const double z = sineAt(i, 100, 2e-3);
     const double force = mounted.step(state, 1e-3, z).total;
@@ -184,21 +187,21 @@ TEST(SeriesMount, ForceBalanceHoldsWithFriction) {
 
 // With an idle stop the general way is taken, without it that of springs, Maxwell elements and friction.
 TEST(SeriesMount, ForceBalanceHoldsForUnevenAndClosingJointsWithFriction) {
-  const ElementDescription opens{"series_compliance", {{"stiffness", {8e6}}, {"side", {1.0}}}};
-  const ElementDescription closes{"series_compliance", {{"stiffness", {5e6}}, {"closing_force", {2e3}}}};
-  const ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
+  const element::ElementDescription opens{"series_compliance", {{"stiffness", {8e6}}, {"side", {1.0}}}};
+  const element::ElementDescription closes{"series_compliance", {{"stiffness", {5e6}}, {"closing_force", {2e3}}}};
+  const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
   const auto opening = [](double force) { return std::max(force, 0.0) / 8e6 + force / 3e7; };
   const auto closing = [](double force) { return force / (5e6 * (1.0 + std::abs(force) / 2e3)); };
   const auto both = [&](double force) { return std::max(force, 0.0) / 8e6 + closing(force); };
-  const std::vector<std::pair<std::vector<ElementDescription>, std::function<double(double)>>> mounts = {
+  const std::vector<std::pair<std::vector<element::ElementDescription>, std::function<double(double)>>> mounts = {
       {{opens, kMount}, opening}, {{opens, closes}, both}, {{opens, kMount, idle}, opening}, {{closes, idle}, closing}};
   for (const auto& [mount, deflection] : mounts) {
-    std::vector<ElementDescription> laws = {kSpring, kMaxwell, kFriction};
-    const Component bare(laws);
+    std::vector<element::ElementDescription> laws = {kSpring, kMaxwell, kFriction};
+    const component::Component bare(laws);
     laws.insert(laws.end(), mount.begin(), mount.end());
-    const Component mounted(laws);
-    ComponentState state = mounted.makeState();
-    ComponentState specimen = bare.makeState();
+    const component::Component mounted(laws);
+    component::ComponentState state = mounted.makeState();
+    component::ComponentState specimen = bare.makeState();
     for (int i = 1; i <= 400; ++i) {
       const double z = sineAt(i, 100, 2e-3);
       const double force = mounted.step(state, 1e-3, z).total;
@@ -208,8 +211,8 @@ TEST(SeriesMount, ForceBalanceHoldsForUnevenAndClosingJointsWithFriction) {
 }
 
 TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
-  const Component component({kSpring, kMount, {"series_compliance", {{"stiffness", {6e6}}}}});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kMount, {"series_compliance", {{"stiffness", {6e6}}}}});
+  component::ComponentState state = component.makeState();
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
 }
 
@@ -217,9 +220,9 @@ TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
 TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
   constexpr double kStiffness = 4e6;
   constexpr double kClosing = 800.0;
-  const Component component(
+  const component::Component component(
       {kSpring, {"series_compliance", {{"stiffness", {kStiffness}}, {"closing_force", {kClosing}}}}});
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   for (const double z : {1e-3, -2e-3, 1e-6, 0.05, -1e-9}) {
     // |F|^2/(K F_c) + |F| (1/K + 1/K_s - |z|/F_c) - |z| = 0
     const double square = 1.0 / (3e6 * kClosing);
@@ -232,29 +235,30 @@ TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
 }
 
 TEST(SeriesMount, OfOneSideYieldsThereAlone) {
-  const Component component({kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kMount});
-  ComponentState state = component.makeState();
+  const component::Component component(
+      {kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kMount});
+  component::ComponentState state = component.makeState();
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
   EXPECT_NEAR(component.step(state, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 3e7), 1e-9);
   EXPECT_FALSE(component.complexStiffness(1.0));
   // One for each side is one for both.
-  const Component both({kSpring,
-                        {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}},
-                        {"series_compliance", {{"stiffness", {6e6}}, {"side", {-1.0}}}}});
+  const component::Component both({kSpring,
+                                   {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}},
+                                   {"series_compliance", {{"stiffness", {6e6}}, {"side", {-1.0}}}}});
   EXPECT_TRUE(both.linear());
-  ComponentState of_both = both.makeState();
+  component::ComponentState of_both = both.makeState();
   EXPECT_NEAR(both.step(of_both, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
 }
 
 // A stop that is never reached adds nothing, but is no law that the mount's balance has a closed form for.
 TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
-  const ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
+  const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
   for (unsigned trial = 0; trial < 60; ++trial) {
     std::mt19937 random(trial);
     const auto between = [&](double low, double high) {
       return low * std::pow(high / low, std::uniform_real_distribution<double>(0.0, 1.0)(random));
     };
-    std::vector<ElementDescription> laws{
+    std::vector<element::ElementDescription> laws{
         kSpring, kDashpot, {"series_compliance", {{"stiffness", {between(1e5, 1e9)}}}}};
     if (trial % 3 == 1) {
       laws.push_back(
@@ -266,11 +270,11 @@ TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
     for (unsigned i = 0; i < trial / 4 % 3; ++i) {
       laws.push_back({"friction", {{"maximum_force", {between(1.0, 1e5)}}, {"displacement", {between(1e-6, 1e-2)}}}});
     }
-    const Component closed(laws);
+    const component::Component closed(laws);
     laws.push_back(idle);
-    const Component searched(laws);
-    ComponentState of_closed = closed.makeState();
-    ComponentState of_searched = searched.makeState();
+    const component::Component searched(laws);
+    component::ComponentState of_closed = closed.makeState();
+    component::ComponentState of_searched = searched.makeState();
     const auto expected = walk(searched, of_searched, trial, 300);
     const auto forces = walk(closed, of_closed, trial, 300);
     double largest = 0.0;
@@ -286,8 +290,8 @@ TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
 
 TEST(SeriesMount, SolvesWhereTheSpecimenSoftens) {
   // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the mount of 3e7 can hold.
-  const Component component({kSpring, kMount, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kMount, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
+  component::ComponentState state = component.makeState();
   for (int i = 1; i <= 100; ++i) {
     const double z = -2e-3 * i / 100;
     const double force = component.step(state, 1e-3, z).total;
@@ -298,8 +302,8 @@ TEST(SeriesMount, SolvesWhereTheSpecimenSoftens) {
 
 TEST(Delay, ShiftsTheForceOfASpring) {
   constexpr double kDelay = 3.25e-3;
-  const Component component({kSpring, {"time_delay", {{"delay", {kDelay}}}}});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, {"time_delay", {{"delay", {kDelay}}}}});
+  component::ComponentState state = component.makeState();
   const auto motion = [](double t) { return t < 0.0 ? 0.0 : 0.2 * t; };
   for (int i = 1; i <= 100; ++i) {
     EXPECT_NEAR(component.step(state, 1e-3, motion(1e-3 * i)).total, 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
@@ -310,15 +314,15 @@ TEST(Delay, ShiftsTheForceOfASpring) {
 }
 
 TEST(Delay, IsExactWhereItIsAWholeNumberOfSamples) {
-  const Component delayed({kSpring, kMaxwell, {"time_delay", {{"delay", {0.004}}}}});
-  const Component direct({kSpring, kMaxwell});
-  ComponentState a = delayed.makeState();
-  ComponentState b = direct.makeState();
+  const component::Component delayed({kSpring, kMaxwell, {"time_delay", {{"delay", {0.004}}}}});
+  const component::Component direct({kSpring, kMaxwell});
+  component::ComponentState a = delayed.makeState();
+  component::ComponentState b = direct.makeState();
   std::vector<double> forces = {0.0, 0.0, 0.0, 0.0};
   for (int i = 1; i <= 200; ++i) {
     forces.push_back(direct.step(b, 1.0 / 1024.0, sineAt(i, 77, 1e-3)).total);
   }
-  const Component binary({kSpring, kMaxwell, {"time_delay", {{"delay", {4.0 / 1024.0}}}}});
+  const component::Component binary({kSpring, kMaxwell, {"time_delay", {{"delay", {4.0 / 1024.0}}}}});
   a = binary.makeState();
   for (int i = 1; i <= 200; ++i) {
     EXPECT_NEAR(binary.step(a, 1.0 / 1024.0, sineAt(i, 77, 1e-3)).total, forces[static_cast<std::size_t>(i) - 1], 1e-9);
@@ -326,20 +330,21 @@ TEST(Delay, IsExactWhereItIsAWholeNumberOfSamples) {
 }
 
 TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
-  const ElementDescription inertia{"inertia", {{"mass", {10.0}}}};
-  const ElementDescription offset{"force_offset", {{"offset", {100.0}}}};
-  const Component component({kSpring, kMount, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
+  const element::ElementDescription inertia{"inertia", {{"mass", {10.0}}}};
+  const element::ElementDescription offset{"force_offset", {{"offset", {100.0}}}};
+  const component::Component component(
+      {kSpring, kMount, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
   const std::complex<double> specimen = 3e6 / (1.0 + 0.1);
   const double omega = 2.0 * M_PI * 20.0;
-  const Component linear({kSpring, kMount, inertia, offset});
+  const component::Component linear({kSpring, kMount, inertia, offset});
   EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   EXPECT_EQ(component.rest(state, 0.0).total, 100.0) << "softening leaves the offset";
 }
 
 TEST(Recover, KeepsSofteningAndForgetsTheRest) {
-  const Component component({kSpring, kMaxwell, kMount, {"stress_softening", {{"reduction", {0.3}}}}});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kMaxwell, kMount, {"stress_softening", {{"reduction", {0.3}}}}});
+  component::ComponentState state = component.makeState();
   const double first = component.step(state, 1.0, 1e-3).total;
   component.step(state, 1.0, 3e-3);
   EXPECT_EQ(component.recover(state, 0.0).total, 0.0);
@@ -353,31 +358,31 @@ TEST(Recover, KeepsSofteningAndForgetsTheRest) {
 }
 
 TEST(State, TrialStepLeavesTheStateAsItWas) {
-  const Component component(everything());
-  ComponentState state = component.makeState();
+  const component::Component component(everything());
+  component::ComponentState state = component.makeState();
   walk(component, state, 3, 50);
   const std::vector<double> memory = state.memory();
-  ComponentState trial = state;
+  component::ComponentState trial = state;
   const double tried = component.step(trial, 1e-3, 1e-3).total;
   EXPECT_EQ(state.memory(), memory);
   EXPECT_EQ(component.step(state, 1e-3, 1e-3).total, tried);
 }
 
 TEST(State, SavedNumbersContinueBitByBit) {
-  const Component component(everything());
-  ComponentState state = component.makeState();
+  const component::Component component(everything());
+  component::ComponentState state = component.makeState();
   walk(component, state, 4, 77);
   const double displacement = state.displacement();
   const std::vector<double> memory = state.memory();
   const std::vector<double> forces = walk(component, state, 5, 100);
-  ComponentState other = Component(component.elements()).makeState();
+  component::ComponentState other = component::Component(component.elements()).makeState();
   other.restore(displacement, memory);
   EXPECT_EQ(walk(component, other, 5, 100), forces);
 }
 
 TEST(State, RefusesNumbersThatAreNotItsOwn) {
-  const Component component({kSpring, kMaxwell});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kMaxwell});
+  component::ComponentState state = component.makeState();
   EXPECT_THROW(state.restore(0.0, {}), std::invalid_argument);
   EXPECT_THROW(state.restore(0.0, {1.0, 2.0}), std::invalid_argument);
   EXPECT_THROW(state.restore(NAN, {1.0}), std::invalid_argument);
@@ -386,13 +391,13 @@ TEST(State, RefusesNumbersThatAreNotItsOwn) {
 }
 
 TEST(State, ServesOneComponentInSeveralThreads) {
-  const Component component(everything());
+  const component::Component component(everything());
   std::vector<std::vector<double>> forces(3);
   std::vector<std::thread> threads;
   threads.reserve(forces.size());
   for (std::vector<double>& result : forces) {
     threads.emplace_back([&component, &result] {
-      ComponentState state = component.makeState();
+      component::ComponentState state = component.makeState();
       result = walk(component, state, 6, 2000);
     });
   }
@@ -404,10 +409,10 @@ TEST(State, ServesOneComponentInSeveralThreads) {
 }
 
 TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
-  const Component component({kSpring, kDashpot, kMaxwell, kFastMaxwell});
-  ComponentState state = component.makeState();
+  const component::Component component({kSpring, kDashpot, kMaxwell, kFastMaxwell});
+  component::ComponentState state = component.makeState();
   walk(component, state, 7, 20);
-  ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
+  component::ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
   fresh.restore(state.displacement(), state.memory());
   component.step(state, 0.5, 1e-3);
   component.step(fresh, 0.5, 1e-3);
@@ -415,9 +420,9 @@ TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
 }
 
 TEST(Component, StepAllocatesNothing) {
-  const Component component(everything());
-  ComponentState state = component.makeState();
-  ComponentState trial = component.makeState();
+  const component::Component component(everything());
+  component::ComponentState state = component.makeState();
+  component::ComponentState trial = component.makeState();
   const AllocationCounter counter;
   for (int i = 0; i < 100; ++i) {
     component.step(state, 1e-3 * (1 + i % 3), sineAt(i, 30, 2e-3));
@@ -429,7 +434,7 @@ TEST(Component, StepAllocatesNothing) {
 
 TEST(Component, SaysWhichEntryIsWrong) {
   try {
-    Component component({kSpring, {"maxwell", {{"stiffness", {1.0}}, {"break_frequency", {-2.0}}}}});
+    component::Component component({kSpring, {"maxwell", {{"stiffness", {1.0}}, {"break_frequency", {-2.0}}}}});
     FAIL() << "was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("maxwell.break_frequency: -2"), std::string::npos) << error.what();
@@ -437,33 +442,33 @@ TEST(Component, SaysWhichEntryIsWrong) {
 }
 
 TEST(Component, GivesItsEntriesWithDefaults) {
-  const Component component({kFriction});
+  const component::Component component({kFriction});
   EXPECT_EQ(component.elements().at(0).value("dead_band"), 0.0);
 }
 
 TEST(Tangent, OfLinearElementsInClosedForm) {
   constexpr double kDt = 2e-3;
-  const Component component({kSpring, kDashpot, kMaxwell});
-  ComponentState state = component.makeState();
-  ComponentState trial = component.makeState();
+  const component::Component component({kSpring, kDashpot, kMaxwell});
+  component::ComponentState state = component.makeState();
+  component::ComponentState trial = component.makeState();
   walk(component, state, 8, 20);
-  const MaxwellStep step(1.3e6, Relaxation::over(kDt * 2.0 * M_PI * 1.43));
-  const Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
+  const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * M_PI * 1.43));
+  const component::Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
   // 1e-16 of some kN over 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);
   EXPECT_NEAR(tangent.damping, 1e4 + kDt * step.gain, 1e-8 * 1e4);
 }
 
 TEST(Tangent, OfFrictionAndMountInClosedForm) {
-  const Component component({kSpring, kFriction, kMount});
-  const Component bare({kSpring, kFriction});
-  ComponentState state = component.makeState();
-  ComponentState trial = component.makeState();
+  const component::Component component({kSpring, kFriction, kMount});
+  const component::Component bare({kSpring, kFriction});
+  component::ComponentState state = component.makeState();
+  component::ComponentState trial = component.makeState();
   const double force = component.step(state, 1e-3, 0.5e-3).total;
   (void)force;
   component.rest(state, 0.0);
-  const Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
-  ComponentState moved = state;
+  const component::Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
+  component::ComponentState moved = state;
   const double specimen = 0.5e-3 - component.step(moved, 1e-3, 0.5e-3).total / 3e7;
   const double stiffness = 3e6 + 5e3 * 1e-3 / std::pow(1e-3 + specimen, 2);  // of k z + F_max z/(z2 + z)
   EXPECT_NEAR(tangent.stiffness, stiffness / (1.0 + stiffness / 3e7), 1e-6 * stiffness);
@@ -471,9 +476,9 @@ TEST(Tangent, OfFrictionAndMountInClosedForm) {
 }
 
 TEST(Tangent, LeavesTheStateAlone) {
-  const Component component(everything());
-  ComponentState state = component.makeState();
-  ComponentState trial = component.makeState();
+  const component::Component component(everything());
+  component::ComponentState state = component.makeState();
+  component::ComponentState trial = component.makeState();
   walk(component, state, 9, 20);
   const std::vector<double> memory = state.memory();
   component.tangent(state, 1e-3, 1e-3, trial);
@@ -482,12 +487,12 @@ TEST(Tangent, LeavesTheStateAlone) {
 
 // An implicit integrator in use: a mass on the component, trapezoidal rule with Newton's method, against the same
 // motion with a step 16 times as fine.
-double displacementOfMass(const Component& component, double dt, double duration) {
+double displacementOfMass(const component::Component& component, double dt, double duration) {
   constexpr double kMass = 5000.0;
   constexpr double kLoad = 4000.0;
   constexpr double kTolerance = 1e-5;  // [N]; rounding of 4 m z/dt^2 with the finest step is 1e-6
-  ComponentState state = component.makeState();
-  ComponentState trial = component.makeState();
+  component::ComponentState state = component.makeState();
+  component::ComponentState trial = component.makeState();
   double z = 0.0;
   double velocity = 0.0;
   double acceleration = kLoad / kMass;
@@ -498,7 +503,7 @@ double displacementOfMass(const Component& component, double dt, double duration
       const double next_acceleration = 4.0 / (dt * dt) * (next - z - dt * velocity) - acceleration;
       trial = state;
       residual = kMass * next_acceleration + component.step(trial, dt, next).total - kLoad;
-      const Tangent tangent = component.tangent(state, dt, next, trial);
+      const component::Tangent tangent = component.tangent(state, dt, next, trial);
       next -= residual / (4.0 * kMass / (dt * dt) + tangent.stiffness + tangent.damping / dt);
     }
     EXPECT_LE(std::abs(residual), kTolerance) << "Newton's method must converge quadratically";
@@ -512,7 +517,7 @@ double displacementOfMass(const Component& component, double dt, double duration
 }
 
 TEST(Tangent, LetsAnImplicitIntegratorConverge) {
-  const Component component({kSpring, kMaxwell, kFriction, kMount});
+  const component::Component component({kSpring, kMaxwell, kFriction, kMount});
   const double reference = displacementOfMass(component, 1e-3 / 16, 0.2);
   const double coarse = std::abs(displacementOfMass(component, 4e-3, 0.2) - reference);
   const double fine = std::abs(displacementOfMass(component, 1e-3, 0.2) - reference);

@@ -26,10 +26,10 @@ std::vector<double> anyPath() {
 }
 
 /// Nine components, one more than lie side by side, that differ in stiffness and friction.
-std::vector<Component> fleetOf(int maxwells, double dead_band) {
-  std::vector<Component> fleet;
+std::vector<component::Component> fleetOf(int maxwells, double dead_band) {
+  std::vector<component::Component> fleet;
   for (int k = 1; k <= 9; ++k) {
-    std::vector<ElementDescription> laws{{"spring", {{"stiffness", {1e6 * k}}}}};
+    std::vector<element::ElementDescription> laws{{"spring", {{"stiffness", {1e6 * k}}}}};
     for (int i = 0; i < maxwells; ++i) {
       laws.push_back({"maxwell", {{"stiffness", {2e5 * k}}, {"break_frequency", {0.1 * (i + 1) * k}}}});
     }
@@ -44,14 +44,15 @@ RC_GTEST_PROP(AnyLogForAFleet, HasTheBitsOfEachComponentAlone, ()) {
   const std::vector<double> path = anyPath();
   const int maxwells = *rc::gen::inRange(0, 9);
   const double dead_band = kMicrometre * *rc::gen::inRange(0, 10);
-  useAtMost(*rc::gen::element(Instructions::any, Instructions::avx2, Instructions::avx512));
-  const std::vector<Component> components = fleetOf(maxwells, dead_band);
-  ComponentFleet fleet(components);
+  kernel::useAtMost(
+      *rc::gen::element(kernel::Instructions::any, kernel::Instructions::avx2, kernel::Instructions::avx512));
+  const std::vector<component::Component> components = fleetOf(maxwells, dead_band);
+  kernel::ComponentFleet fleet(components);
   std::vector<double> force(path.size() * components.size());
   fleet.simulate(1e-3, path.data(), path.size(), force.data());
-  useAtMost(Instructions::avx512);
+  kernel::useAtMost(kernel::Instructions::avx512);
   for (std::size_t k = 0; k < components.size(); ++k) {
-    ComponentState state = components[k].makeState();
+    component::ComponentState state = components[k].makeState();
     for (std::size_t i = 0; i < path.size(); ++i) {
       RC_ASSERT(force[i * components.size() + k] == components[k].step(state, 1e-3, path[i]).total);
     }

@@ -16,24 +16,24 @@ namespace {
 
 using testing::HasSubstr;
 
-ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
+element::ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
 
-ElementDescription maxwell(double stiffness, double break_frequency) {
+element::ElementDescription maxwell(double stiffness, double break_frequency) {
   return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
 }
 
-ElementDescription friction(double maximum_force, double displacement, double dead_band) {
+element::ElementDescription friction(double maximum_force, double displacement, double dead_band) {
   return {"friction",
           {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}};
 }
 
 /// Components of one build whose parameters are drawn each for itself.
-std::vector<Component> randomFleet(std::mt19937& random, std::size_t size, int maxwells, bool frictional) {
+std::vector<component::Component> randomFleet(std::mt19937& random, std::size_t size, int maxwells, bool frictional) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Component> fleet;
+  std::vector<component::Component> fleet;
   for (std::size_t k = 0; k < size; ++k) {
-    std::vector<ElementDescription> laws{spring(3e6 * uniform(random)),
-                                         {"dashpot", {{"damping", {1e4 * uniform(random)}}}}};
+    std::vector<element::ElementDescription> laws{spring(3e6 * uniform(random)),
+                                                  {"dashpot", {{"damping", {1e4 * uniform(random)}}}}};
     for (int i = 0; i < maxwells; ++i) {
       laws.push_back(maxwell(1e6 * uniform(random), 0.01 * std::pow(1e5, uniform(random))));
     }
@@ -46,13 +46,13 @@ std::vector<Component> randomFleet(std::mt19937& random, std::size_t size, int m
 }
 
 /// Each component's displacement of its own: sines that turn at other times, with noise and pauses.
-void expectSameBits(std::mt19937& random, const std::vector<Component>& components) {
+void expectSameBits(std::mt19937& random, const std::vector<component::Component>& components) {
   std::normal_distribution<double> noise(0.0, 1.0);
   const std::size_t size = components.size();
-  ComponentFleet fleet(components);
+  kernel::ComponentFleet fleet(components);
   fleet.rest(1e-4);
-  std::vector<ComponentState> states;
-  for (const Component& component : components) {
+  std::vector<component::ComponentState> states;
+  for (const component::Component& component : components) {
     states.push_back(component.makeState());
     component.rest(states.back(), 1e-4);
   }
@@ -72,13 +72,15 @@ void expectSameBits(std::mt19937& random, const std::vector<Component>& componen
 }
 
 /// All kinds of instructions that this processor has, one after the other.
-class Fleet : public testing::TestWithParam<Instructions> {
+class Fleet : public testing::TestWithParam<kernel::Instructions> {
  protected:
-  Fleet() { useAtMost(GetParam()); }
-  ~Fleet() override { useAtMost(Instructions::avx512); }
+  Fleet() { kernel::useAtMost(GetParam()); }
+  ~Fleet() override { kernel::useAtMost(kernel::Instructions::avx512); }
 };
 
-INSTANTIATE_TEST_SUITE_P(With, Fleet, testing::Values(Instructions::any, Instructions::avx2, Instructions::avx512));
+INSTANTIATE_TEST_SUITE_P(With, Fleet,
+                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
+                                         kernel::Instructions::avx512));
 
 TEST_P(Fleet, HasTheBitsOfEachComponentAlone) {
   std::mt19937 random(1);
@@ -92,9 +94,9 @@ TEST_P(Fleet, HasTheBitsOfEachComponentAlone) {
 
 TEST_P(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
   std::mt19937 random(2);
-  const std::vector<Component> components = randomFleet(random, 19, 3, true);
-  ComponentFleet one(components);
-  ComponentFleet own(components);
+  const std::vector<component::Component> components = randomFleet(random, 19, 3, true);
+  kernel::ComponentFleet one(components);
+  kernel::ComponentFleet own(components);
   std::vector<double> of_one(19);
   std::vector<double> of_own(19);
   for (int tick = 0; tick < 500; ++tick) {
@@ -107,16 +109,17 @@ TEST_P(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
 
 TEST_P(Fleet, TakesLawsThatAreMadeOfMaxwellElements) {
   std::mt19937 random(3);
-  const Component component({spring(3e6), {"springpot", {{"stiffness", {1e6}}, {"order", {0.1}}}}});
+  const component::Component component({spring(3e6), {"springpot", {{"stiffness", {1e6}}, {"order", {0.1}}}}});
   expectSameBits(random, {component, component, component});
 }
 
 /// As randomFleet with friction of one dead band.
-std::vector<Component> fleetThatTurnsTogether(std::mt19937& random, std::size_t size, int maxwells, double dead_band) {
+std::vector<component::Component> fleetThatTurnsTogether(std::mt19937& random, std::size_t size, int maxwells,
+                                                         double dead_band) {
   std::uniform_real_distribution<double> uniform(0.1, 1.0);
-  std::vector<Component> fleet;
-  for (const Component& component : randomFleet(random, size, maxwells, false)) {
-    std::vector<ElementDescription> laws = component.elements();
+  std::vector<component::Component> fleet;
+  for (const component::Component& component : randomFleet(random, size, maxwells, false)) {
+    std::vector<element::ElementDescription> laws = component.elements();
     laws.push_back(friction(1e4 * uniform(random), 2e-3 * uniform(random), dead_band));
     fleet.emplace_back(laws);
   }
@@ -135,10 +138,10 @@ std::vector<double> randomLog(std::mt19937& random, std::size_t samples) {
 }
 
 /// A log in portions of different length, with a step of its own each.
-void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<Component>& components) {
+void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<component::Component>& components) {
   const std::vector<double> log = randomLog(random, 1500);
   const std::size_t size = components.size();
-  ComponentFleet fleet(components);
+  kernel::ComponentFleet fleet(components);
   fleet.rest(log[0]);
   std::vector<double> force(log.size() * size);
   std::vector<double> dt;
@@ -149,7 +152,7 @@ void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<Comp
     dt.resize(dt.size() + count, step);
   }
   for (std::size_t k = 0; k < size; ++k) {
-    ComponentState state = components[k].makeState();
+    component::ComponentState state = components[k].makeState();
     components[k].rest(state, log[0]);
     for (std::size_t i = 0; i < log.size(); ++i) {
       ASSERT_EQ(force[i * size + k], components[k].step(state, dt[i], log[i]).total) << "sample " << i << ", " << k;
@@ -171,10 +174,10 @@ TEST_P(Fleet, OnOneLogHasTheBitsOfEachComponentAlone) {
 
 TEST_P(Fleet, OnOneLogGoesOnFromWhereTheComponentsAre) {
   std::mt19937 random(6);
-  const std::vector<Component> components = fleetThatTurnsTogether(random, 11, 3, 0.0);
+  const std::vector<component::Component> components = fleetThatTurnsTogether(random, 11, 3, 0.0);
   const std::vector<double> log = randomLog(random, 200);
-  ComponentFleet at_once(components);
-  ComponentFleet one_by_one(components);
+  kernel::ComponentFleet at_once(components);
+  kernel::ComponentFleet one_by_one(components);
   std::vector<double> force(log.size() * 11);
   std::vector<double> expected(11);
   for (int turn = 0; turn < 3; ++turn) {
@@ -194,7 +197,7 @@ TEST_P(Fleet, OnOneLogGoesOnFromWhereTheComponentsAre) {
 
 TEST_P(Fleet, AllocatesNothing) {
   std::mt19937 random(4);
-  ComponentFleet fleet(randomFleet(random, 20, 5, true));
+  kernel::ComponentFleet fleet(randomFleet(random, 20, 5, true));
   std::vector<double> force(20);
   const std::vector<double> log(10, 1e-3);
   std::vector<double> forces(200);
@@ -208,14 +211,14 @@ TEST_P(Fleet, AllocatesNothing) {
 }
 
 TEST_P(Fleet, OfNobodyHasNothingToDo) {
-  ComponentFleet fleet({});
+  kernel::ComponentFleet fleet({});
   fleet.step(1e-3, 1e-3, nullptr);
   EXPECT_EQ(fleet.size(), 0U);
 }
 
-std::string refusalOf(const std::vector<Component>& components) {
+std::string refusalOf(const std::vector<component::Component>& components) {
   try {
-    const ComponentFleet fleet(components);
+    const kernel::ComponentFleet fleet(components);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -223,13 +226,14 @@ std::string refusalOf(const std::vector<Component>& components) {
 }
 
 TEST(FleetOfOneBuild, RefusesWhatDoesNotFit) {
-  const Component one({spring(1e6), maxwell(1e6, 1.0)});
-  EXPECT_THAT(refusalOf({one, Component({spring(1e6)})}), HasSubstr("component 2 of the fleet: 0 Maxwell elements"));
-  EXPECT_THAT(refusalOf({one, Component({maxwell(1e6, 1.0), friction(1e3, 1e-3, 0.0)})}),
+  const component::Component one({spring(1e6), maxwell(1e6, 1.0)});
+  EXPECT_THAT(refusalOf({one, component::Component({spring(1e6)})}),
+              HasSubstr("component 2 of the fleet: 0 Maxwell elements"));
+  EXPECT_THAT(refusalOf({one, component::Component({maxwell(1e6, 1.0), friction(1e3, 1e-3, 0.0)})}),
               HasSubstr("component 2 of the fleet: 1 elements of friction"));
-  EXPECT_THAT(refusalOf({Component({friction(1e3, 1e-3, 0.0), friction(1e3, 1e-3, 0.0)})}),
+  EXPECT_THAT(refusalOf({component::Component({friction(1e3, 1e-3, 0.0), friction(1e3, 1e-3, 0.0)})}),
               HasSubstr("component 1 of the fleet: two elements of friction"));
-  EXPECT_THAT(refusalOf({one, Component({{"free_play", {{"gap", {1e-4}}}}})}),
+  EXPECT_THAT(refusalOf({one, component::Component({{"free_play", {{"gap", {1e-4}}}}})}),
               HasSubstr("component 2 of the fleet: free_play; accepted: springs"));
 }
 

@@ -17,23 +17,23 @@ constexpr std::int64_t kMs = 1000000;  // [ns]
 
 class Stream : public testing::Test {
  protected:
-  Component component_{{{"spring", {{"stiffness", {3e6}}}},
-                        {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
-                        {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}}}};
-  SampleStream stream_{component_};
+  component::Component component_{{{"spring", {{"stiffness", {3e6}}}},
+                                   {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
+                                   {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}}}};
+  component::SampleStream stream_{component_};
 
   double force(std::int64_t stamp, double displacement) {
-    const StreamForce result = stream_.push(stamp, displacement);
-    EXPECT_TRUE(isAccepted(result.verdict));
+    const component::StreamForce result = stream_.push(stamp, displacement);
+    EXPECT_TRUE(component::isAccepted(result.verdict));
     return result.force.total;
   }
 
-  void expectDropped(std::int64_t stamp, double displacement, Verdict verdict) {
+  void expectDropped(std::int64_t stamp, double displacement, component::Verdict verdict) {
     const std::vector<double> memory = stream_.state().memory();
     const std::int64_t last = stream_.lastStamp();
-    const StreamForce result = stream_.push(stamp, displacement);
+    const component::StreamForce result = stream_.push(stamp, displacement);
     EXPECT_EQ(result.verdict, verdict);
-    EXPECT_FALSE(isAccepted(result.verdict));
+    EXPECT_FALSE(component::isAccepted(result.verdict));
     EXPECT_EQ(result.force.total, 0.0);
     EXPECT_EQ(stream_.state().memory(), memory);
     EXPECT_EQ(stream_.lastStamp(), last);
@@ -48,7 +48,7 @@ TEST_F(Stream, FirstSampleFindsTheComponentAtRest) {
 }
 
 TEST_F(Stream, StepsAsTheComponentDoes) {
-  ComponentState state = component_.makeState();
+  component::ComponentState state = component_.makeState();
   component_.rest(state, 1e-3);
   stream_.push(0, 1e-3);
   for (int i = 1; i < 50; ++i) {
@@ -60,12 +60,12 @@ TEST_F(Stream, StepsAsTheComponentDoes) {
 }
 
 TEST_F(Stream, DropsWhatIsNotFinite) {
-  expectDropped(0, NAN, Verdict::not_finite);
+  expectDropped(0, NAN, component::Verdict::not_finite);
   EXPECT_FALSE(stream_.started()) << "not a start either";
   stream_.push(0, 1e-3);
-  expectDropped(kMs, NAN, Verdict::not_finite);
-  expectDropped(kMs, INFINITY, Verdict::not_finite);
-  expectDropped(kMs, -INFINITY, Verdict::not_finite);
+  expectDropped(kMs, NAN, component::Verdict::not_finite);
+  expectDropped(kMs, INFINITY, component::Verdict::not_finite);
+  expectDropped(kMs, -INFINITY, component::Verdict::not_finite);
   EXPECT_EQ(stream_.counters().not_finite, 4U);
   EXPECT_EQ(stream_.counters().dropped(), 4U);
   EXPECT_EQ(stream_.counters().accepted, 1U);
@@ -73,26 +73,26 @@ TEST_F(Stream, DropsWhatIsNotFinite) {
 
 TEST_F(Stream, DropsRepeatedStamps) {
   stream_.push(5 * kMs, 1e-3);
-  expectDropped(5 * kMs, 1e-3, Verdict::repeated);
-  expectDropped(5 * kMs, 2e-3, Verdict::repeated);
+  expectDropped(5 * kMs, 1e-3, component::Verdict::repeated);
+  expectDropped(5 * kMs, 2e-3, component::Verdict::repeated);
   EXPECT_EQ(stream_.counters().repeated, 2U);
 }
 
 TEST_F(Stream, DropsStepsBackUpToASecond) {
-  const std::int64_t second = SampleStream::kNanosecondsPerSecond;
+  const std::int64_t second = component::SampleStream::kNanosecondsPerSecond;
   stream_.push(10 * second, 1e-3);
-  expectDropped(10 * second - 1, 1e-3, Verdict::stepped_back);
-  expectDropped(9 * second, 1e-3, Verdict::stepped_back);
+  expectDropped(10 * second - 1, 1e-3, component::Verdict::stepped_back);
+  expectDropped(9 * second, 1e-3, component::Verdict::stepped_back);
   EXPECT_EQ(stream_.counters().stepped_back, 2U);
   EXPECT_EQ(stream_.counters().restarted, 0U);
 }
 
 TEST_F(Stream, RestartsAfterALongerJumpBack) {
-  const std::int64_t second = SampleStream::kNanosecondsPerSecond;
+  const std::int64_t second = component::SampleStream::kNanosecondsPerSecond;
   const double first = force(10 * second, 1e-3);
   stream_.push(10 * second + kMs, 3e-3);
-  const StreamForce result = stream_.push(9 * second - 1, 1e-3);
-  EXPECT_EQ(result.verdict, Verdict::restarted);
+  const component::StreamForce result = stream_.push(9 * second - 1, 1e-3);
+  EXPECT_EQ(result.verdict, component::Verdict::restarted);
   EXPECT_EQ(result.force.total, first) << "as new";
   EXPECT_EQ(stream_.counters().restarted, 1U);
   EXPECT_EQ(stream_.counters().accepted, 3U);
@@ -100,10 +100,10 @@ TEST_F(Stream, RestartsAfterALongerJumpBack) {
 }
 
 TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
-  SampleStream clean(component_);
+  component::SampleStream clean(component_);
   for (int i = 0; i < 100; ++i) {
     const double z = 1e-3 * std::sin(0.2 * i);
-    const StreamForce expected = clean.push(i * kMs, z);
+    const component::StreamForce expected = clean.push(i * kMs, z);
     EXPECT_EQ(force(i * kMs, z), expected.force.total);
     stream_.push(i * kMs, 5e-3);
     stream_.push((i - 3) * kMs, 5e-3);
@@ -115,10 +115,10 @@ TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
 // A gap is one long step with linear displacement in between: the same as if the missing samples had been there.
 TEST_F(Stream, BridgesAGapExactly) {
   stream_.push(0, 0.0);
-  const StreamForce bridged = stream_.push(501 * kMs, 1e-3);
-  EXPECT_EQ(bridged.verdict, Verdict::bridged);
+  const component::StreamForce bridged = stream_.push(501 * kMs, 1e-3);
+  EXPECT_EQ(bridged.verdict, component::Verdict::bridged);
   EXPECT_EQ(stream_.counters().bridged, 1U);
-  SampleStream complete(component_);
+  component::SampleStream complete(component_);
   complete.push(0, 0.0);
   double expected = 0.0;
   for (int i = 1; i <= 501; ++i) {
@@ -129,20 +129,20 @@ TEST_F(Stream, BridgesAGapExactly) {
 }
 
 TEST_F(Stream, GapLimitIsAsGiven) {
-  SampleStream strict(component_, 0.01);
+  component::SampleStream strict(component_, 0.01);
   strict.push(0, 0.0);
-  EXPECT_EQ(strict.push(10 * kMs, 0.0).verdict, Verdict::accepted);
-  EXPECT_EQ(strict.push(20 * kMs + 1, 0.0).verdict, Verdict::bridged);
+  EXPECT_EQ(strict.push(10 * kMs, 0.0).verdict, component::Verdict::accepted);
+  EXPECT_EQ(strict.push(20 * kMs + 1, 0.0).verdict, component::Verdict::bridged);
   stream_.push(0, 0.0);
-  EXPECT_EQ(stream_.push(500 * kMs, 0.0).verdict, Verdict::accepted) << "half a second by default";
-  SampleStream patient(component_, 1e300);
+  EXPECT_EQ(stream_.push(500 * kMs, 0.0).verdict, component::Verdict::accepted) << "half a second by default";
+  component::SampleStream patient(component_, 1e300);
   patient.push(0, 0.0);
-  EXPECT_EQ(patient.push(1000000000LL * 1000 * kMs, 0.0).verdict, Verdict::accepted);
+  EXPECT_EQ(patient.push(1000000000LL * 1000 * kMs, 0.0).verdict, component::Verdict::accepted);
 }
 
 TEST_F(Stream, TimeIsExactToTheNanosecondFarFromZero) {
-  const std::int64_t epoch = 1700000000 * SampleStream::kNanosecondsPerSecond;
-  SampleStream late(component_);
+  const std::int64_t epoch = 1700000000 * component::SampleStream::kNanosecondsPerSecond;
+  component::SampleStream late(component_);
   stream_.push(0, 0.0);
   late.push(epoch, 0.0);
   for (int i = 1; i < 20; ++i) {
@@ -155,7 +155,7 @@ TEST_F(Stream, ExtremeStampsDoNotOverflow) {
   const std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
   stream_.push(least, 0.0);
   EXPECT_TRUE(std::isfinite(stream_.push(greatest, 1e-3).force.total));
-  EXPECT_EQ(stream_.push(least, 0.0).verdict, Verdict::restarted);
+  EXPECT_EQ(stream_.push(least, 0.0).verdict, component::Verdict::restarted);
 }
 
 TEST_F(Stream, ResetIsAsNewAndKeepsTheCounters) {
@@ -172,7 +172,7 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
   for (int i = 0; i < 30; ++i) {
     stream_.push(i * kMs, 1e-3 * std::sin(0.4 * i));
   }
-  SampleStream other(component_);
+  component::SampleStream other(component_);
   other.restore(stream_.lastStamp(), stream_.state().displacement(), stream_.state().memory());
   for (int i = 30; i < 60; ++i) {
     EXPECT_EQ(other.push(i * kMs, 1e-3 * std::sin(0.4 * i)).force.total, force(i * kMs, 1e-3 * std::sin(0.4 * i)));
@@ -181,16 +181,16 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
 }
 
 // Samples whose force overflows, at any distance from each other, against a stream that never gets them.
-void expectNoTraceOfOverflows(const Component& component) {
+void expectNoTraceOfOverflows(const component::Component& component) {
   constexpr double kTooFar = 1e304;  // [m]; times any stiffness is infinite
-  SampleStream stream(component);
-  SampleStream untouched(component);
+  component::SampleStream stream(component);
+  component::SampleStream untouched(component);
   std::mt19937 random(1);
   std::int64_t stamp = 0;
   for (int i = 0; i < 3000; ++i) {
     stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
     if (random() % 50 == 0) {
-      EXPECT_EQ(stream.push(stamp, kTooFar).verdict, Verdict::not_finite);
+      EXPECT_EQ(stream.push(stamp, kTooFar).verdict, component::Verdict::not_finite);
     }
     std::array<double, 1> force{};
     const double displacement = 1e-3 * std::sin(0.1 * i);
@@ -208,11 +208,12 @@ void expectNoTraceOfOverflows(const Component& component) {
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
   expectNoTraceOfOverflows(component_);
-  const std::vector<ElementDescription> softening = {{"spring", {{"stiffness", {3e6}}}},
-                                                     {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
-                                                     {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
-                                                     {"stress_softening", {{"reduction", {0.3}}}}};
-  expectNoTraceOfOverflows(Component(softening));
+  const std::vector<element::ElementDescription> softening = {
+      {"spring", {{"stiffness", {3e6}}}},
+      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1.5}}}},
+      {"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
+      {"stress_softening", {{"reduction", {0.3}}}}};
+  expectNoTraceOfOverflows(component::Component(softening));
 }
 
 TEST_F(Stream, PushAllocatesNothing) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "element/typical_elements.h"
-#include "rubber_suspension/component/instructions.h"
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/kernel/instructions.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -17,19 +17,19 @@ namespace {
 constexpr double kStep = 1e-3;                  // [s]
 constexpr std::int64_t kNanoseconds = 1000000;  // of a step
 
-ElementDescription maxwell(double stiffness, double break_frequency) {
+element::ElementDescription maxwell(double stiffness, double break_frequency) {
   return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
 }
 
-ElementDescription friction(double maximum_force, double displacement, double dead_band) {
+element::ElementDescription friction(double maximum_force, double displacement, double dead_band) {
   return {"friction",
           {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}};
 }
 
 /// Random numbers of laws that are stepped by short ways: up to 20 Maxwell elements, up to 2 of friction.
-std::vector<ElementDescription> randomLaws(std::mt19937& random) {
+std::vector<element::ElementDescription> randomLaws(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<ElementDescription> laws{{"spring", {{"stiffness", {3e6 * uniform(random)}}}}};
+  std::vector<element::ElementDescription> laws{{"spring", {{"stiffness", {3e6 * uniform(random)}}}}};
   const int maxwells = static_cast<int>(21.0 * uniform(random));
   for (int i = 0; i < maxwells; ++i) {
     laws.push_back(maxwell(1e6 * uniform(random), 0.01 * std::pow(1e5, uniform(random))));
@@ -55,9 +55,9 @@ std::vector<double> randomPath(std::mt19937& random, std::size_t samples) {
   return path;
 }
 
-void expectSameBits(const Component& component, const std::vector<double>& path) {
-  ComponentState one_by_one = component.makeState();
-  ComponentState at_once = component.makeState();
+void expectSameBits(const component::Component& component, const std::vector<double>& path) {
+  component::ComponentState one_by_one = component.makeState();
+  component::ComponentState at_once = component.makeState();
   std::vector<double> force(path.size());
   component.simulate(at_once, kStep, path.data(), path.size(), force.data());
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -68,34 +68,36 @@ void expectSameBits(const Component& component, const std::vector<double>& path)
 }
 
 /// All kinds of instructions that this processor has, one after the other.
-class Simulate : public testing::TestWithParam<Instructions> {
+class Simulate : public testing::TestWithParam<kernel::Instructions> {
  protected:
-  Simulate() { useAtMost(GetParam()); }
-  ~Simulate() override { useAtMost(Instructions::avx512); }
+  Simulate() { kernel::useAtMost(GetParam()); }
+  ~Simulate() override { kernel::useAtMost(kernel::Instructions::avx512); }
 };
 
-INSTANTIATE_TEST_SUITE_P(With, Simulate, testing::Values(Instructions::any, Instructions::avx2, Instructions::avx512));
+INSTANTIATE_TEST_SUITE_P(With, Simulate,
+                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
+                                         kernel::Instructions::avx512));
 
 TEST_P(Simulate, HasTheBitsOfStepsForRandomLaws) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const std::size_t samples = 1 + random() % 3000;
-    expectSameBits(Component(randomLaws(random)), randomPath(random, samples));
+    expectSameBits(component::Component(randomLaws(random)), randomPath(random, samples));
   }
 }
 
 TEST_P(Simulate, HasTheBitsOfStepsForAllLawsAtOnce) {
   std::mt19937 random(2);
   const auto all = typicalElements();
-  expectSameBits(Component({all.begin(), all.end()}), randomPath(random, 600));
+  expectSameBits(component::Component({all.begin(), all.end()}), randomPath(random, 600));
 }
 
 TEST_P(Simulate, AllocatesNothing) {
   std::mt19937 random(3);
-  const Component component({maxwell(1e6, 1.0), friction(5e3, 1e-3, 0.0)});
+  const component::Component component({maxwell(1e6, 1.0), friction(5e3, 1e-3, 0.0)});
   const std::vector<double> path = randomPath(random, 1000);
   std::vector<double> force(path.size());
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   const AllocationCounter counter;
   component.simulate(state, kStep, path.data(), path.size(), force.data());
   EXPECT_EQ(counter.count(), 0U);
@@ -114,7 +116,7 @@ std::vector<std::int64_t> randomStamps(std::mt19937& random, std::size_t samples
 }
 
 /// pushAll() until all samples are through, past those that are dropped.
-std::vector<double> forcesOfAll(SampleStream& stream, const std::vector<std::int64_t>& stamps,
+std::vector<double> forcesOfAll(component::SampleStream& stream, const std::vector<std::int64_t>& stamps,
                                 const std::vector<double>& path) {
   std::vector<double> force(path.size(), 0.0);
   for (std::size_t i = 0; i < path.size();) {
@@ -126,10 +128,10 @@ std::vector<double> forcesOfAll(SampleStream& stream, const std::vector<std::int
   return force;
 }
 
-void expectSameStream(const Component& component, const std::vector<std::int64_t>& stamps,
+void expectSameStream(const component::Component& component, const std::vector<std::int64_t>& stamps,
                       const std::vector<double>& path) {
-  SampleStream one_by_one(component);
-  SampleStream at_once(component);
+  component::SampleStream one_by_one(component);
+  component::SampleStream at_once(component);
   const std::vector<double> force = forcesOfAll(at_once, stamps, path);
   for (std::size_t i = 0; i < path.size(); ++i) {
     ASSERT_EQ(force[i], one_by_one.push(stamps[i], path[i]).force.total) << "sample " << i;
@@ -145,7 +147,8 @@ TEST(PushAll, DoesAsPushWouldWithAnyStamps) {
   std::mt19937 random(4);
   for (int trial = 0; trial < 50; ++trial) {
     const std::size_t samples = 1 + random() % 1000;
-    expectSameStream(Component(randomLaws(random)), randomStamps(random, samples), randomPath(random, samples));
+    expectSameStream(component::Component(randomLaws(random)), randomStamps(random, samples),
+                     randomPath(random, samples));
   }
 }
 
@@ -158,8 +161,8 @@ TEST(PushAll, DropsWhatPushWouldDrop) {
     for (int i = 0; i < 3; ++i) {
       path[random() % path.size()] = other[random() % other.size()];
     }
-    expectSameStream(Component({{"spring", {{"stiffness", {3e6}}}}, maxwell(1e6, 1.0)}), randomStamps(random, 300),
-                     path);
+    expectSameStream(component::Component({{"spring", {{"stiffness", {3e6}}}}, maxwell(1e6, 1.0)}),
+                     randomStamps(random, 300), path);
   }
 }
 
@@ -169,7 +172,8 @@ TEST(PushAll, TakesARunThatIsLongerThanItsPortions) {
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     stamps[i] = static_cast<std::int64_t>(i) * kNanoseconds;
   }
-  expectSameStream(Component({maxwell(1e6, 1.0), friction(5e3, 1e-3, 0.0)}), stamps, randomPath(random, 10000));
+  expectSameStream(component::Component({maxwell(1e6, 1.0), friction(5e3, 1e-3, 0.0)}), stamps,
+                   randomPath(random, 10000));
 }
 
 }  // namespace

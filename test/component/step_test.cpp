@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
-#include "rubber_suspension/component/instructions.h"
+#include "rubber_suspension/kernel/instructions.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -39,10 +39,10 @@ class LawsOneByOne {
           {"friction",
            {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}, {"dead_band", {dead_band}}}});
     }
-    memory_.resize(maxwells + bergs_.size() * BergFriction::kMemorySize);
+    memory_.resize(maxwells + bergs_.size() * element::BergFriction::kMemorySize);
   }
 
-  const std::vector<ElementDescription>& elements() const { return elements_; }
+  const std::vector<element::ElementDescription>& elements() const { return elements_; }
   const std::vector<double>& memory() const { return memory_; }
 
   void restore(double displacement, const std::vector<double>& memory) {
@@ -58,7 +58,7 @@ class LawsOneByOne {
       viscous += maxwells_[i].step({dt, displacement, increment}, &memory_[i]);
     }
     double friction = 0.0;
-    for (const BergFriction& berg : bergs_) {
+    for (const element::BergFriction& berg : bergs_) {
       friction += berg.advance(displacement, memory_.data() + maxwells_.size());
     }
     return stiffness_ * displacement + viscous + friction;
@@ -67,9 +67,9 @@ class LawsOneByOne {
  private:
   double stiffness_;
   double damping_ = 0.0;
-  std::vector<Maxwell> maxwells_;
-  std::vector<BergFriction> bergs_;
-  std::vector<ElementDescription> elements_;
+  std::vector<element::Maxwell> maxwells_;
+  std::vector<element::BergFriction> bergs_;
+  std::vector<element::ElementDescription> elements_;
   std::vector<double> memory_;
   double displacement_ = 0.0;
 };
@@ -115,12 +115,12 @@ class Pairing {
       case 1:
         return restoreNumbers(madeUpMemory());
       case 2: {
-        const ComponentState copy = state_;
+        const component::ComponentState copy = state_;
         component_.step(state_, dt_, uniform(-1e-3, 1e-3));
         return state_.recall(copy);
       }
       case 3: {
-        ComponentState other = component_.makeState();
+        component::ComponentState other = component_.makeState();
         other.recall(state_);
         std::swap(other, state_);
         return;
@@ -160,21 +160,23 @@ class Pairing {
 
   std::mt19937& random_;
   LawsOneByOne laws_;
-  Component component_;
-  ComponentState state_;
+  component::Component component_;
+  component::ComponentState state_;
   double dt_ = 1e-3;
   double position_ = 0.0;
   double velocity_ = 1e-5;
 };
 
 /// All kinds of instructions that this processor has, one after the other.
-class Step : public testing::TestWithParam<Instructions> {
+class Step : public testing::TestWithParam<kernel::Instructions> {
  protected:
-  Step() { useAtMost(GetParam()); }
-  ~Step() override { useAtMost(Instructions::avx512); }
+  Step() { kernel::useAtMost(GetParam()); }
+  ~Step() override { kernel::useAtMost(kernel::Instructions::avx512); }
 };
 
-INSTANTIATE_TEST_SUITE_P(With, Step, testing::Values(Instructions::any, Instructions::avx2, Instructions::avx512));
+INSTANTIATE_TEST_SUITE_P(With, Step,
+                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
+                                         kernel::Instructions::avx512));
 
 TEST_P(Step, HasTheBitsOfTheLawsOneByOne) {
   std::mt19937 random(1);

@@ -13,19 +13,19 @@
 namespace rubber_suspension {
 namespace {
 
-Component mount() {
-  return Component({{"spring", {{"stiffness", {3e6}}}},
-                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {8.0}}}},
-                    {"friction", {{"maximum_force", {6000.0}}, {"displacement", {2e-3}}}},
-                    {"stress_softening", {{"reduction", {0.2}}}}});
+component::Component mount() {
+  return component::Component({{"spring", {{"stiffness", {3e6}}}},
+                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {8.0}}}},
+                               {"friction", {{"maximum_force", {6000.0}}, {"displacement", {2e-3}}}},
+                               {"stress_softening", {{"reduction", {0.2}}}}});
 }
 
 double displacementAt(double time) { return 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(131.0 * time); }
 
 TEST(TrialStepper, TrialsLeaveNothingBehind) {
-  const Component component = mount();
-  TrialStepper stepper(component);
-  ComponentState alone = component.makeState();
+  const component::Component component = mount();
+  component::TrialStepper stepper(component);
+  component::ComponentState alone = component.makeState();
   stepper.rest(1.0, 0.0);
   component.rest(alone, 0.0);
   std::mt19937 random(3);
@@ -46,8 +46,8 @@ TEST(TrialStepper, TrialsLeaveNothingBehind) {
 }
 
 TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
-  const Component component = mount();
-  TrialStepper stepper(component);
+  const component::Component component = mount();
+  component::TrialStepper stepper(component);
   const double at_rest = stepper.rest(0.0, 1e-3).total;
   EXPECT_EQ(stepper.attempt(0.0, 2e-3).total, at_rest);
   const double force = stepper.accept(1e-3, 2e-3).total;
@@ -57,8 +57,8 @@ TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
 }
 
 TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
-  const Component component = mount();
-  TrialStepper stepper(component);
+  const component::Component component = mount();
+  component::TrialStepper stepper(component);
   stepper.rest(0.0, 0.0);
   stepper.accept(1e-3, 1e-3);
   EXPECT_THROW(stepper.attempt(0.9e-3, 0.0), std::invalid_argument);
@@ -68,17 +68,17 @@ TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
 }
 
 TEST(TrialStepper, TangentIsTheDerivativeOfTheTrial) {
-  const Component component({{"spring", {{"stiffness", {3e6}}}}, {"dashpot", {{"damping", {1e4}}}}});
-  TrialStepper stepper(component);
+  const component::Component component({{"spring", {{"stiffness", {3e6}}}}, {"dashpot", {{"damping", {1e4}}}}});
+  component::TrialStepper stepper(component);
   stepper.rest(0.0, 0.0);
-  const Tangent tangent = stepper.tangent(1e-3, 1e-3);
+  const component::Tangent tangent = stepper.tangent(1e-3, 1e-3);
   const double slope = (stepper.attempt(1e-3, 1.1e-3).total - stepper.attempt(1e-3, 0.9e-3).total) / 0.2e-3;
   EXPECT_NEAR(tangent.stiffness + tangent.damping / 1e-3, slope, 1e-7 * slope);
 }
 
 TEST(TrialStepper, AllocatesNothing) {
-  const Component component = mount();
-  TrialStepper stepper(component);
+  const component::Component component = mount();
+  component::TrialStepper stepper(component);
   stepper.rest(0.0, 0.0);
   const test::AllocationCounter counter;
   stepper.attempt(1e-3, 1e-3);

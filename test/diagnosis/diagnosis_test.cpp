@@ -11,13 +11,14 @@
 #include <random>
 
 #include "rig.h"
-#include "rubber_suspension/io/replay.h"
+#include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension {
 namespace {
 
-Diagnosis diagnoseRig(const RigEffect& effect, const ComponentDescription& component = rigComponent()) {
-  return diagnose(component, {runRig("one", 1, effect), runRig("two", 2, effect)}, {runRig("unseen", 3, effect)});
+diagnosis::Diagnosis diagnoseRig(const RigEffect& effect, const io::ComponentDescription& component = rigComponent()) {
+  return diagnosis::diagnose(component, {runRig("one", 1, effect), runRig("two", 2, effect)},
+                             {runRig("unseen", 3, effect)});
 }
 
 double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
@@ -28,22 +29,22 @@ double stop(double /*time*/, double z, double /*rate*/) {
 }
 
 TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
-  const Diagnosis result = diagnoseRig(nothing);
+  const diagnosis::Diagnosis result = diagnoseRig(nothing);
   EXPECT_EQ(result.verdict, "none");
   EXPECT_TRUE(result.effects.empty());
   // 20 N of white noise over the deviation of the force; the floor is the median of some hundred spectral lines.
   double deviation = 0.0;
-  for (const Record& record : result.records) {
+  for (const log::Record& record : result.records) {
     deviation = std::max(deviation, record.force_deviation);
   }
   EXPECT_NEAR(result.gap.noise_floor, 20.0 / deviation, 0.15 * 20.0 / deviation);
 }
 
 TEST(Diagnosis, CallsWrongValuesAParameterError) {
-  ComponentDescription wrong = rigComponent();
+  io::ComponentDescription wrong = rigComponent();
   wrong.specification.set("static_stiffness", 0.85e6);
   wrong.specification.set("break_frequency", 4.0);
-  const Diagnosis result = diagnoseRig(nothing, wrong);
+  const diagnosis::Diagnosis result = diagnoseRig(nothing, wrong);
   EXPECT_EQ(result.verdict, "parameter_error");
   EXPECT_TRUE(result.effects.empty());
   EXPECT_GT(result.gap.as_configured, 5.0 * result.gap.noise_floor);
@@ -51,7 +52,7 @@ TEST(Diagnosis, CallsWrongValuesAParameterError) {
 }
 
 TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
-  const Diagnosis result = diagnoseRig(stop);
+  const diagnosis::Diagnosis result = diagnoseRig(stop);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "bump_stop");
   EXPECT_GT(result.closed, 0.8);
@@ -61,8 +62,8 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
 
 // What the logs of the fit do not show cannot be named, but is no agreement either.
 TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotBearOut) {
-  const Diagnosis result =
-      diagnose(rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
+  const diagnosis::Diagnosis result = diagnosis::diagnose(
+      rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
   EXPECT_GT(result.gap.as_configured, 0.05);
   EXPECT_EQ(result.verdict, "unknown");
   EXPECT_TRUE(result.effects.empty());
@@ -81,7 +82,7 @@ TEST(Diagnosis, NamesDryFriction) {
     last = z;
     return force;
   };
-  const Diagnosis result = diagnoseRig(friction);
+  const diagnosis::Diagnosis result = diagnoseRig(friction);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "friction");
 }
@@ -97,9 +98,9 @@ void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
 // With a mount in series a linear component is again linear: own parameters far from the configured ones would do as
 // well, but a mount does it with them where they are.
 // A log of the rig behind a mount that yields by `deflection` [m] to a force [N].
-Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
-               const RigEffect& effect = nothing) {
-  Log log = runRig(name, seed, effect, 0.0);
+log::Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
+                    const RigEffect& effect = nothing) {
+  log::Log log = runRig(name, seed, effect, 0.0);
   for (std::size_t i = 0; i < log.size(); ++i) {
     log.displacement[i] += deflection(log.force[i]);
   }
@@ -107,14 +108,14 @@ Log runOnMount(const std::string& name, unsigned seed, const std::function<doubl
   return log;
 }
 
-Diagnosis diagnoseOnMount(const std::function<double(double)>& deflection) {
-  return diagnose(rigComponent(), {runOnMount("one", 1, deflection), runOnMount("two", 2, deflection)},
-                  {runOnMount("unseen", 3, deflection)});
+diagnosis::Diagnosis diagnoseOnMount(const std::function<double(double)>& deflection) {
+  return diagnosis::diagnose(rigComponent(), {runOnMount("one", 1, deflection), runOnMount("two", 2, deflection)},
+                             {runOnMount("unseen", 3, deflection)});
 }
 
 TEST(Diagnosis, FindsAMountThatReEstimationHides) {
   constexpr double kMount = 6e6;  // [N/m]
-  const Diagnosis result = diagnoseOnMount([](double force) { return force / kMount; });
+  const diagnosis::Diagnosis result = diagnoseOnMount([](double force) { return force / kMount; });
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
 }
@@ -125,11 +126,11 @@ TEST(Diagnosis, FindsAMountBesideStiffening) {
   constexpr double kCubic = 2e11;  // [N/m^3], 1.6 kN of 4 kN
   const auto stiffening = [](double, double z, double) { return kCubic * z * z * z; };
   const auto deflection = [](double force) { return force / kMount; };
-  ComponentDescription component = rigComponent();
+  io::ComponentDescription component = rigComponent();
   component.add.push_back({"progressive_stiffness", {{"cubic", {kCubic}}}});
-  const Diagnosis result =
-      diagnose(component, {runOnMount("one", 1, deflection, stiffening), runOnMount("two", 2, deflection, stiffening)},
-               {runOnMount("unseen", 3, deflection, stiffening)});
+  const diagnosis::Diagnosis result = diagnosis::diagnose(
+      component, {runOnMount("one", 1, deflection, stiffening), runOnMount("two", 2, deflection, stiffening)},
+      {runOnMount("unseen", 3, deflection, stiffening)});
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
   EXPECT_GT(result.closed, 0.9);
@@ -138,7 +139,7 @@ TEST(Diagnosis, FindsAMountBesideStiffening) {
 // A joint that yields more to tension, without the kink that the candidate has.
 TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   constexpr double kMount = 5e6;  // [N/m]
-  const Diagnosis result =
+  const diagnosis::Diagnosis result =
       diagnoseOnMount([](double force) { return force / kMount * (1.0 + 0.2 * std::tanh(force / 400.0)); });
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "series_compliance") << result.sentence;
@@ -146,7 +147,7 @@ TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   // As a user would write it: one mount for both sides, and what tension opens beyond.
   double opening = 0.0;
   double even = 0.0;
-  for (const ElementDescription& entry : result.augmented.add) {
+  for (const element::ElementDescription& entry : result.augmented.add) {
     ASSERT_EQ(entry.type, "series_compliance");
     const auto side = entry.values.find("side");
     if (side != entry.values.end()) {
@@ -164,7 +165,7 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
   const auto withMass = [](const std::string& name, unsigned seed) {
     constexpr double kMass = 150.0;  // [kg]
     constexpr double kStep = 0.004;  // [s], of the rig
-    Log log = runRig(name, seed, nothing, 0.0);
+    log::Log log = runRig(name, seed, nothing, 0.0);
     const std::vector<double> z = log.displacement;
     for (std::size_t i = 1; i + 1 < z.size(); ++i) {
       log.force[i] += kMass * (z[i - 1] - 2.0 * z[i] + z[i + 1]) / (kStep * kStep);
@@ -173,7 +174,8 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
     addNoise(log.force, 20.0, seed + 10);
     return log;
   };
-  const Diagnosis result = diagnose(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
+  const diagnosis::Diagnosis result =
+      diagnosis::diagnose(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "inertia") << result.sentence;
   // The node may not look ahead: without the filter that augmented.yaml asks for it would make 190 N of the noise, more
@@ -195,29 +197,30 @@ TEST(Diagnosis, NamesCouplingOfRateAndAmplitude) {
     last = z;
     return force;
   };
-  const Diagnosis result = diagnoseRig(flow);
+  const diagnosis::Diagnosis result = diagnoseRig(flow);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "rate_amplitude_coupling") << result.sentence;
 }
 
 TEST(Diagnosis, RefusesMainsHum) {
-  const Diagnosis result = diagnoseRig([](double time, double, double) { return 120.0 * std::sin(314.159 * time); });
+  const diagnosis::Diagnosis result =
+      diagnoseRig([](double time, double, double) { return 120.0 * std::sin(314.159 * time); });
   EXPECT_EQ(result.verdict, "unknown");
   EXPECT_TRUE(result.effects.empty());
 }
 
 TEST(Diagnosis, SharesOfTheMapAddUpToOne) {
-  const Diagnosis result = diagnoseRig(stop);
+  const diagnosis::Diagnosis result = diagnoseRig(stop);
   const double sum = std::accumulate(result.where.begin(), result.where.end(), 0.0,
-                                     [](double total, const GapCell& cell) { return total + cell.share; });
+                                     [](double total, const gap::GapCell& cell) { return total + cell.share; });
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
 TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
-  const Log unseen = runRig("unseen", 3, stop);
-  const Diagnosis result = diagnoseRig(stop);
-  const auto components = parseComponentFile(toYaml({result.augmented}), "augmented.yaml");
-  const Replay replayed = replay(components.front().makeComponent(), unseen);
+  const log::Log unseen = runRig("unseen", 3, stop);
+  const diagnosis::Diagnosis result = diagnoseRig(stop);
+  const auto components = io::parseComponentFile(io::toYaml({result.augmented}), "augmented.yaml");
+  const gap::Replay replayed = gap::replay(components.front().makeComponent(), unseen);
   const Eigen::Map<const Eigen::VectorXd> measured(unseen.force.data(), static_cast<Eigen::Index>(unseen.size()));
   const Eigen::Map<const Eigen::VectorXd> simulated(replayed.force.data(), measured.size());
   const double deviation = std::sqrt((measured.array() - measured.mean()).square().mean());
@@ -227,7 +230,7 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
 
 TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
   const auto folder = std::filesystem::temp_directory_path() / "rubber_suspension_report_test";
-  writeReport(diagnoseRig(stop), folder.string());
+  diagnosis::writeReport(diagnoseRig(stop), folder.string());
   std::ifstream stream(folder / "report.json");
   const auto report = nlohmann::json::parse(stream);
   EXPECT_EQ(report.at("schema"), "rubber_suspension/gap_report/1");
@@ -246,14 +249,14 @@ TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
   }
   EXPECT_GT(sum, 0.99);
   EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
-  EXPECT_NO_THROW(loadComponentFile((folder / "augmented.yaml").string()));
+  EXPECT_NO_THROW(io::loadComponentFile((folder / "augmented.yaml").string()));
   std::filesystem::remove_all(folder);
 }
 
 TEST(Diagnosis, RefusesALogWithoutForce) {
-  Log log = runRig("one", 1, nothing);
+  log::Log log = runRig("one", 1, nothing);
   log.force.clear();
-  EXPECT_THROW(diagnose(rigComponent(), {log}, {}), LogError);
+  EXPECT_THROW(diagnosis::diagnose(rigComponent(), {log}, {}), log::LogError);
 }
 
 }  // namespace

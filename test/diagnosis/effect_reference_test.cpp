@@ -9,7 +9,7 @@ namespace rubber_suspension {
 namespace {
 
 TEST(EffectReference, IsThePageInDocs) {
-  EXPECT_EQ(pageInDocs("effects"), effectReference())
+  EXPECT_EQ(pageInDocs("effects"), diagnosis::effectReference())
       << "after a change of a candidate: rosrun rubber_suspension reference effects > docs/effects.md";
 }
 

@@ -1,5 +1,5 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
-#include "rubber_suspension/diagnosis/overview_figure.h"
+#include "rubber_suspension/diagnosis/report/overview_figure.h"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,16 @@ namespace rubber_suspension {
 namespace {
 
 // A record of a sine whose model is 100 N off before and right after the augmentation.
-Diagnosis madeUp() {
+diagnosis::Diagnosis madeUp() {
   constexpr Eigen::Index kSize = 2000;
-  Record record;
+  log::Record record;
   record.name = "sine";
   record.dt = 1e-3;
   record.displacement = 1e-3 * (2.0 * M_PI * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
   record.raw_displacement = record.displacement;
   record.force = 1e6 * record.displacement;
   record.force_deviation = 1e3 / std::sqrt(2.0);
-  Diagnosis diagnosis;
+  diagnosis::Diagnosis diagnosis;
   diagnosis.component = "bush";
   diagnosis.verdict = "named";
   diagnosis.effects = {"friction", "creep"};
@@ -31,7 +31,7 @@ Diagnosis madeUp() {
 }
 
 TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
-  const Figure figure = overviewFigure(madeUp());
+  const io::Figure figure = diagnosis::overviewFigure(madeUp());
   EXPECT_EQ(figure.title, "bush: named: friction, creep");
   ASSERT_EQ(figure.axes.size(), 3U);  // without cells there is no map
   EXPECT_EQ(figure.axes[0].title, "Force over displacement, measured and simulated\nsine, 0.0 to 2.0 s");
@@ -40,11 +40,11 @@ TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
 }
 
 TEST(OverviewFigure, MapsTheGapWhereItIsKnown) {
-  Diagnosis diagnosis = madeUp();
-  diagnosis.where = {{"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, Quantity::stiffness, 0.7, 10.0},
-                     {"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, Quantity::loss, 0.2, 10.0},
-                     {"sine", {0.0, 0.0}, {0.0, 0.0}, Quantity::mean, 0.1, 10.0}};
-  const Figure figure = overviewFigure(diagnosis);
+  diagnosis::Diagnosis diagnosis = madeUp();
+  diagnosis.where = {{"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::stiffness, 0.7, 10.0},
+                     {"sine", {1.0, 2.0}, {3.16e-4, 1e-3}, gap::Quantity::loss, 0.2, 10.0},
+                     {"sine", {0.0, 0.0}, {0.0, 0.0}, gap::Quantity::mean, 0.1, 10.0}};
+  const io::Figure figure = diagnosis::overviewFigure(diagnosis);
   ASSERT_EQ(figure.axes.size(), 4U);
   ASSERT_EQ(figure.axes[1].maps.size(), 1U);
   EXPECT_NEAR(figure.axes[1].maps[0].values.at(0), 90.0, 1e-9);  // [%], stiffness and loss together

@@ -10,15 +10,15 @@
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 #include "rubber_suspension/diagnosis/experiment.h"
 #include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/diagnosis/hypothesis.h"
-#include "rubber_suspension/diagnosis/own_parameters.h"
-#include "rubber_suspension/diagnosis/record.h"
+#include "rubber_suspension/fit/hypothesis.h"
+#include "rubber_suspension/fit/own_parameters.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension {
 namespace {
 
-ComponentDescription fiveInputs() {
-  return parseComponentFile(
+io::ComponentDescription fiveInputs() {
+  return io::parseComponentFile(
              "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      static_stiffness: 3.0e6\n"
              "      dynamic_stiffness: 4.2e6\n      nominal_frequency: 4.0\n      maximum_stiffness: 4.9e6\n"
              "      high_frequency: 25.0\n",
@@ -27,8 +27,8 @@ ComponentDescription fiveInputs() {
 }
 
 TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
-  for (const Level level : {Level::specification, Level::elements}) {
-    const OwnParameters own(fiveInputs(), level);
+  for (const fit::Level level : {fit::Level::specification, fit::Level::elements}) {
+    const fit::OwnParameters own(fiveInputs(), level);
     const auto elements = own.elements(Eigen::VectorXd::Zero(own.size()));
     ASSERT_TRUE(elements);
     const auto configured = fiveInputs().allElements();
@@ -41,7 +41,7 @@ TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
 
 // Every point within the bounds has a model: that is what the coordinates are for.
 TEST(OwnParameters, HaveAModelEverywhere) {
-  const OwnParameters own(fiveInputs(), Level::specification);
+  const fit::OwnParameters own(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
@@ -54,26 +54,26 @@ TEST(OwnParameters, HaveAModelEverywhere) {
 }
 
 TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
-  Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   std::mt19937 generator(5);
   std::normal_distribution<double> noise(0.0, 1e-6);
   for (double& z : log.displacement) {
     z += noise(generator);
   }
-  const Record record = makeRecord(log);
+  const log::Record record = log::makeRecord(log);
   EXPECT_NEAR(record.displacement_noise, 1e-6, 0.15e-6);  // the median of about 200 averaged spectral lines
   EXPECT_LT(record.highest_frequency, 15.0);              // 6.3 Hz is the fastest sine, the sweep spreads it
 }
 
 TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
-  const Log clean = runRig("log", 1, [](double, double, double) { return 0.0; });
-  Log noisy = clean;
+  const log::Log clean = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log noisy = clean;
   std::mt19937 generator(5);
   std::normal_distribution<double> noise(0.0, 1e-6);
   for (double& z : noisy.displacement) {
     z += noise(generator);
   }
-  const Record record = makeRecord(noisy);
+  const log::Record record = log::makeRecord(noisy);
   ASSERT_GT(record.passed_frequency, 0.0);
   const Eigen::Map<const Eigen::VectorXd> z(clean.displacement.data(), record.size());
   constexpr Eigen::Index kEnds = 250;  // where the filter sees a mirrored displacement
@@ -86,8 +86,8 @@ TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
   EXPECT_LT(left, 0.7e-6);
 }
 
-Log noisyLog(double noise) {
-  Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+log::Log noisyLog(double noise) {
+  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   std::mt19937 generator(5);
   std::normal_distribution<double> normal(0.0, noise);
   for (double& z : log.displacement) {
@@ -101,20 +101,22 @@ double rootMeanSquare(const Eigen::VectorXd& values) {
 }
 
 TEST(FrictionNoise, IsNothingWithoutFriction) {
-  EXPECT_EQ(frictionNoise(rigComponent().allElements(), {makeRecord(noisyLog(5e-6))}), std::vector<double>{0.0});
+  EXPECT_EQ(diagnosis::frictionNoise(rigComponent().allElements(), {log::makeRecord(noisyLog(5e-6))}),
+            std::vector<double>{0.0});
 }
 
 // What noise does to Berg's friction is known here, as the displacement without noise is.
 TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
-  const std::vector<ElementDescription> friction = {
+  const std::vector<element::ElementDescription> friction = {
       {"friction", {{"maximum_force", {300.0}}, {"displacement", {2e-4}}, {"dead_band", {2e-5}}}}};
-  Record clean = makeRecord(noisyLog(0.0));
-  const Record noisy = makeRecord(noisyLog(5e-6));
+  log::Record clean = log::makeRecord(noisyLog(0.0));
+  const log::Record noisy = log::makeRecord(noisyLog(5e-6));
   clean.force_deviation = noisy.force_deviation;
-  const Eigen::VectorXd done = simulate(friction, {noisy}, [](const Record& r) { return r.raw_displacement; })[0] -
-                               simulate(friction, {clean})[0];
+  const Eigen::VectorXd done =
+      fit::simulate(friction, {noisy}, [](const log::Record& r) { return r.raw_displacement; })[0] -
+      fit::simulate(friction, {clean})[0];
   const double known = rootMeanSquare(done) / noisy.force_deviation;
-  const double estimated = frictionNoise(friction, {noisy}).front();
+  const double estimated = diagnosis::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
   // One draw of few events, against three of them and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);
@@ -122,34 +124,35 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
 }
 
 TEST(MassBandwidth, FiltersOnlyWhereThereIsNoise) {
-  EXPECT_EQ(massBandwidth({makeRecord(noisyLog(0.0))}, 7.0), 0.0);
-  const double bandwidth = massBandwidth({makeRecord(noisyLog(3e-6))}, 7.0);
+  EXPECT_EQ(diagnosis::massBandwidth({log::makeRecord(noisyLog(0.0))}, 7.0), 0.0);
+  const double bandwidth = diagnosis::massBandwidth({log::makeRecord(noisyLog(3e-6))}, 7.0);
   EXPECT_GT(bandwidth, 7.0);
-  EXPECT_LT(bandwidth, massBandwidth({makeRecord(noisyLog(3e-7))}, 7.0)) << "less noise asks for less of a filter";
+  EXPECT_LT(bandwidth, diagnosis::massBandwidth({log::makeRecord(noisyLog(3e-7))}, 7.0))
+      << "less noise asks for less of a filter";
 }
 
 TEST(Record, ResamplesAnUnevenTimeBaseAndSaysSo) {
-  Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   for (std::size_t i = 0; i < log.size(); i += 2) {
     log.stamp[i] += 1000000;
   }
-  const Record record = makeRecord(log);
+  const log::Record record = log::makeRecord(log);
   ASSERT_FALSE(record.notes.empty());
   EXPECT_NE(record.notes.front().find("uneven"), std::string::npos);
 }
 
 TEST(Record, RefusesALogThatDoesNotMove) {
-  Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
+  log::Log log = runRig("log", 1, [](double, double, double) { return 0.0; });
   std::fill(log.displacement.begin(), log.displacement.end(), 0.001);
-  EXPECT_THROW(makeRecord(log), LogError);
+  EXPECT_THROW(log::makeRecord(log), log::LogError);
 }
 
 // Scales of atoms of a candidate, all others at nothing.
 using Scales = std::map<std::string, std::vector<double>>;
 
-std::vector<Atom> atomsOf(const std::vector<Candidate>& candidates, const Scales& scales) {
-  std::vector<Atom> atoms;
-  for (const Candidate& candidate : candidates) {
+std::vector<fit::Atom> atomsOf(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
+  std::vector<fit::Atom> atoms;
+  for (const fit::Candidate& candidate : candidates) {
     const auto at_work = scales.find(candidate.effect);
     for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
       atoms.push_back(candidate.atoms[a]);
@@ -158,9 +161,9 @@ std::vector<Atom> atomsOf(const std::vector<Candidate>& candidates, const Scales
   return atoms;
 }
 
-Eigen::VectorXd inUnitsOfTypical(const std::vector<Candidate>& candidates, const Scales& scales) {
+Eigen::VectorXd inUnitsOfTypical(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
   std::vector<double> numbers;
-  for (const Candidate& candidate : candidates) {
+  for (const fit::Candidate& candidate : candidates) {
     const auto at_work = scales.find(candidate.effect);
     for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
       numbers.push_back(at_work->second[a] * candidate.atoms[a].typical);
@@ -169,27 +172,28 @@ Eigen::VectorXd inUnitsOfTypical(const std::vector<Candidate>& candidates, const
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-class KnownEffects : public testing::TestWithParam<std::vector<ElementDescription>> {};
+class KnownEffects : public testing::TestWithParam<std::vector<element::ElementDescription>> {};
 
 INSTANTIATE_TEST_SUITE_P(
     OfAModelWith, KnownEffects,
-    testing::Values(std::vector<ElementDescription>{},
-                    std::vector<ElementDescription>{
+    testing::Values(std::vector<element::ElementDescription>{},
+                    std::vector<element::ElementDescription>{
                         {"self_heating", {{"energy_sensitivity", {0.02}}, {"time_constant", {10.0}}}}},
-                    std::vector<ElementDescription>{{"inertia", {{"mass", {30.0}}}}},
-                    std::vector<ElementDescription>{{"time_delay", {{"delay", {0.01}}}}},
-                    std::vector<ElementDescription>{{"series_compliance", {{"stiffness", {1e7}}}}}));
+                    std::vector<element::ElementDescription>{{"inertia", {{"mass", {30.0}}}}},
+                    std::vector<element::ElementDescription>{{"time_delay", {{"delay", {0.01}}}}},
+                    std::vector<element::ElementDescription>{{"series_compliance", {{"stiffness", {1e7}}}}}));
 
 // Forces and normal equations from unit effects are those of simulating the whole model.
 TEST_P(KnownEffects, AreWhatSimulationGives) {
-  ComponentDescription component = rigComponent();
+  io::ComponentDescription component = rigComponent();
   component.add = GetParam();
   const auto nothing = [](double, double, double) { return 0.0; };
-  std::vector<Record> records = {makeRecord(runRig("first", 1, nothing)), makeRecord(runRig("second", 2, nothing))};
-  const OwnParameters own(component, Level::specification);
-  const Fitter fitter(records, own);
-  const std::vector<Candidate> plain = candidates(summarise(records));
-  std::vector<Candidate> known = plain;
+  std::vector<log::Record> records = {log::makeRecord(runRig("first", 1, nothing)),
+                                      log::makeRecord(runRig("second", 2, nothing))};
+  const fit::OwnParameters own(component, fit::Level::specification);
+  const fit::Fitter fitter(records, own);
+  const std::vector<fit::Candidate> plain = fit::candidates(fit::summarise(records));
+  std::vector<fit::Candidate> known = plain;
   fitter.precompute(known, 2);
   const std::vector<Scales> cases = {
       {{"friction", {1.0, 0.0, 0.5}}, {"force_offset", {1.0}}},
@@ -197,9 +201,9 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
       {{"stress_softening", {1.0}}, {"self_heating", {1.0, 0.0}}, {"friction", {1.0}}},
       {{"stress_softening", {0.0}}, {"time_delay", {1.0}}, {"friction", {1.0}}, {"force_offset", {1.0}}}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::vector<Atom> simulated = atomsOf(plain, cases[i]);
-    const std::vector<Atom> superposed = atomsOf(known, cases[i]);
-    Point point = fitter.configured(simulated.size());
+    const std::vector<fit::Atom> simulated = atomsOf(plain, cases[i]);
+    const std::vector<fit::Atom> superposed = atomsOf(known, cases[i]);
+    fit::Point point = fitter.configured(simulated.size());
     point.scales = inUnitsOfTypical(plain, cases[i]);
     const auto expected = *fitter.forces(point, simulated);
     const auto actual = *fitter.forces(point, superposed);
@@ -217,22 +221,22 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
 }
 
 TEST(Experiments, TellDampingFromRelaxationWhereTheyDiffer) {
-  const std::vector<ElementDescription> spring = {{"spring", {{"stiffness", {1e6}}}}};
+  const std::vector<element::ElementDescription> spring = {{"spring", {{"stiffness", {1e6}}}}};
   auto dashpot = spring;
   dashpot.push_back({"dashpot", {{"damping", {1e4}}}});
   auto stop = spring;
   stop.push_back({"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.0015}}}});
-  Excitation excitation;
+  fit::Excitation excitation;
   excitation.largest_displacement = 0.002;
   excitation.highest_frequency = 10.0;
   excitation.highest_rate = 0.05;
   excitation.dt = 0.002;
-  const auto menu = experimentMenu(excitation);
-  for (const Experiment& experiment : menu) {
+  const auto menu = diagnosis::experimentMenu(excitation);
+  for (const diagnosis::Experiment& experiment : menu) {
     EXPECT_LE(experiment.displacement.cwiseAbs().maxCoeff(), 0.002 * (1.0 + 1e-9)) << experiment.description;
   }
-  const Discrimination fast = mostTelling(menu, spring, dashpot, 1.0);
-  const Discrimination wide = mostTelling(menu, spring, stop, 1.0);
+  const diagnosis::Discrimination fast = diagnosis::mostTelling(menu, spring, dashpot, 1.0);
+  const diagnosis::Discrimination wide = diagnosis::mostTelling(menu, spring, stop, 1.0);
   ASSERT_NE(fast.experiment, nullptr);
   ASSERT_NE(wide.experiment, nullptr);
   EXPECT_GE(wide.experiment->displacement.cwiseAbs().maxCoeff(), 0.0015);

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension {
 
 /// The component of all test rigs: M2 with K_st = 1e6 N/m, K_n = 1.3e6 N/m at 4 Hz, f_b = 3 Hz.
-inline ComponentDescription rigComponent() {
-  return parseComponentFile(
+inline io::ComponentDescription rigComponent() {
+  return io::parseComponentFile(
              "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 1.0e6\n"
              "      dynamic_stiffness: 1.3e6\n      nominal_frequency: 4.0\n      break_frequency: 3.0\n",
              "rig")
@@ -24,7 +24,7 @@ inline ComponentDescription rigComponent() {
 using RigEffect = std::function<double(double time, double displacement, double rate)>;
 
 /// A log of 20 s at 250 Hz: a sine whose amplitude and frequency go through their ranges without a jump.
-inline Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {
+inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {
   constexpr double kStep = 0.004;
   constexpr int kSamples = 5000;
   const auto elements = rigComponent().allElements();
@@ -43,7 +43,7 @@ inline Log runRig(const std::string& name, unsigned seed, const RigEffect& effec
   std::normal_distribution<double> normal(0.0, noise);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   double phase = 6.28 * uniform(generator);
-  Log log;
+  log::Log log;
   log.name = name;
   double relaxing = 0.0;
   double before = 0.0;

@@ -17,7 +17,7 @@ struct Settled {
 
 class SettledBerg : public testing::TestWithParam<Settled> {
  protected:
-  BergFriction law_{GetParam().maximum_force, GetParam().displacement, 0.0};
+  element::BergFriction law_{GetParam().maximum_force, GetParam().displacement, 0.0};
 };
 
 // Berg (1997), worked out in closed form to the digits given.
@@ -32,7 +32,7 @@ TEST_P(SettledBerg, ForceAndLossInClosedForm) {
 
 TEST_P(SettledBerg, SimulatedLoopCloses) {
   const double amplitude = GetParam().amplitude;
-  Driver<BergFriction> driver(law_);
+  Driver<element::BergFriction> driver(law_);
   law_.startSettled(amplitude, 0.0, driver.memory());
   driver.step(1.0, -amplitude);
   EXPECT_NEAR(driver.output(), -law_.settledForce(amplitude), 1e-12);
@@ -48,25 +48,25 @@ TEST_P(SettledBerg, SimulatedLoopCloses) {
 TEST_P(SettledBerg, LoopIsTheSameAboutAnyCentre) {
   const double amplitude = GetParam().amplitude;
   constexpr double kCentre = 7.0;
-  Driver<BergFriction> driver(law_, kCentre);
+  Driver<element::BergFriction> driver(law_, kCentre);
   law_.startSettled(amplitude, kCentre, driver.memory());
   driver.step(1.0, kCentre - amplitude);
   EXPECT_NEAR(driver.step(1.0, kCentre + amplitude), law_.settledForce(amplitude), 1e-12);
 }
 
 TEST(BergFriction, FirstLoadingIsAHyperbola) {
-  const BergFriction law(5.0, 2.2, 0.0);
-  Driver<BergFriction> driver(law);
+  const element::BergFriction law(5.0, 2.2, 0.0);
+  Driver<element::BergFriction> driver(law);
   EXPECT_DOUBLE_EQ(driver.step(1.0, 1.0), 5.0 / 3.2);
   EXPECT_DOUBLE_EQ(driver.step(1.0, 2.2), 2.5) << "half of the maximum at z2";
-  Driver<BergFriction> downwards(law);
+  Driver<element::BergFriction> downwards(law);
   EXPECT_DOUBLE_EQ(downwards.step(1.0, -2.2), -2.5);
 }
 
 TEST(BergFriction, DoesNotDependOnRate) {
-  const BergFriction law(5.0, 2.2, 0.0);
-  Driver<BergFriction> slow(law);
-  Driver<BergFriction> fast(law);
+  const element::BergFriction law(5.0, 2.2, 0.0);
+  Driver<element::BergFriction> slow(law);
+  Driver<element::BergFriction> fast(law);
   for (const double z : {1.0, -0.5, 2.0, 1.9, -3.0}) {
     EXPECT_EQ(slow.step(1e3, z), fast.step(1e-5, z));
   }
@@ -76,8 +76,8 @@ TEST(BergFriction, DoesNotDependOnRate) {
 TEST(BergFriction, StartingOffsetDecays) {
   constexpr double kAmplitude = 0.01;
   constexpr int kCycles = 500;
-  const BergFriction law(1.0, 1.0, 0.0);
-  Driver<BergFriction> driver(law);
+  const element::BergFriction law(1.0, 1.0, 0.0);
+  Driver<element::BergFriction> driver(law);
   const double first = driver.step(1.0, kAmplitude) - law.settledForce(kAmplitude);
   double offset = first;
   for (int i = 0; i < kCycles; ++i) {
@@ -89,8 +89,8 @@ TEST(BergFriction, StartingOffsetDecays) {
 }
 
 TEST(BergFriction, SurvivesFullSaturation) {
-  const BergFriction law(5.0, 1e-9, 0.0);
-  Driver<BergFriction> driver(law);
+  const element::BergFriction law(5.0, 1e-9, 0.0);
+  Driver<element::BergFriction> driver(law);
   for (const double z : {1e9, 1e9, 1e9 - 1.0, -1e12, -1e12, -1e12 + 1e-3, 0.0}) {
     const double force = driver.step(1.0, z);
     EXPECT_LE(std::abs(force), 5.0) << z;
@@ -99,22 +99,22 @@ TEST(BergFriction, SurvivesFullSaturation) {
 
 // The element forgets earlier reversals, so a small loop within a branch does not close: a known weakness.
 TEST(BergFriction, MinorLoopDoesNotClose) {
-  const BergFriction law(5.0, 2.2, 0.0);
-  Driver<BergFriction> driver(law);
+  const element::BergFriction law(5.0, 2.2, 0.0);
+  Driver<element::BergFriction> driver(law);
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.381, 0.5e-3);
   driver.step(1.0, 1.5);
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.260, 0.5e-3);
 }
 
 TEST(BergFriction, DeadBandHoldsTheBranchUntilTheReversalIsSure) {
-  const BergFriction with(5.0, 2.2, 0.1);
-  const BergFriction without(5.0, 2.2, 0.0);
-  Driver<BergFriction> driver(with);
+  const element::BergFriction with(5.0, 2.2, 0.1);
+  const element::BergFriction without(5.0, 2.2, 0.0);
+  Driver<element::BergFriction> driver(with);
   const double there = driver.step(1.0, 1.95);
   driver.step(1.0, 2.0);
   EXPECT_EQ(driver.step(1.0, 1.95), there) << "goes back the way it came";
   EXPECT_EQ(driver.step(1.0, 2.05), 5.0 * 2.05 / 4.25) << "and on as if nothing had been";
-  Driver<BergFriction> plain(without);
+  Driver<element::BergFriction> plain(without);
   plain.step(1.0, 2.05);
   EXPECT_EQ(driver.step(1.0, 1.9), plain.step(1.0, 1.9)) << "a sure reversal counts from the turning point";
 }
@@ -134,8 +134,8 @@ std::pair<double, double> peakAndLoss(const Noisy& test) {
   constexpr int kSettling = 20;
   constexpr int kCycles = 60;
   const double sigma = test.noise * kAmplitude;
-  const BergFriction law(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0);
-  Driver<BergFriction> driver(law);
+  const element::BergFriction law(5.0, 2.2, test.dead_band ? 6.0 * sigma : 0.0);
+  Driver<element::BergFriction> driver(law);
   std::mt19937 generator(20150817);
   std::normal_distribution<double> noise(0.0, 1.0);
   const int samples = static_cast<int>(test.sampling / kFrequency);

@@ -17,7 +17,7 @@ using testing::Throws;
 
 struct Refused {
   const char* name;
-  ElementDescription description;
+  element::ElementDescription description;
   std::vector<std::string> words;
 };
 
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(RefusedEntry, NamesWhatIsWrongAndWhatIsAccepted) {
   try {
-    makeElement(GetParam().description);
+    element::makeElement(GetParam().description);
     FAIL() << "was accepted";
   } catch (const std::invalid_argument& error) {
     for (const std::string& word : GetParam().words) {
@@ -83,29 +83,30 @@ TEST_P(RefusedEntry, NamesWhatIsWrongAndWhatIsAccepted) {
 }
 
 TEST(Catalogue, NamesAreUnique) {
-  for (const ElementType& type : elementTypes()) {
-    EXPECT_EQ(findElementType(type.name), &type) << type.name;
+  for (const element::ElementType& type : element::elementTypes()) {
+    EXPECT_EQ(element::findElementType(type.name), &type) << type.name;
   }
-  EXPECT_EQ(findElementType("nothing"), nullptr);
+  EXPECT_EQ(element::findElementType("nothing"), nullptr);
 }
 
 TEST(Catalogue, DefaultsAreFilledIn) {
-  const ElementDescription full = complete({"iwan", {{"maximum_force", {1.0}}, {"displacement", {2.0}}}});
+  const element::ElementDescription full =
+      element::complete({"iwan", {{"maximum_force", {1.0}}, {"displacement", {2.0}}}});
   EXPECT_EQ(full.value("sliders"), 16.0);
   EXPECT_EQ(full.value("displacement"), 2.0);
-  EXPECT_EQ(complete(full).values, full.values);
+  EXPECT_EQ(element::complete(full).values, full.values);
 }
 
 TEST(Range, TellsWhatItAccepts) {
-  EXPECT_EQ(describe(Range::positive()), "greater than 0");
-  EXPECT_EQ(describe(Range::nonNegative()), "at least 0");
-  EXPECT_EQ(describe(Range::closed(-1.0, 2.5)), "in [-1, 2.5]");
-  EXPECT_EQ(describe(Range::open(0.0, 1.0)), "in (0, 1)");
-  EXPECT_EQ(describe(Range::any()), "any finite number");
-  EXPECT_FALSE(Range::any().contains(NAN));
-  EXPECT_FALSE(Range::positive().contains(0.0));
-  EXPECT_TRUE(Range::nonNegative().contains(0.0));
-  EXPECT_FALSE(Range::nonNegative().contains(INFINITY));
+  EXPECT_EQ(element::describe(element::Range::positive()), "greater than 0");
+  EXPECT_EQ(element::describe(element::Range::nonNegative()), "at least 0");
+  EXPECT_EQ(element::describe(element::Range::closed(-1.0, 2.5)), "in [-1, 2.5]");
+  EXPECT_EQ(element::describe(element::Range::open(0.0, 1.0)), "in (0, 1)");
+  EXPECT_EQ(element::describe(element::Range::any()), "any finite number");
+  EXPECT_FALSE(element::Range::any().contains(NAN));
+  EXPECT_FALSE(element::Range::positive().contains(0.0));
+  EXPECT_TRUE(element::Range::nonNegative().contains(0.0));
+  EXPECT_FALSE(element::Range::nonNegative().contains(INFINITY));
 }
 
 }  // namespace

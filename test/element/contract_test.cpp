@@ -32,7 +32,7 @@ class RandomMoves {
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 };
 
-void walk(const Component& component, ComponentState& state, unsigned seed) {
+void walk(const component::Component& component, component::ComponentState& state, unsigned seed) {
   RandomMoves moves(seed);
   for (int i = 0; i < 200; ++i) {
     const double dt = moves.dt();
@@ -40,7 +40,8 @@ void walk(const Component& component, ComponentState& state, unsigned seed) {
   }
 }
 
-std::vector<double> forcesOfWalk(const Component& component, ComponentState& state, unsigned seed) {
+std::vector<double> forcesOfWalk(const component::Component& component, component::ComponentState& state,
+                                 unsigned seed) {
   RandomMoves moves(seed);
   std::vector<double> forces;
   for (int i = 0; i < 200; ++i) {
@@ -64,10 +65,10 @@ double smoothMotion(double t) {
 }
 
 /// Forces under smoothMotion at multiples of 4 ms for a step of 4 ms / refinement.
-std::vector<double> forcesOfSmoothMotion(const Component& component, int refinement) {
+std::vector<double> forcesOfSmoothMotion(const component::Component& component, int refinement) {
   constexpr double kCoarse = 4e-3;
   constexpr int kSamples = 300;
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   std::vector<double> forces;
   for (int i = 1; i <= kSamples * refinement; ++i) {
     const double force = component.step(state, kCoarse / refinement, smoothMotion(kCoarse * i / refinement)).total;
@@ -88,10 +89,11 @@ double rmsDifference(const std::vector<double>& a, const std::vector<double>& b)
 
 /// First harmonic of the settled force over that of a sampled sine [N/m]. Runs until exp(-30) of the slowest relaxation
 /// of the typical laws is left (springpot: tau about 50 s).
-std::complex<double> simulatedStiffness(const Component& component, double frequency, int samples_per_cycle) {
+std::complex<double> simulatedStiffness(const component::Component& component, double frequency,
+                                        int samples_per_cycle) {
   const double dt = 1.0 / (frequency * samples_per_cycle);
   const int settling = static_cast<int>(1500.0 * frequency) * samples_per_cycle;
-  ComponentState state = component.makeState();
+  component::ComponentState state = component.makeState();
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= settling + samples_per_cycle; ++i) {
     const double phase = 2.0 * M_PI * (i % samples_per_cycle) / samples_per_cycle;
@@ -107,7 +109,7 @@ std::complex<double> simulatedStiffness(const Component& component, double frequ
 /// frequencies w + k w_s, w_s = 2 pi/dt, with the shares sinc^2((w + k w_s) dt/2), and each meets K* of its own:
 /// K_sampled = sum_k sinc^2(...) K*(w + k w_s). The shares add up to 1, so the high-frequency limit of K* is split off;
 /// the rest falls as 1/k^4 in pairs.
-std::complex<double> sampledStiffness(const Component& component, double frequency, int samples_per_cycle) {
+std::complex<double> sampledStiffness(const component::Component& component, double frequency, int samples_per_cycle) {
   constexpr int kAliases = 200000;
   constexpr double kInfinite = 1e14;  // [Hz]
   const double sampling = frequency * samples_per_cycle;
@@ -128,13 +130,13 @@ std::complex<double> sampledStiffness(const Component& component, double frequen
 
 TEST(Catalogue, EveryLawIsPutToTheContract) {
   std::set<std::string> tested;
-  for (const ElementDescription& description : typicalElements()) {
+  for (const element::ElementDescription& description : typicalElements()) {
     tested.insert(description.type);
   }
-  for (const ElementType& type : elementTypes()) {
+  for (const element::ElementType& type : element::elementTypes()) {
     EXPECT_TRUE(tested.count(type.name)) << type.name << " has no typical parameters in typical_elements.h";
     EXPECT_FALSE(type.documentation.empty()) << type.name;
-    for (const ParameterInfo& parameter : type.parameters) {
+    for (const element::ParameterInfo& parameter : type.parameters) {
       EXPECT_FALSE(parameter.documentation.empty()) << type.name << '.' << parameter.name;
       EXPECT_FALSE(parameter.unit.empty()) << type.name << '.' << parameter.name;
       EXPECT_TRUE(!parameter.default_value || parameter.range.contains(*parameter.default_value))
@@ -143,14 +145,14 @@ TEST(Catalogue, EveryLawIsPutToTheContract) {
   }
 }
 
-std::string nameOf(const testing::TestParamInfo<ElementDescription>& test) {
+std::string nameOf(const testing::TestParamInfo<element::ElementDescription>& test) {
   return test.param.type + "_" + std::to_string(test.index);
 }
 
 template <class Predicate>
 auto typicalElementsThat(Predicate predicate) {
-  std::vector<ElementDescription> chosen;
-  for (const ElementDescription& description : typicalElements()) {
+  std::vector<element::ElementDescription> chosen;
+  for (const element::ElementDescription& description : typicalElements()) {
     if (predicate(description)) {
       chosen.push_back(description);
     }
@@ -158,17 +160,17 @@ auto typicalElementsThat(Predicate predicate) {
   return testing::ValuesIn(chosen);
 }
 
-class Contract : public testing::TestWithParam<ElementDescription> {
+class Contract : public testing::TestWithParam<element::ElementDescription> {
  protected:
-  Component component_ = subject(GetParam());
-  ComponentState state_ = component_.makeState();
+  component::Component component_ = subject(GetParam());
+  component::ComponentState state_ = component_.makeState();
 };
 
 INSTANTIATE_TEST_SUITE_P(AllLaws, Contract, testing::ValuesIn(typicalElements()), nameOf);
 
 class ForcelessContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(LawsWithoutForceOfTheirOwn, ForcelessContract,
-                         typicalElementsThat([](const ElementDescription& law) {
+                         typicalElementsThat([](const element::ElementDescription& law) {
                            return !isOneOf(law, {"force_offset", "force_drift"});
                          }),
                          nameOf);
@@ -189,8 +191,9 @@ TEST_P(Contract, RestIsAsNew) {
 }
 
 class StillContract : public Contract {};
-INSTANTIATE_TEST_SUITE_P(LawsThatRest, StillContract,
-                         typicalElementsThat([](const ElementDescription& law) { return law.type != "force_drift"; }),
+INSTANTIATE_TEST_SUITE_P(LawsThatRest, StillContract, typicalElementsThat([](const element::ElementDescription& law) {
+                           return law.type != "force_drift";
+                         }),
                          nameOf);
 
 TEST_P(StillContract, StaysAtRestWhereItRests) {
@@ -203,8 +206,8 @@ TEST_P(StillContract, StaysAtRestWhereItRests) {
 
 TEST_P(Contract, CopyContinuesAsTheOriginal) {
   walk(component_, state_, 3);
-  ComponentState copy = state_;
-  ComponentState restored = component_.makeState();
+  component::ComponentState copy = state_;
+  component::ComponentState restored = component_.makeState();
   restored.restore(state_.displacement(), state_.memory());
   const std::vector<double> forces = forcesOfWalk(component_, state_, 4);
   EXPECT_EQ(forcesOfWalk(component_, copy, 4), forces);
@@ -224,8 +227,8 @@ class ParallelContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(LawsWithForces, ParallelContract, typicalElementsThat(addsForce), nameOf);
 
 TEST_P(ParallelContract, RawLawAgreesWithComponent) {
-  const ElementPointer element = makeElement(GetParam());
-  const auto& law = std::get<std::shared_ptr<const ParallelElement>>(element);
+  const element::ElementPointer element = element::makeElement(GetParam());
+  const auto& law = std::get<std::shared_ptr<const element::ParallelElement>>(element);
   std::vector<double> memory(law->memorySize());
   double displacement = 1e-4;
   EXPECT_EQ(law->rest(displacement, memory.data()), component_.rest(state_, displacement).total);
@@ -247,11 +250,11 @@ TEST_P(PassiveContract, ClosedSettledCycleDissipates) {
   constexpr int kCycles = 10;
   double work = 0.0;
   double peak = 0.0;
-  ComponentForce before = component_.rest(state_, 0.0);
+  element::ComponentForce before = component_.rest(state_, 0.0);
   for (int i = 1; i <= kCycles * kSamples; ++i) {
     const double z = kAmplitude * std::sin(2.0 * M_PI * (i % kSamples) / kSamples);
     const double increment = z - state_.displacement();
-    const ComponentForce force = component_.step(state_, 0.5 / kSamples, z);
+    const element::ComponentForce force = component_.step(state_, 0.5 / kSamples, z);
     peak = std::max(peak, std::abs(force.total));
     if (i > (kCycles - 1) * kSamples) {
       work += 0.5 * (before.total + force.total) * increment;
@@ -268,7 +271,7 @@ TEST_P(PassiveContract, ClosedSettledCycleDissipates) {
 // An even characteristic gives energy one way; with the linear spring that it needs it is passive.
 class BoundedContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(LawsPassiveByThemselves, BoundedContract,
-                         typicalElementsThat([](const ElementDescription& law) {
+                         typicalElementsThat([](const element::ElementDescription& law) {
                            return isPassive(law) && law.type != "asymmetric_stiffness";
                          }),
                          nameOf);
@@ -309,7 +312,7 @@ class ExactContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(ExactLaws, ExactContract, typicalElementsThat(isExact), nameOf);
 
 TEST_P(ExactContract, SplittingAStepChangesNothing) {
-  ComponentState split = component_.makeState();
+  component::ComponentState split = component_.makeState();
   RandomMoves moves(9);
   std::vector<double> whole_forces;
   std::vector<double> split_forces;
@@ -328,13 +331,13 @@ TEST_P(ExactContract, SplittingAStepChangesNothing) {
 
 // But for drift, whose loop never closes.
 class LinearContract : public Contract {};
-INSTANTIATE_TEST_SUITE_P(LinearLaws, LinearContract, typicalElementsThat([](const ElementDescription& law) {
+INSTANTIATE_TEST_SUITE_P(LinearLaws, LinearContract, typicalElementsThat([](const element::ElementDescription& law) {
                            return linearSubject(law).linear() && law.type != "force_drift";
                          }),
                          nameOf);
 
 TEST_P(LinearContract, SettledSineTendsToComplexStiffness) {
-  const Component component = linearSubject(GetParam());
+  const component::Component component = linearSubject(GetParam());
   constexpr double kFrequency = 4.0;
   const std::complex<double> expected = *component.complexStiffness(kFrequency);
   const double coarse = std::abs(simulatedStiffness(component, kFrequency, 40) - expected);
@@ -347,7 +350,7 @@ TEST_P(LinearContract, SettledSineTendsToComplexStiffness) {
 // The dashpot's K* grows without limit; it has a closed form of its own in its test.
 class SampledContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(ExactLawsWithFiniteStiffness, SampledContract,
-                         typicalElementsThat([](const ElementDescription& law) {
+                         typicalElementsThat([](const element::ElementDescription& law) {
                            return isOneOf(law, {"spring", "maxwell", "springpot", "creep"});
                          }),
                          nameOf);
@@ -363,7 +366,7 @@ TEST_P(SampledContract, SettledSineOfAnExactStepIsKnown) {
 TEST_P(Contract, ForcesStayFiniteUnderExtremeSteps) {
   for (const double dt : {1e-9, 1e-3, 1e6}) {
     for (const double z : {1e-15, -1.0, 0.0, 10.0, 1e-3}) {
-      const ComponentForce force = component_.step(state_, dt, z);
+      const element::ComponentForce force = component_.step(state_, dt, z);
       ASSERT_TRUE(std::isfinite(force.total)) << "dt " << dt << " z " << z;
     }
   }

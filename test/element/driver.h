@@ -18,7 +18,7 @@ class Driver {
 
   /// Output (force [N] or displacement [m]) after a step of dt [s] to a displacement [m].
   double step(double dt, double displacement) {
-    const Motion motion{dt, displacement, displacement - displacement_};
+    const element::Motion motion{dt, displacement, displacement - displacement_};
     displacement_ = displacement;
     return output_ = law_.step(motion, memory_.data());
   }

@@ -17,9 +17,9 @@ namespace {
 double degrees(std::complex<double> value) { return std::arg(value) * 180.0 / M_PI; }
 
 TEST(Maxwell, RelaxesAsAnExponential) {
-  const Maxwell law(2e6, 1.5);
+  const element::Maxwell law(2e6, 1.5);
   EXPECT_DOUBLE_EQ(law.relaxationTime(), 1.0 / (2.0 * M_PI * 1.5));
-  Driver<Maxwell> driver(law);
+  Driver<element::Maxwell> driver(law);
   driver.step(1e-12, 1e-3);
   EXPECT_NEAR(driver.output(), 2e3, 1e-6) << "a sudden step meets the spring alone";
   EXPECT_NEAR(driver.step(0.3, 1e-3), 2e3 * std::exp(-0.3 / law.relaxationTime()), 1e-6);
@@ -27,10 +27,10 @@ TEST(Maxwell, RelaxesAsAnExponential) {
 
 // Under constant velocity v: F = c v (1 - exp(-t/tau)), c = k tau, in one step or in many.
 TEST(Maxwell, RampIsExactAtAnyStep) {
-  const Maxwell law(2e6, 1.5);
+  const element::Maxwell law(2e6, 1.5);
   const double tau = law.relaxationTime();
   for (const int steps : {1, 3, 1000}) {
-    Driver<Maxwell> driver(law);
+    Driver<element::Maxwell> driver(law);
     driver.walk(0.5, 1e-2, steps);
     EXPECT_NEAR(driver.output(), 2e6 * tau * 0.02 * -std::expm1(-0.5 / tau), 1e-8) << steps;
   }
@@ -38,7 +38,7 @@ TEST(Maxwell, RampIsExactAtAnyStep) {
 
 TEST(Maxwell, StepCoefficientsKeepTheirDigitsAtAnyRatio) {
   for (const double ratio : {1e-15, 1e-9, 1e-3, 1.0, 50.0, 1e3, 1e12}) {
-    const MaxwellStep step(3.0, Relaxation::over(ratio));
+    const element::MaxwellStep step(3.0, element::Relaxation::over(ratio));
     const double gain = ratio < 1e-5 ? 3.0 * (1.0 - 0.5 * ratio) : 3.0 * -std::expm1(-ratio) / ratio;
     EXPECT_NEAR(step.gain / gain, 1.0, 1e-10) << ratio;  // the series errs by ratio^2/6
     EXPECT_NEAR(step.decay, std::exp(-ratio), 1e-15) << ratio;
@@ -53,7 +53,7 @@ TEST(Maxwell, MeetsThePapersExample) {
   for (const Row& row : {Row{0.5, 1.2160, 2.04}, Row{1.0, 1.2638, 4.06}, Row{2.0, 1.4497, 7.94},
                          Row{4.0, 2.1264, 14.66}, Row{8.0, 4.2250, 23.73}}) {
     const std::complex<double> k =
-        3.0 + *Maxwell(row.stiffness, row.break_frequency).complexStiffness(2.0 * M_PI * 4.0);
+        3.0 + *element::Maxwell(row.stiffness, row.break_frequency).complexStiffness(2.0 * M_PI * 4.0);
     EXPECT_NEAR(std::abs(k), 4.2, 1e-4);  // the four decimals of k1
     EXPECT_NEAR(degrees(k), row.angle, 0.005 + 1e-3);
   }
@@ -61,12 +61,12 @@ TEST(Maxwell, MeetsThePapersExample) {
 
 TEST(Maxwell, LimitsAreSpringAndDashpot) {
   const double omega = 2.0 * M_PI * 4.0;
-  const std::complex<double> spring = *Maxwell(1e6, 1e-9).complexStiffness(omega);
+  const std::complex<double> spring = *element::Maxwell(1e6, 1e-9).complexStiffness(omega);
   EXPECT_NEAR(std::abs(spring / 1e6 - 1.0), 0.0, 1e-9);
   const double damping = 1e4;
   const double break_frequency = 1e9;
   const std::complex<double> dashpot =
-      *Maxwell(damping * 2.0 * M_PI * break_frequency, break_frequency).complexStiffness(omega);
+      *element::Maxwell(damping * 2.0 * M_PI * break_frequency, break_frequency).complexStiffness(omega);
   EXPECT_NEAR(std::abs(dashpot / std::complex<double>(0.0, omega * damping) - 1.0), 0.0, 1e-8);
 }
 
@@ -74,8 +74,8 @@ TEST(Maxwell, LimitsAreSpringAndDashpot) {
 TEST(Dashpot, SampledSineInClosedForm) {
   constexpr int kSamples = 40;
   constexpr double kDt = 0.25 / kSamples;
-  const Dashpot law(2e4);
-  Driver<Dashpot> driver(law);
+  const element::Dashpot law(2e4);
+  Driver<element::Dashpot> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
     const double phase = 2.0 * M_PI * i / kSamples;
@@ -92,8 +92,8 @@ TEST(Dashpot, SampledSineInClosedForm) {
 // The rate of a parabola is exact at any step lengths; under a sine the loss stiffness errs by (w dt)^2/3 and the phase
 // by (w dt)^3/4 at most.
 TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
-  const SmoothDashpot law(2e4);
-  Driver<SmoothDashpot> parabola(law);
+  const element::SmoothDashpot law(2e4);
+  Driver<element::SmoothDashpot> parabola(law);
   double t = 0.0;
   for (const double dt : {0.1, 0.02, 0.3, 0.05, 0.05}) {
     t += dt;
@@ -103,7 +103,7 @@ TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
     }
   }
   constexpr int kSamples = 100;
-  Driver<SmoothDashpot> sine(law);
+  Driver<element::SmoothDashpot> sine(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
     const double phase = 2.0 * M_PI * i / kSamples;
@@ -120,8 +120,8 @@ TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
 TEST(Springpot, HoldsToItsLawWithinTheStatedError) {
   for (const double order : {1e-6, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0 - 1e-6}) {
     for (const double decades : {0.01, 1.0, 3.7, 8.0}) {
-      const SpringpotLaw law{1e6, 4.0, order, 0.02, 0.02 * std::pow(10.0, decades)};
-      const Springpot springpot(law);
+      const element::SpringpotLaw law{1e6, 4.0, order, 0.02, 0.02 * std::pow(10.0, decades)};
+      const element::Springpot springpot(law);
       for (int i = 0; i <= 200; ++i) {
         const double omega = 2.0 * M_PI * law.low_frequency * std::pow(10.0, decades * i / 200.0);
         const std::complex<double> ratio = *springpot.complexStiffness(omega) / law.complexStiffness(omega);
@@ -132,7 +132,7 @@ TEST(Springpot, HoldsToItsLawWithinTheStatedError) {
 }
 
 TEST(Springpot, LawHasConstantLossAngle) {
-  const SpringpotLaw law{1e6, 4.0, 0.25, 0.01, 100.0};
+  const element::SpringpotLaw law{1e6, 4.0, 0.25, 0.01, 100.0};
   EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * M_PI * 4.0)), 1e6, 1e-6);
   EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * M_PI * 64.0)), 2e6, 1e-6);
   EXPECT_NEAR(degrees(law.complexStiffness(7.0)), 22.5, 1e-9);
@@ -140,8 +140,8 @@ TEST(Springpot, LawHasConstantLossAngle) {
 
 TEST(Springpot, AllElementsArePassive) {
   for (const double order : {1e-6, 0.5, 1.0 - 1e-6}) {
-    const Springpot springpot({1e6, 4.0, order, 0.001, 1000.0});
-    for (const Maxwell& element : springpot.elements()) {
+    const element::Springpot springpot({1e6, 4.0, order, 0.001, 1000.0});
+    for (const element::Maxwell& element : springpot.elements()) {
       EXPECT_GT(element.stiffness(), 0.0);
       EXPECT_GT(element.relaxationTime(), 0.0);
     }
@@ -150,14 +150,14 @@ TEST(Springpot, AllElementsArePassive) {
 
 // The error of the limits is that of |x^alpha - x| or |x^alpha - 1|, 1e-6 ln x, plus rounding.
 TEST(Springpot, OrderZeroIsASpringOrderOneADashpot) {
-  const Springpot almost_spring({1e6, 1.0, 1e-6, 0.01, 100.0});
-  const Springpot almost_dashpot({1e6, 1.0, 1.0 - 1e-6, 0.01, 100.0});
-  const Spring spring(1e6);
-  const Dashpot dashpot(1e6 / (2.0 * M_PI));
-  Driver<MaxwellBank> a(almost_spring);
-  Driver<MaxwellBank> c(almost_dashpot);
-  Driver<Spring> b(spring);
-  Driver<Dashpot> d(dashpot);
+  const element::Springpot almost_spring({1e6, 1.0, 1e-6, 0.01, 100.0});
+  const element::Springpot almost_dashpot({1e6, 1.0, 1.0 - 1e-6, 0.01, 100.0});
+  const element::Spring spring(1e6);
+  const element::Dashpot dashpot(1e6 / (2.0 * M_PI));
+  Driver<element::MaxwellBank> a(almost_spring);
+  Driver<element::MaxwellBank> c(almost_dashpot);
+  Driver<element::Spring> b(spring);
+  Driver<element::Dashpot> d(dashpot);
   for (int i = 1; i < 200; ++i) {
     const double z = 1e-3 * std::sin(0.1 * i);
     EXPECT_NEAR(a.step(0.01, z), b.step(0.01, z), 1e-5 * 1e3);
@@ -167,9 +167,9 @@ TEST(Springpot, OrderZeroIsASpringOrderOneADashpot) {
 
 // After a step of displacement the force is K_r z (2 pi f_r t)^-alpha / Gamma(1 - alpha).
 TEST(Springpot, RelaxesAsAPowerOfTime) {
-  const SpringpotLaw law{1e6, 4.0, 0.3, 0.001, 1000.0};
-  const Springpot springpot(law);
-  Driver<MaxwellBank> driver(springpot);
+  const element::SpringpotLaw law{1e6, 4.0, 0.3, 0.001, 1000.0};
+  const element::Springpot springpot(law);
+  Driver<element::MaxwellBank> driver(springpot);
   driver.step(1e-9, 1e-3);
   double time = 0.0;
   for (const double next : {1e-3, 1e-2, 0.1, 1.0, 10.0}) {
@@ -182,8 +182,8 @@ TEST(Springpot, RelaxesAsAPowerOfTime) {
 
 TEST(Creep, ForceFallsLinearlyInTheLogarithmOfTime) {
   constexpr double kPerDecade = 2e5;
-  const Creep law(kPerDecade, 0.1, 1e5);
-  Driver<MaxwellBank> driver(law);
+  const element::Creep law(kPerDecade, 0.1, 1e5);
+  Driver<element::MaxwellBank> driver(law);
   driver.step(1e-9, 1e-3);
   EXPECT_NEAR(driver.output(), 6.0 * kPerDecade * 1e-3, 1e-3) << "six decades";
   double time = 0.0;

@@ -15,10 +15,10 @@ constexpr double kFrequency = 2.0;
 constexpr double kYield = 5e-4;
 
 TEST(NonlinearMaxwell, IsAMaxwellElementBelowItsYield) {
-  const Maxwell linear(kStiffness, kFrequency);
-  const NonlinearMaxwell law(kStiffness, kFrequency, 1e6);
-  Driver<Maxwell> reference(linear);
-  Driver<NonlinearMaxwell> driver(law);
+  const element::Maxwell linear(kStiffness, kFrequency);
+  const element::NonlinearMaxwell law(kStiffness, kFrequency, 1e6);
+  Driver<element::Maxwell> reference(linear);
+  Driver<element::NonlinearMaxwell> driver(law);
   std::mt19937 generator(17);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   for (int i = 0; i < 50; ++i) {
@@ -29,8 +29,8 @@ TEST(NonlinearMaxwell, IsAMaxwellElementBelowItsYield) {
 }
 
 TEST(NonlinearMaxwell, RelaxesInClosedForm) {
-  const NonlinearMaxwell law(kStiffness, kFrequency, kYield);
-  Driver<NonlinearMaxwell> driver(law);
+  const element::NonlinearMaxwell law(kStiffness, kFrequency, kYield);
+  Driver<element::NonlinearMaxwell> driver(law);
   const double start = driver.step(1e-9, 2e-3);
   EXPECT_NEAR(start, 2e3, 1e-3) << "a jump is elastic";
   driver.walk(0.1, 2e-3, 2000);
@@ -40,8 +40,8 @@ TEST(NonlinearMaxwell, RelaxesInClosedForm) {
 }
 
 TEST(NonlinearMaxwell, FlowsAtASteadyRate) {
-  const NonlinearMaxwell law(kStiffness, kFrequency, kYield);
-  Driver<NonlinearMaxwell> driver(law);
+  const element::NonlinearMaxwell law(kStiffness, kFrequency, kYield);
+  Driver<element::NonlinearMaxwell> driver(law);
   constexpr double kRate = 0.05;
   driver.walk(2.0, kRate * 2.0, 20000);
   const double viscous = kStiffness * kRate / (2.0 * M_PI * kFrequency);  // k tau v = F (1 + F/(k y))
@@ -50,10 +50,10 @@ TEST(NonlinearMaxwell, FlowsAtASteadyRate) {
 }
 
 TEST(NonlinearMaxwell, ForceScalesWithStiffness) {
-  const NonlinearMaxwell soft(kStiffness, kFrequency, kYield);
-  const NonlinearMaxwell stiff(3.0 * kStiffness, kFrequency, kYield);
-  Driver<NonlinearMaxwell> a(soft);
-  Driver<NonlinearMaxwell> b(stiff);
+  const element::NonlinearMaxwell soft(kStiffness, kFrequency, kYield);
+  const element::NonlinearMaxwell stiff(3.0 * kStiffness, kFrequency, kYield);
+  Driver<element::NonlinearMaxwell> a(soft);
+  Driver<element::NonlinearMaxwell> b(stiff);
   for (const double to : {1e-3, -2e-3, 5e-4, 3e-3}) {
     EXPECT_NEAR(b.step(0.02, to), 3.0 * a.step(0.02, to), 1e-9 * kStiffness);
   }

@@ -28,32 +28,32 @@ std::complex<double> harmonic(const Law& law, double amplitude, int n) {
 constexpr double kA = 2e-3;
 
 TEST(ProgressiveStiffness, HarmonicsOfTheCubicTerm) {
-  const ProgressiveStiffness law(1e11, 0.0);
+  const element::ProgressiveStiffness law(1e11, 0.0);
   EXPECT_NEAR(harmonic(law, kA, 1).real(), 0.75 * 1e11 * kA * kA * kA, 1e-9);
   EXPECT_NEAR(harmonic(law, kA, 3).real(), -0.25 * 1e11 * kA * kA * kA, 1e-9) << "at 180 degrees";
   EXPECT_NEAR(std::abs(harmonic(law, kA, 2)), 0.0, 1e-9);
 }
 
 TEST(ProgressiveStiffness, IsOdd) {
-  const ProgressiveStiffness law(1e11, 3e16);
+  const element::ProgressiveStiffness law(1e11, 3e16);
   EXPECT_DOUBLE_EQ(law.force(kA), 1e11 * std::pow(kA, 3) + 3e16 * std::pow(kA, 5));
   EXPECT_EQ(law.force(-kA), -law.force(kA));
 }
 
 TEST(ProgressiveStiffness, QuadraticTermIsOddToo) {
-  const ProgressiveStiffness law(0.0, 0.0, 2e8);
+  const element::ProgressiveStiffness law(0.0, 0.0, 2e8);
   EXPECT_DOUBLE_EQ(law.force(kA), 2e8 * kA * kA);
   EXPECT_DOUBLE_EQ(law.force(-kA), -2e8 * kA * kA);
 }
 
 TEST(ProgressiveStiffness, RefusesToBeNothing) {
-  EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {0.0}}}}), std::invalid_argument);
-  EXPECT_THROW(makeElement({"progressive_stiffness", {{"cubic", {-1.0}}}}), std::invalid_argument);
-  EXPECT_NO_THROW(makeElement({"progressive_stiffness", {{"quintic", {1.0}}}}));
+  EXPECT_THROW(element::makeElement({"progressive_stiffness", {{"cubic", {0.0}}}}), std::invalid_argument);
+  EXPECT_THROW(element::makeElement({"progressive_stiffness", {{"cubic", {-1.0}}}}), std::invalid_argument);
+  EXPECT_NO_THROW(element::makeElement({"progressive_stiffness", {{"quintic", {1.0}}}}));
 }
 
 TEST(ProgressiveStiffness, HyperbolicSineStiffensAlikeInBothDirections) {
-  const ProgressiveStiffness law(0.0, 0.0, 0.0, 2e5, 1e-3);
+  const element::ProgressiveStiffness law(0.0, 0.0, 0.0, 2e5, 1e-3);
   EXPECT_NEAR(law.force(kA), 2e5 * (1e-3 * std::sinh(2.0) - kA), 1e-10);
   EXPECT_EQ(law.force(-kA), -law.force(kA));
   // Beyond 20 scales along the tangent there.
@@ -62,25 +62,26 @@ TEST(ProgressiveStiffness, HyperbolicSineStiffensAlikeInBothDirections) {
 }
 
 TEST(ProgressiveStiffness, RefusesAnExponentialWithoutScale) {
-  EXPECT_THROW(makeElement({"progressive_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
-  EXPECT_NO_THROW(makeElement({"progressive_stiffness", {{"exponential", {1e5}}, {"exponential_scale", {1e-3}}}}));
+  EXPECT_THROW(element::makeElement({"progressive_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
+  EXPECT_NO_THROW(
+      element::makeElement({"progressive_stiffness", {{"exponential", {1e5}}, {"exponential_scale", {1e-3}}}}));
 }
 
 TEST(AsymmetricStiffness, ExponentialStiffensOnOneSide) {
-  const AsymmetricStiffness upper(0.0, 0.0, 2e5, 1e-3);
+  const element::AsymmetricStiffness upper(0.0, 0.0, 2e5, 1e-3);
   EXPECT_NEAR(upper.force(kA), 2e5 * (1e-3 * std::expm1(2.0) - kA), 1e-10);
   EXPECT_NEAR(upper.force(-kA), 2e5 * (1e-3 * std::expm1(-2.0) + kA), 1e-10);
-  const AsymmetricStiffness lower(0.0, 0.0, 2e5, -1e-3);
+  const element::AsymmetricStiffness lower(0.0, 0.0, 2e5, -1e-3);
   EXPECT_NEAR(lower.force(-kA), -upper.force(kA), 1e-10) << "the mirror image";
   EXPECT_TRUE(std::isfinite(upper.force(1e3)));
 }
 
 TEST(AsymmetricStiffness, RefusesAnExponentialWithoutScale) {
-  EXPECT_THROW(makeElement({"asymmetric_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
+  EXPECT_THROW(element::makeElement({"asymmetric_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
 }
 
 TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
-  const AsymmetricStiffness law(1e8, 0.0);
+  const element::AsymmetricStiffness law(1e8, 0.0);
   EXPECT_NEAR(harmonic(law, kA, 0).real(), 0.5 * 1e8 * kA * kA, 1e-10);
   // z^2 = A^2/2 (1 - cos 2wt), and cos = sin a quarter later.
   EXPECT_NEAR(std::abs(harmonic(law, kA, 2)), 0.5 * 1e8 * kA * kA, 1e-10);
@@ -88,13 +89,13 @@ TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
 }
 
 TEST(AsymmetricStiffness, TensionHasASlopeOfItsOwn) {
-  const AsymmetricStiffness law(0.0, -3e5);
+  const element::AsymmetricStiffness law(0.0, -3e5);
   EXPECT_DOUBLE_EQ(law.force(1e-3), -300.0);
   EXPECT_EQ(law.force(-1e-3), 0.0);
 }
 
 TEST(BumpStop, ComesInBeyondItsGapOnly) {
-  const BumpStop law(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::both);
+  const element::BumpStop law(2e7, 1e-3, 1.0, 1e-3, element::BumpStop::Side::both);
   EXPECT_EQ(law.force(1e-3), 0.0);
   EXPECT_EQ(law.force(-0.999e-3), 0.0);
   EXPECT_NEAR(law.force(1.5e-3), 1e4, 1e-8);
@@ -102,8 +103,8 @@ TEST(BumpStop, ComesInBeyondItsGapOnly) {
 }
 
 TEST(BumpStop, ActsOnTheGivenSide) {
-  const BumpStop upper(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::upper);
-  const BumpStop lower(2e7, 1e-3, 1.0, 1e-3, BumpStop::Side::lower);
+  const element::BumpStop upper(2e7, 1e-3, 1.0, 1e-3, element::BumpStop::Side::upper);
+  const element::BumpStop lower(2e7, 1e-3, 1.0, 1e-3, element::BumpStop::Side::lower);
   EXPECT_GT(upper.force(2e-3), 0.0);
   EXPECT_EQ(upper.force(-2e-3), 0.0);
   EXPECT_EQ(lower.force(2e-3), 0.0);
@@ -112,25 +113,25 @@ TEST(BumpStop, ActsOnTheGivenSide) {
 
 TEST(BumpStop, ExponentLeavesTheStiffnessAtTheReferenceDepth) {
   for (const double exponent : {1.0, 1.5, 2.0, 3.0}) {
-    const BumpStop law(2e7, 1e-3, exponent, 0.5e-3, BumpStop::Side::both);
+    const element::BumpStop law(2e7, 1e-3, exponent, 0.5e-3, element::BumpStop::Side::both);
     EXPECT_NEAR(law.force(1.5e-3), 1e4, 1e-8) << exponent;
     EXPECT_NEAR(law.force(2.0e-3), 1e4 * std::pow(2.0, exponent), 1e-7) << exponent;
   }
 }
 
 TEST(BumpStop, WithoutGapIsASpring) {
-  const BumpStop law(2e7, 0.0, 1.0, 1e-3, BumpStop::Side::both);
+  const element::BumpStop law(2e7, 0.0, 1.0, 1e-3, element::BumpStop::Side::both);
   EXPECT_DOUBLE_EQ(law.force(1e-4), 2e3);
   EXPECT_DOUBLE_EQ(law.force(-1e-4), -2e3);
 }
 
 TEST(BumpStop, SideIsOneOfThree) {
-  EXPECT_THROW(makeElement({"bump_stop", {{"stiffness", {1e7}}, {"gap", {0.0}}, {"side", {0.5}}}}),
+  EXPECT_THROW(element::makeElement({"bump_stop", {{"stiffness", {1e7}}, {"gap", {0.0}}, {"side", {0.5}}}}),
                std::invalid_argument);
 }
 
 TEST(SpringTable, InterpolatesAndGoesOnWithTheEndSlopes) {
-  const SpringTable law({-2e-3, -1e-3, 0.0, 3e-3}, {-5e3, -1e3, 0.0, 9e3});
+  const element::SpringTable law({-2e-3, -1e-3, 0.0, 3e-3}, {-5e3, -1e3, 0.0, 9e3});
   EXPECT_NEAR(law.force(-1.5e-3), -3e3, 1e-9);
   EXPECT_NEAR(law.force(-1e-3), -1e3, 1e-9);
   EXPECT_NEAR(law.force(1e-3), 3e3, 1e-9);
@@ -140,20 +141,20 @@ TEST(SpringTable, InterpolatesAndGoesOnWithTheEndSlopes) {
 }
 
 TEST(SpringTable, TwoPointsAreASpring) {
-  const SpringTable law({-1e-3, 1e-3}, {-3e3, 3e3});
+  const element::SpringTable law({-1e-3, 1e-3}, {-3e3, 3e3});
   for (const double z : {-5e-3, -1e-4, 0.0, 1e-3, 7e-3}) {
     EXPECT_NEAR(law.force(z), 3e6 * z, 1e-9);
   }
 }
 
 TEST(SpringTable, RefusesTablesThatAreNone) {
-  EXPECT_THROW(SpringTable({0.0}, {0.0}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({}, {}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({0.0, 1.0}, {0.0}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({0.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({1.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({0.0, 1.0}, {0.0, -1.0}), std::invalid_argument);
-  EXPECT_THROW(SpringTable({0.0, 1.0}, {1.0, 2.0}), std::invalid_argument) << "preload";
+  EXPECT_THROW(element::SpringTable({0.0}, {0.0}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({}, {}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({0.0, 1.0}, {0.0}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({0.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({1.0, 0.0}, {0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({0.0, 1.0}, {0.0, -1.0}), std::invalid_argument);
+  EXPECT_THROW(element::SpringTable({0.0, 1.0}, {1.0, 2.0}), std::invalid_argument) << "preload";
 }
 
 }  // namespace

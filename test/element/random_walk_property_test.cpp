@@ -35,9 +35,9 @@ std::vector<Move> anyPath() {
 
 RC_GTEST_PROP(AnyPath, LeavesForcesAndMemoryFinite, ()) {
   const std::vector<Move> path = anyPath();
-  for (const ElementDescription& description : typicalElements()) {
-    const Component component = subject(description);
-    ComponentState state = component.makeState();
+  for (const element::ElementDescription& description : typicalElements()) {
+    const component::Component component = subject(description);
+    component::ComponentState state = component.makeState();
     for (const Move& move : path) {
       RC_ASSERT(std::isfinite(component.step(state, move.dt, move.displacement).total));
     }
@@ -50,13 +50,13 @@ RC_GTEST_PROP(AnyPath, LeavesForcesAndMemoryFinite, ()) {
 RC_GTEST_PROP(AnyPath, CanBeContinuedFromSavedNumbers, ()) {
   const std::vector<Move> before = anyPath();
   const std::vector<Move> after = anyPath();
-  for (const ElementDescription& description : typicalElements()) {
-    const Component component = subject(description);
-    ComponentState state = component.makeState();
+  for (const element::ElementDescription& description : typicalElements()) {
+    const component::Component component = subject(description);
+    component::ComponentState state = component.makeState();
     for (const Move& move : before) {
       component.step(state, move.dt, move.displacement);
     }
-    ComponentState restored = component.makeState();
+    component::ComponentState restored = component.makeState();
     restored.restore(state.displacement(), state.memory());
     for (const Move& move : after) {
       RC_ASSERT(component.step(restored, move.dt, move.displacement).total ==
@@ -66,12 +66,12 @@ RC_GTEST_PROP(AnyPath, CanBeContinuedFromSavedNumbers, ()) {
 }
 
 RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
-  const BergFriction berg(5e3, 2e-4, 0.0);
-  const BergFriction with_dead_band(5e3, 2e-4, 1e-4);
-  const Iwan iwan(5e3, 2e-4, 16);
-  Driver<BergFriction> a(berg);
-  Driver<BergFriction> b(with_dead_band);
-  Driver<SliderBank> c(iwan);
+  const element::BergFriction berg(5e3, 2e-4, 0.0);
+  const element::BergFriction with_dead_band(5e3, 2e-4, 1e-4);
+  const element::Iwan iwan(5e3, 2e-4, 16);
+  Driver<element::BergFriction> a(berg);
+  Driver<element::BergFriction> b(with_dead_band);
+  Driver<element::SliderBank> c(iwan);
   for (const Move& move : anyPath()) {
     RC_ASSERT(std::abs(a.step(move.dt, move.displacement)) <= 5e3);
     RC_ASSERT(std::abs(b.step(move.dt, move.displacement)) <= 5e3);
@@ -81,8 +81,8 @@ RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
 
 // After any past, an excursion and return within a range that was passed through before leaves no trace.
 RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
-  const Iwan iwan(5e3, 2e-4, 16);
-  Driver<SliderBank> driver(iwan);
+  const element::Iwan iwan(5e3, 2e-4, 16);
+  Driver<element::SliderBank> driver(iwan);
   for (const Move& move : anyPath()) {
     driver.step(move.dt, move.displacement);
   }
@@ -98,16 +98,16 @@ RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
 // A mirrored path gives the mirrored force for every law that is the same in both directions.
 RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
   const std::vector<Move> path = anyPath();
-  for (const ElementDescription& description : typicalElements()) {
+  for (const element::ElementDescription& description : typicalElements()) {
     const bool one_sided =
         isOneOf(description, {"asymmetric_stiffness", "spring_table", "bump_stop", "force_offset", "force_drift"}) ||
         description.values.count("side") != 0;
     if (one_sided) {
       continue;
     }
-    const Component component = subject(description);
-    ComponentState up = component.makeState();
-    ComponentState down = component.makeState();
+    const component::Component component = subject(description);
+    component::ComponentState up = component.makeState();
+    component::ComponentState down = component.makeState();
     for (const Move& move : path) {
       const double force = component.step(up, move.dt, move.displacement).total;
       // Equal to the last bit but behind a mount, where the solver's bracket lies on the other side.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kStated = 4e-16;
 
 void expectExact(double x) {
-  const Relaxation relaxation = Relaxation::over(x);
+  const element::Relaxation relaxation = element::Relaxation::over(x);
   const long double decay = std::exp(-static_cast<long double>(x));
   const long double mean = -std::expm1(-static_cast<long double>(x)) / x;
   // Where hardly anything is left, 1 less what has relaxed is exact to the rounding of that 1.
@@ -23,24 +23,24 @@ void expectExact(double x) {
 
 TEST(Relaxation, IsExactWithinItsStatedError) {
   for (int i = 0; i <= 20000; ++i) {
-    expectExact(Relaxation::kSmall * (i + 1) / 20000.0);  // small, and just beyond
-    expectExact(1e-18 * std::pow(1e22, i / 20000.0));     // from 1e-18 to 1e4
+    expectExact(element::Relaxation::kSmall * (i + 1) / 20000.0);  // small, and just beyond
+    expectExact(1e-18 * std::pow(1e22, i / 20000.0));              // from 1e-18 to 1e4
   }
 }
 
 TEST(Relaxation, OfSmallStepsIsTheSameByEitherName) {
   for (int i = 1; i <= 1000; ++i) {
-    const double x = Relaxation::kSmall * i / 1000.0;
-    EXPECT_EQ(Relaxation::over(x).decay, Relaxation::small(x).decay);
-    EXPECT_EQ(Relaxation::over(x).mean, Relaxation::small(x).mean);
+    const double x = element::Relaxation::kSmall * i / 1000.0;
+    EXPECT_EQ(element::Relaxation::over(x).decay, element::Relaxation::small(x).decay);
+    EXPECT_EQ(element::Relaxation::over(x).mean, element::Relaxation::small(x).mean);
   }
 }
 
 TEST(Relaxation, OfStepsThatVanishOrNeverEnd) {
-  EXPECT_EQ(Relaxation::over(1e-300).decay, 1.0);
-  EXPECT_EQ(Relaxation::over(1e-300).mean, 1.0);
-  EXPECT_EQ(Relaxation::over(1e6).decay, 0.0);
-  EXPECT_EQ(Relaxation::over(1e6).mean, 1e-6);
+  EXPECT_EQ(element::Relaxation::over(1e-300).decay, 1.0);
+  EXPECT_EQ(element::Relaxation::over(1e-300).mean, 1.0);
+  EXPECT_EQ(element::Relaxation::over(1e6).decay, 0.0);
+  EXPECT_EQ(element::Relaxation::over(1e6).mean, 1e-6);
 }
 
 }  // namespace

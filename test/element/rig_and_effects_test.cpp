@@ -20,7 +20,7 @@ namespace rubber_suspension::test {
 namespace {
 
 TEST(SeriesCompliance, HalvesAtItsClosingForceAndClosesNoMoreThanTheHyperbola) {
-  const SeriesCompliance joint(2e7, 500.0);
+  const element::SeriesCompliance joint(2e7, 500.0);
   EXPECT_DOUBLE_EQ(joint.deflection(500.0), 0.5 * 500.0 / 2e7);
   EXPECT_DOUBLE_EQ(joint.deflection(-500.0), -0.5 * 500.0 / 2e7);
   EXPECT_NEAR(joint.deflection(1e-6) / (1e-6 / 2e7), 1.0, 1.01 * 1e-6 / 500.0);  // first term of the expansion
@@ -29,15 +29,15 @@ TEST(SeriesCompliance, HalvesAtItsClosingForceAndClosesNoMoreThanTheHyperbola) {
 }
 
 TEST(SeriesCompliance, OfOneSideYieldsToOneSignOfForceAlone) {
-  const SeriesCompliance opens(2e7, 0.0, SeriesCompliance::Side::tension);
+  const element::SeriesCompliance opens(2e7, 0.0, element::SeriesCompliance::Side::tension);
   EXPECT_DOUBLE_EQ(opens.deflection(300.0), 300.0 / 2e7);
   EXPECT_EQ(opens.deflection(-300.0), 0.0);
   EXPECT_EQ(opens.compliance()->tension, 1.0 / 2e7);
   EXPECT_EQ(opens.compliance()->compression, 0.0);
-  const SeriesCompliance pad(2e7, 0.0, SeriesCompliance::Side::compression);
+  const element::SeriesCompliance pad(2e7, 0.0, element::SeriesCompliance::Side::compression);
   EXPECT_EQ(pad.deflection(300.0), 0.0);
   EXPECT_EQ(pad.compliance()->compression, 1.0 / 2e7);
-  const SeriesCompliance bracket(2e7);
+  const element::SeriesCompliance bracket(2e7);
   EXPECT_EQ(bracket.compliance()->tension, bracket.compliance()->compression);
 }
 
@@ -45,8 +45,8 @@ TEST(SeriesCompliance, NeverYieldsLessToALargerForce) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> decade(-6.0, 9.0);
   for (int i = 0; i < 2000; ++i) {
-    const SeriesCompliance joint(std::pow(10.0, decade(random)), std::pow(10.0, decade(random)),
-                                 static_cast<SeriesCompliance::Side>(i % 3 - 1));
+    const element::SeriesCompliance joint(std::pow(10.0, decade(random)), std::pow(10.0, decade(random)),
+                                          static_cast<element::SeriesCompliance::Side>(i % 3 - 1));
     const double force = (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, decade(random));
     const double larger = force + std::pow(10.0, decade(random));
     // Two roundings of F/(K_s (1 + F/F_c)), at the larger of both.
@@ -57,8 +57,8 @@ TEST(SeriesCompliance, NeverYieldsLessToALargerForce) {
 }
 
 TEST(Inertia, IsExactForACubicAtUnequalSteps) {
-  const Inertia law(12.0);
-  Driver<Inertia> driver(law);
+  const element::Inertia law(12.0);
+  Driver<element::Inertia> driver(law);
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> dt(0.01, 0.1);
   double t = 0.0;
@@ -73,10 +73,10 @@ TEST(Inertia, IsExactForACubicAtUnequalSteps) {
 }
 
 TEST(Inertia, SineIsInPhaseToSecondOrder) {
-  const Inertia law(12.0);
+  const element::Inertia law(12.0);
   constexpr int kSamples = 100;
   constexpr double kFrequency = 30.0;
-  Driver<Inertia> driver(law);
+  Driver<element::Inertia> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
     const double phase = 2.0 * M_PI * i / kSamples;
@@ -91,10 +91,10 @@ TEST(Inertia, SineIsInPhaseToSecondOrder) {
 }
 
 TEST(SmoothedInertia, SineIsAsItsFilterSays) {
-  const SmoothedInertia law(12.0, 80.0);
+  const element::SmoothedInertia law(12.0, 80.0);
   constexpr int kSamples = 1000;
   constexpr double kFrequency = 30.0;
-  Driver<SmoothedInertia> driver(law);
+  Driver<element::SmoothedInertia> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 3 * kSamples; ++i) {  // the lags have settled after two periods to exp(-60)
     const double phase = 2.0 * M_PI * i / kSamples;
@@ -108,9 +108,9 @@ TEST(SmoothedInertia, SineIsAsItsFilterSays) {
 }
 
 TEST(SmoothedInertia, StepsExactlyWhateverTheSteps) {
-  const SmoothedInertia law(12.0, 5.0);
-  Driver<SmoothedInertia> whole(law);
-  Driver<SmoothedInertia> divided(law);
+  const element::SmoothedInertia law(12.0, 5.0);
+  Driver<element::SmoothedInertia> whole(law);
+  Driver<element::SmoothedInertia> divided(law);
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   for (int i = 0; i < 20; ++i) {
@@ -123,8 +123,8 @@ TEST(SmoothedInertia, StepsExactlyWhateverTheSteps) {
 
 TEST(SmoothedInertia, MakesLittleForceOfNoise) {
   constexpr double kStep = 2e-3;
-  const SmoothedInertia law(1.0, 1.0 / (2.0 * M_PI * kStep));
-  Driver<SmoothedInertia> driver(law);
+  const element::SmoothedInertia law(1.0, 1.0 / (2.0 * M_PI * kStep));
+  Driver<element::SmoothedInertia> driver(law);
   std::mt19937 generator(11);
   std::normal_distribution<double> noise(0.0, kStep * kStep);
   double sum = 0.0;
@@ -137,10 +137,10 @@ TEST(SmoothedInertia, MakesLittleForceOfNoise) {
 }
 
 TEST(PowerDashpot, OfPowerOneIsADashpot) {
-  const PowerDashpot law(2e4, 0.05, 1.0);
-  const SmoothDashpot linear(2e4);
-  Driver<PowerDashpot> driver(law);
-  Driver<SmoothDashpot> reference(linear);
+  const element::PowerDashpot law(2e4, 0.05, 1.0);
+  const element::SmoothDashpot linear(2e4);
+  Driver<element::PowerDashpot> driver(law);
+  Driver<element::SmoothDashpot> reference(linear);
   std::mt19937 generator(13);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   for (int i = 0; i < 20; ++i) {
@@ -151,29 +151,29 @@ TEST(PowerDashpot, OfPowerOneIsADashpot) {
 }
 
 TEST(PowerDashpot, FollowsThePowerOfTheRate) {
-  const PowerDashpot law(2e4, 0.05, 2.0);
+  const element::PowerDashpot law(2e4, 0.05, 2.0);
   EXPECT_NEAR(law.force(0.05), 1e3, 1e-9) << "at the reference rate c v_r";
   EXPECT_NEAR(law.force(-0.1), -4e3, 1e-9);
   EXPECT_EQ(law.force(0.0), 0.0);
 }
 
 TEST(ForceOffset, IsThereFromTheStart) {
-  const ForceOffset law(-150.0);
-  Driver<ForceOffset> driver(law);
+  const element::ForceOffset law(-150.0);
+  Driver<element::ForceOffset> driver(law);
   EXPECT_EQ(driver.output(), -150.0);
   EXPECT_EQ(driver.step(1.0, 3e-3), -150.0);
 }
 
 TEST(ForceDrift, GrowsWithTimeAlone) {
-  const ForceDrift law(2.5);
-  Driver<ForceDrift> driver(law, 1e-3);
+  const element::ForceDrift law(2.5);
+  Driver<element::ForceDrift> driver(law, 1e-3);
   EXPECT_EQ(driver.output(), 0.0);
   driver.step(1.0, 3e-3);
   EXPECT_DOUBLE_EQ(driver.step(3.0, -1.0), 10.0);
 }
 
 TEST(FreePlay, LeavesOutTheGap) {
-  const FreePlay law(2e-4);
+  const element::FreePlay law(2e-4);
   EXPECT_EQ(law.behind(2e-4), 0.0);
   EXPECT_EQ(law.behind(-1.9e-4), 0.0);
   EXPECT_DOUBLE_EQ(law.behind(1e-3), 8e-4);
@@ -181,14 +181,14 @@ TEST(FreePlay, LeavesOutTheGap) {
 }
 
 TEST(FreePlay, LosesAShareOfTheMotionWithinTheGap) {
-  const FreePlay law(2e-4, 0.25);
+  const element::FreePlay law(2e-4, 0.25);
   EXPECT_DOUBLE_EQ(law.behind(1e-4), 0.75e-4);
   EXPECT_DOUBLE_EQ(law.behind(-1e-3), -0.95e-3);
 }
 
 TEST(TimeDelay, LineIsExactAtUnequalSteps) {
-  const TimeDelay law(7e-3);
-  Driver<TimeDelay> driver(law);
+  const element::TimeDelay law(7e-3);
+  Driver<element::TimeDelay> driver(law);
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> dt(1e-4, 4e-3);
   double t = 0.0;
@@ -201,8 +201,8 @@ TEST(TimeDelay, LineIsExactAtUnequalSteps) {
 
 // Linear in between, also where a past step was much longer than the delay.
 TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
-  const TimeDelay law(0.05);
-  Driver<TimeDelay> driver(law, 1.0);
+  const element::TimeDelay law(0.05);
+  Driver<element::TimeDelay> driver(law, 1.0);
   EXPECT_DOUBLE_EQ(driver.step(0.04, 2.0), 1.0) << "before the start at rest";
   EXPECT_DOUBLE_EQ(driver.step(1.0, 5.0), 5.0 - 3.0 * 0.05);
   EXPECT_NEAR(driver.step(0.02, 0.0), 5.0 - 3.0 * 0.03, 1e-12);
@@ -214,8 +214,8 @@ TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
   constexpr double kDelay = 0.05;
   constexpr double kDt = 5e-5;
   constexpr double kOmega = 2.0 * M_PI * 10.0;
-  const TimeDelay law(kDelay);
-  Driver<TimeDelay> driver(law);
+  const element::TimeDelay law(kDelay);
+  Driver<element::TimeDelay> driver(law);
   const double chord = std::pow(kOmega * (kDelay / 126.0), 2) / 8.0;
   for (int i = 1; i < 20000; ++i) {
     const double behind = driver.step(kDt, 1.0 - std::cos(kOmega * kDt * i));
@@ -225,8 +225,8 @@ TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
 }
 
 TEST(TimeDelay, NegativeDelayCarriesForwardAlongALine) {
-  const TimeDelay law(-2e-3);
-  Driver<TimeDelay> driver(law);
+  const element::TimeDelay law(-2e-3);
+  Driver<element::TimeDelay> driver(law);
   EXPECT_DOUBLE_EQ(driver.step(1e-3, 1.0), 3.0);
   EXPECT_DOUBLE_EQ(driver.step(4e-3, 3.0), 4.0);
   const double omega = 2.0 * M_PI * 10.0;
@@ -235,15 +235,15 @@ TEST(TimeDelay, NegativeDelayCarriesForwardAlongALine) {
 }
 
 TEST(TimeDelay, NoneIsNone) {
-  const TimeDelay law(0.0);
-  Driver<TimeDelay> driver(law);
+  const element::TimeDelay law(0.0);
+  Driver<element::TimeDelay> driver(law);
   EXPECT_EQ(driver.step(1e-3, 1.0), 1.0);
   EXPECT_EQ(*law.transfer(100.0), std::complex<double>(1.0, 0.0));
 }
 
 class SofteningDriver {
  public:
-  explicit SofteningDriver(const StressSoftening& law) : law_(law) { law_.rest(0.0, memory_); }
+  explicit SofteningDriver(const element::StressSoftening& law) : law_(law) { law_.rest(0.0, memory_); }
   double step(double z) {
     const double increment = z - z_;
     z_ = z;
@@ -252,13 +252,13 @@ class SofteningDriver {
   double* memory() { return memory_; }
 
  private:
-  const StressSoftening& law_;
+  const element::StressSoftening& law_;
   double memory_[2] = {};
   double z_ = 0.0;
 };
 
 TEST(StressSoftening, SoftensOnlyWithinWhatWasReached) {
-  const StressSoftening law(0.3, 0.2, 0.0);
+  const element::StressSoftening law(0.3, 0.2, 0.0);
   SofteningDriver driver(law);
   EXPECT_EQ(driver.step(1e-3), 1.0) << "first loading";
   EXPECT_EQ(driver.step(2e-3), 1.0);
@@ -270,7 +270,7 @@ TEST(StressSoftening, SoftensOnlyWithinWhatWasReached) {
 }
 
 TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
-  const StressSoftening law(0.3, 0.5, 0.0);
+  const element::StressSoftening law(0.3, 0.5, 0.0);
   double before = law.factor(0.0, 2.0);
   EXPECT_NEAR(before, 0.7, 1e-12);
   for (int i = 1; i <= 200; ++i) {
@@ -285,7 +285,7 @@ TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
 TEST(StressSoftening, PathMakesItTakeSomeCycles) {
   constexpr double kAmplitude = 1e-3;
   constexpr double kPath = 4e-3;  // one cycle of that amplitude
-  const StressSoftening law(0.3, 0.2, kPath);
+  const element::StressSoftening law(0.3, 0.2, kPath);
   SofteningDriver driver(law);
   driver.step(kAmplitude);
   double remaining = kAmplitude - driver.memory()[1];
@@ -299,14 +299,14 @@ TEST(StressSoftening, PathMakesItTakeSomeCycles) {
 }
 
 TEST(StressSoftening, ReductionOfZeroDoesNothing) {
-  const StressSoftening law(0.0, 0.2, 0.0);
+  const element::StressSoftening law(0.0, 0.2, 0.0);
   SofteningDriver driver(law);
   driver.step(2e-3);
   EXPECT_EQ(driver.step(1e-3), 1.0);
 }
 
 TEST(StressSoftening, StaysThroughARest) {
-  const StressSoftening law(0.3, 0.2, 0.0);
+  const element::StressSoftening law(0.3, 0.2, 0.0);
   SofteningDriver driver(law);
   driver.step(2e-3);
   EXPECT_NEAR(law.recover(0.0, driver.memory()), 0.7, 1e-12);
@@ -317,10 +317,10 @@ TEST(StressSoftening, StaysThroughARest) {
 
 // Constant loss force under steady motion: dx/dt = s F v (1 - x) - x/T.
 TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
-  const SelfHeating law(1e-3, 20.0);
+  const element::SelfHeating law(1e-3, 20.0);
   double memory[2];
   law.rest(0.0, memory);
-  ComponentForce force;
+  element::ComponentForce force;
   force.friction = 1e3;
   force.elastic = 1e9;  // makes no heat
   double factor = 1.0;
@@ -336,10 +336,10 @@ TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
 }
 
 TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
-  const SelfHeating law(1e-6, 1e12);
+  const element::SelfHeating law(1e-6, 1e12);
   double memory[2];
   law.rest(0.0, memory);
-  ComponentForce force;
+  element::ComponentForce force;
   force.viscous = 500.0;
   double factor = 1.0;
   for (int i = 0; i < 1000; ++i) {
@@ -350,12 +350,12 @@ TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
 }
 
 TEST(SelfHeating, KeepsAFifthAtLeast) {
-  const SelfHeating law(1e3, 1e9);
+  const element::SelfHeating law(1e3, 1e9);
   double memory[2];
   law.rest(0.0, memory);
-  ComponentForce force;
+  element::ComponentForce force;
   force.viscous = 1e6;
-  EXPECT_EQ(law.step({1.0, 1.0, 1.0}, force, memory), SelfHeating::kLeastFactor);
+  EXPECT_EQ(law.step({1.0, 1.0, 1.0}, force, memory), element::SelfHeating::kLeastFactor);
 }
 
 }  // namespace

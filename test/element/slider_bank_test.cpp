@@ -12,12 +12,12 @@ namespace {
 
 TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   for (const int count : {2, 3, 4, 16, 17, 64}) {
-    const Iwan law(5e3, 2.2e-3, count);
+    const element::Iwan law(5e3, 2.2e-3, count);
     EXPECT_EQ(law.sliders().size(), static_cast<std::size_t>(count));
     EXPECT_NEAR(law.backbone(2.2e-3), 2.5e3, 1e-8) << count;
     EXPECT_NEAR(law.backbone(50.0 * 2.2e-3), 5e3, 1e-8) << count;
     EXPECT_NEAR(law.backbone(1.0), 5e3, 1e-8) << count;
-    for (const JenkinsSlider& slider : law.sliders()) {
+    for (const element::JenkinsSlider& slider : law.sliders()) {
       EXPECT_GT(slider.stiffness, 0.0) << count;
     }
   }
@@ -25,23 +25,23 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
 
 // With many sliders the backbone is the hyperbola of Berg's first loading, but for its end at 50 z2 (4 % of the force).
 TEST(Iwan, BackboneIsCloseToBergs) {
-  const Iwan law(5.0, 2.2, 64);
+  const element::Iwan law(5.0, 2.2, 64);
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {
     EXPECT_NEAR(law.backbone(z), 5.0 * z / (2.2 + z), 0.04 * law.backbone(z)) << z;
   }
 }
 
 TEST(Iwan, FirstLoadingFollowsTheBackbone) {
-  const Iwan law(5.0, 2.2, 16);
-  Driver<SliderBank> driver(law);
+  const element::Iwan law(5.0, 2.2, 16);
+  Driver<element::SliderBank> driver(law);
   for (const double z : {0.1, 1.0, 3.0, 200.0}) {
     EXPECT_NEAR(driver.step(1.0, z), law.backbone(z), 1e-12);
   }
 }
 
 TEST(Iwan, MinorLoopClosesToTheLastBit) {
-  const Iwan law(5.0, 2.2, 16);
-  Driver<SliderBank> driver(law);
+  const element::Iwan law(5.0, 2.2, 16);
+  Driver<element::SliderBank> driver(law);
   const double left = driver.step(1.0, 2.0);
   driver.step(1.0, 1.5);
   driver.step(1.0, 1.8);
@@ -53,8 +53,8 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
 // Masing: the settled peak is that of the backbone (2.37 for this example, where Berg's element has 1.99), and the
 // branch after a reversal is the backbone doubled.
 TEST(Iwan, SettledLoopObeysMasing) {
-  const Iwan law(5.0, 2.2, 16);
-  Driver<SliderBank> driver(law);
+  const element::Iwan law(5.0, 2.2, 16);
+  Driver<element::SliderBank> driver(law);
   for (const double z : {2.0, -2.0, 2.0, -2.0}) {
     driver.step(1.0, z);
   }
@@ -64,27 +64,27 @@ TEST(Iwan, SettledLoopObeysMasing) {
 }
 
 TEST(SliderBank, LossOfASettledLoopInClosedForm) {
-  const SliderBank law({{2.0, 400.0}, {0.1, 2000.0}, {0.5, 1000.0}});
+  const element::SliderBank law({{2.0, 400.0}, {0.1, 2000.0}, {0.5, 1000.0}});
   constexpr double kAmplitude = 1.5;
   double expected = 0.0;  // of a parallelogram for each slider that slides
-  for (const JenkinsSlider& slider : law.sliders()) {
+  for (const element::JenkinsSlider& slider : law.sliders()) {
     expected += 4.0 * slider.maximumForce() * std::max(0.0, kAmplitude - slider.yield_displacement);
   }
-  Driver<SliderBank> driver(law);
+  Driver<element::SliderBank> driver(law);
   // All kinks lie on the grid of 3000 steps (1 um of 3 mm), where the trapezoidal rule is exact.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 2, 3000), expected, 1e-9 * expected);
 }
 
 TEST(SliderBank, RestsAnywhereWithoutForce) {
-  const SliderBank law({{2.0, 400.0}, {0.1, 2000.0}});
-  Driver<SliderBank> driver(law, 5.0);
+  const element::SliderBank law({{2.0, 400.0}, {0.1, 2000.0}});
+  Driver<element::SliderBank> driver(law, 5.0);
   EXPECT_EQ(driver.output(), 0.0);
   EXPECT_NEAR(driver.step(1.0, 5.05), 0.05 * 2400.0, 1e-9);
 }
 
 TEST(CoulombFriction, SticksSlidesAndTurnsAtOnce) {
-  const CoulombFriction law(2e3, 1e7);
-  Driver<SliderBank> driver(law);
+  const element::CoulombFriction law(2e3, 1e7);
+  Driver<element::SliderBank> driver(law);
   EXPECT_NEAR(driver.step(1.0, 1e-4), 1e3, 1e-9);
   EXPECT_NEAR(driver.step(1.0, 1e-3), 2e3, 1e-9);
   EXPECT_NEAR(driver.step(1.0, 1e-3 - 4e-4), -2e3, 1e-9) << "2 F_max/k of way back";
@@ -93,8 +93,8 @@ TEST(CoulombFriction, SticksSlidesAndTurnsAtOnce) {
 
 TEST(CoulombFriction, LossTendsToThatOfCoulombsLaw) {
   constexpr double kAmplitude = 1e-3;
-  const CoulombFriction law(2e3, 1e10);
-  Driver<SliderBank> driver(law);
+  const element::CoulombFriction law(2e3, 1e10);
+  Driver<element::SliderBank> driver(law);
   const double coulomb = 4.0 * 2e3 * kAmplitude;
   // Short by F_max/(k A) = 2e-4, of which the coarse walk of 1 um adds half a step at each of two turns: 1e-3.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 1, 2000), coulomb, 2e-3 * coulomb);

@@ -11,7 +11,7 @@
 namespace rubber_suspension::test {
 
 /// A law with parameters as on a component of 3 kN/mm that moves by some millimetres.
-inline std::vector<ElementDescription> typicalElements() {
+inline std::vector<element::ElementDescription> typicalElements() {
   return {
       {"spring", {{"stiffness", {3e6}}}},
       {"progressive_stiffness", {{"cubic", {1e11}}, {"quintic", {1e15}}}},
@@ -56,45 +56,45 @@ inline std::vector<ElementDescription> typicalElements() {
 }
 
 /// True for spring, friction, ...; false for effects on displacement or force and for mounts.
-inline bool addsForce(const ElementDescription& description) {
-  return std::holds_alternative<std::shared_ptr<const ParallelElement>>(makeElement(description));
+inline bool addsForce(const element::ElementDescription& description) {
+  return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element::makeElement(description));
 }
 
 /// A component that shows the law: alone where its force adds, on a specimen with loss where it needs one.
-inline Component subject(const ElementDescription& description) {
+inline component::Component subject(const element::ElementDescription& description) {
   if (addsForce(description)) {
-    return Component({description});
+    return component::Component({description});
   }
-  return Component({{"spring", {{"stiffness", {3e6}}}},
-                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
-                    {"coulomb_friction", {{"maximum_force", {1e3}}, {"stiffness", {5e6}}}},
-                    description});
+  return component::Component({{"spring", {{"stiffness", {3e6}}}},
+                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                               {"coulomb_friction", {{"maximum_force", {1e3}}, {"stiffness", {5e6}}}},
+                               description});
 }
 
 /// The same with a linear specimen, for laws whose K* is in question.
-inline Component linearSubject(const ElementDescription& description) {
+inline component::Component linearSubject(const element::ElementDescription& description) {
   if (addsForce(description)) {
-    return Component({description});
+    return component::Component({description});
   }
-  return Component({{"spring", {{"stiffness", {3e6}}}},
-                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
-                    description});
+  return component::Component({{"spring", {{"stiffness", {3e6}}}},
+                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                               description});
 }
 
-inline bool isOneOf(const ElementDescription& description, const std::vector<std::string>& types) {
+inline bool isOneOf(const element::ElementDescription& description, const std::vector<std::string>& types) {
   return std::find(types.begin(), types.end(), description.type) != types.end();
 }
 
 /// Faults of a measuring chain have forces of their own or shift them in time, so they may seem to create energy; so
 /// may a specimen that is loaded hot and unloaded cold.
-inline bool isPassive(const ElementDescription& description) {
+inline bool isPassive(const element::ElementDescription& description) {
   return !isOneOf(description, {"force_offset", "force_drift", "time_delay", "inertia", "self_heating"});
 }
 
 /// Those whose step is exact for displacement that is linear in between, whatever its length. Free play and delay bend
 /// the line between two samples, which the specimen behind them does not see (their own exactness: see their own
 /// tests).
-inline bool isExact(const ElementDescription& description) {
+inline bool isExact(const element::ElementDescription& description) {
   const bool approximate = isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play",
                                                  "time_delay", "power_dashpot", "nonlinear_maxwell"});
   const bool softens_slowly = description.type == "stress_softening" && description.values.count("path") != 0;
@@ -107,7 +107,7 @@ inline bool isExact(const ElementDescription& description) {
 namespace rubber_suspension {
 
 /// For the messages of parameterised tests.
-inline void PrintTo(const ElementDescription& description, std::ostream* stream) {
+inline void PrintTo(const element::ElementDescription& description, std::ostream* stream) {
   *stream << description.type;
   for (const auto& [name, values] : description.values) {
     *stream << ' ' << name << '=';

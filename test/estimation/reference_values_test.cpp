@@ -11,42 +11,42 @@ namespace rubber_suspension {
 namespace {
 
 // The paper states it in kN and mm; here it is in SI.
-Specification example() {
-  Specification specification;
+estimation::Specification example() {
+  estimation::Specification specification;
   specification.set("static_stiffness", 3e6);
   specification.set("dynamic_stiffness", 4.2e6);
   specification.set("nominal_frequency", 4.0);
   return specification;
 }
 
-Specification exampleWith(const std::string& key, double value) {
-  Specification specification = example();
+estimation::Specification exampleWith(const std::string& key, double value) {
+  estimation::Specification specification = example();
   specification.set(key, value);
   return specification;
 }
 
-Specification frictionExample() {
-  Specification specification = exampleWith("relative_damping", 0.05);
+estimation::Specification frictionExample() {
+  estimation::Specification specification = exampleWith("relative_damping", 0.05);
   specification.set("nominal_amplitude", 2e-3);
   return specification;
 }
 
-Specification fiveInputs() {
-  Specification specification = exampleWith("maximum_stiffness", 4.9e6);
+estimation::Specification fiveInputs() {
+  estimation::Specification specification = exampleWith("maximum_stiffness", 4.9e6);
   specification.set("high_frequency", 25.0);
   return specification;
 }
 
 double degrees(double angle) { return angle * 180.0 / M_PI; }
 
-std::complex<double> stiffness(const std::vector<ElementDescription>& elements, double frequency) {
-  return Component(elements).complexStiffness(frequency).value();
+std::complex<double> stiffness(const std::vector<element::ElementDescription>& elements, double frequency) {
+  return component::Component(elements).complexStiffness(frequency).value();
 }
 
 // Tolerances are half of the last digit that is known.
 TEST(ReferenceValues, KelvinVoigt) {
-  const auto elements = estimate(Model::kelvin_voigt, [] {
-    Specification specification;
+  const auto elements = estimation::estimate(estimation::Model::kelvin_voigt, [] {
+    estimation::Specification specification;
     specification.set("dynamic_stiffness", 4.2e6);
     specification.set("nominal_frequency", 4.0);
     specification.set("relative_damping", 0.05);
@@ -62,43 +62,45 @@ TEST(ReferenceValues, MaxwellByBreakFrequency) {
     double break_frequency, stiffness, angle;
   } rows[] = {{0.5, 1.2160, 2.04}, {1, 1.2638, 4.06}, {2, 1.4497, 7.94}, {4, 2.1264, 14.66}, {8, 4.2250, 23.73}};
   for (const auto& row : rows) {
-    const auto elements = estimate(Model::maxwell, exampleWith("break_frequency", row.break_frequency));
+    const auto elements =
+        estimation::estimate(estimation::Model::maxwell, exampleWith("break_frequency", row.break_frequency));
     EXPECT_NEAR(elements[1].value("stiffness"), row.stiffness * 1e6, 0.00005e6);
     EXPECT_NEAR(degrees(std::arg(stiffness(elements, 4.0))), row.angle, 0.005);
   }
 }
 
 TEST(ReferenceValues, MaxwellByLossAngle) {
-  const auto elements = estimate(Model::maxwell, exampleWith("loss_angle", 5.76 * M_PI / 180.0));
+  const auto elements =
+      estimation::estimate(estimation::Model::maxwell, exampleWith("loss_angle", 5.76 * M_PI / 180.0));
   EXPECT_NEAR(elements[1].value("break_frequency"), 1.43, 0.005);
   EXPECT_NEAR(elements[1].value("stiffness"), 1.3295e6, 0.0005e6);  // of a rounded angle
 }
 
 TEST(ReferenceValues, MaxwellDashpot) {
-  Specification specification = exampleWith("break_frequency", 0.5);
+  estimation::Specification specification = exampleWith("break_frequency", 0.5);
   specification.set("relative_damping", 0.05);
-  const auto elements = estimate(Model::maxwell_dashpot, specification);
+  const auto elements = estimation::estimate(estimation::Model::maxwell_dashpot, specification);
   EXPECT_NEAR(elements[1].value("stiffness"), 1.198e6, 0.0005e6);
   EXPECT_NEAR(elements[2].value("damping"), 0.01076e6, 0.000005e6);
 }
 
 TEST(ReferenceValues, Friction) {
-  const auto elements = estimate(Model::friction, frictionExample());
+  const auto elements = estimation::estimate(estimation::Model::friction, frictionExample());
   EXPECT_NEAR(elements[1].value("maximum_force"), 6047.5, 0.05);
   EXPECT_NEAR(elements[1].value("displacement"), 2.1760e-3, 0.00005e-3);
 }
 
 TEST(ReferenceValues, FrictionDashpot) {
-  const auto elements = estimate(Model::friction_dashpot, frictionExample());
+  const auto elements = estimation::estimate(estimation::Model::friction_dashpot, frictionExample());
   EXPECT_NEAR(elements[1].value("maximum_force"), 7470.0, 0.05);
   EXPECT_NEAR(elements[1].value("displacement"), 3.1976e-3, 0.00005e-3);
   EXPECT_NEAR(elements[2].value("damping"), 3326.0, 0.5);
 }
 
 TEST(ReferenceValues, Berg) {
-  Specification specification = frictionExample();
+  estimation::Specification specification = frictionExample();
   specification.set("break_frequency", 1.45);
-  const auto elements = estimate(Model::berg, specification);
+  const auto elements = estimation::estimate(estimation::Model::berg, specification);
   EXPECT_NEAR(elements[1].value("maximum_force"), 4920.9, 0.05);
   EXPECT_NEAR(elements[1].value("displacement"), 2.2109e-3, 0.00005e-3);
   const double k1 = elements[2].value("stiffness");
@@ -106,8 +108,9 @@ TEST(ReferenceValues, Berg) {
   EXPECT_NEAR(k1 / (2.0 * M_PI * elements[2].value("break_frequency")), 0.02863e6, 0.000005e6);
 }
 
-void expectElements(const std::vector<ElementDescription>& elements, const std::vector<double>& break_frequencies,
-                    double frequency_tolerance, const std::vector<double>& stiffnesses) {
+void expectElements(const std::vector<element::ElementDescription>& elements,
+                    const std::vector<double>& break_frequencies, double frequency_tolerance,
+                    const std::vector<double>& stiffnesses) {
   ASSERT_EQ(elements.size(), stiffnesses.size() + 1);
   EXPECT_DOUBLE_EQ(elements[0].value("stiffness"), 3e6);
   for (std::size_t i = 0; i < stiffnesses.size(); ++i) {
@@ -117,16 +120,16 @@ void expectElements(const std::vector<ElementDescription>& elements, const std::
 }
 
 TEST(ReferenceValues, MultiMaxwellThree) {
-  Specification specification = fiveInputs();
+  estimation::Specification specification = fiveInputs();
   specification.set("maxwell_elements", 3);
-  const auto elements = estimate(Model::multi_maxwell, specification);
+  const auto elements = estimation::estimate(estimation::Model::multi_maxwell, specification);
   expectElements(elements, {1.582, 5.091, 16.384}, 0.0005, {1.0573, 0.5532, 0.2895});
   EXPECT_NEAR(elements[1].value("stiffness") / elements[2].value("stiffness"), 1.911, 0.0005);
   EXPECT_NEAR(degrees(std::arg(stiffness(elements, 4.0))), 9.55, 0.005);
 }
 
 TEST(ReferenceValues, MultiMaxwellFive) {
-  const auto elements = estimate(Model::multi_maxwell, fiveInputs());
+  const auto elements = estimation::estimate(estimation::Model::multi_maxwell, fiveInputs());
   expectElements(elements, {0.0348, 0.1593, 0.7284, 3.3311, 15.2334}, 0.00005,
                  {0.2334, 0.2908, 0.3623, 0.4513, 0.5622});
   EXPECT_NEAR(elements[1].value("stiffness") / elements[2].value("stiffness"), 0.8027, 0.00005);
@@ -141,9 +144,9 @@ TEST(ReferenceValues, MultiMaxwellOverFrequency) {
   } models[] = {{3, {3.12, 3.38, 3.80, 4.20, 4.50, 4.63, 4.76}, {6.74, 10.2, 11.2, 9.55, 7.22, 5.87, 4.31}},
                 {5, {3.64, 3.81, 3.99, 4.20, 4.41, 4.54, 4.69}, {5.58, 5.82, 5.97, 5.98, 5.61, 5.26, 4.40}}};
   for (const auto& model : models) {
-    Specification specification = fiveInputs();
+    estimation::Specification specification = fiveInputs();
     specification.set("maxwell_elements", model.count);
-    const auto elements = estimate(Model::multi_maxwell, specification);
+    const auto elements = estimation::estimate(estimation::Model::multi_maxwell, specification);
     for (int i = 0; i < 7; ++i) {
       const auto k = stiffness(elements, frequencies[i]);
       EXPECT_NEAR(std::abs(k), model.stiffness[i] * 1e6, 0.005e6);
@@ -153,7 +156,7 @@ TEST(ReferenceValues, MultiMaxwellOverFrequency) {
 }
 
 TEST(ReferenceValues, MaxwellAtTwentyHertz) {
-  const auto elements = estimate(Model::maxwell, exampleWith("break_frequency", 1.43));
+  const auto elements = estimation::estimate(estimation::Model::maxwell, exampleWith("break_frequency", 1.43));
   EXPECT_NEAR(std::abs(stiffness(elements, 20.0)), 4.32e6, 0.005e6);
 }
 

@@ -16,8 +16,8 @@ using ::testing::HasSubstr;
 
 using Values = std::map<std::string, double>;
 
-Specification specificationOf(const Values& values) {
-  Specification specification;
+estimation::Specification specificationOf(const Values& values) {
+  estimation::Specification specification;
   for (const auto& [key, value] : values) {
     specification.set(key, value);
   }
@@ -51,72 +51,72 @@ Values without(Values values, const std::string& key) {
 const Values kBerg = with(kFriction, "break_frequency", 1.45);
 const Values kMaxwellDashpot = with(kMaxwell, "break_frequency", 0.5);
 
-std::string refusal(Model model, const Values& values) {
+std::string refusal(estimation::Model model, const Values& values) {
   try {
-    estimate(model, specificationOf(values));
+    estimation::estimate(model, specificationOf(values));
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "accepted";
 }
 
-bool solvable(Model model, const Values& values) { return refusal(model, values) == "accepted"; }
+bool solvable(estimation::Model model, const Values& values) { return refusal(model, values) == "accepted"; }
 
 TEST(Refusal, SlipsOfInput) {
   const struct {
-    Model model;
+    estimation::Model model;
     const Values* values;
     std::string key;
     double value;
   } rows[] = {
-      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 30e6},
-      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 0.3e6},
-      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", 3.0},
-      {Model::multi_maxwell, &kFiveInputs, "static_stiffness", -3e6},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 42e6},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 2.4e6},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 4.9e6},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 3e6},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", NAN},
-      {Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 49e6},
-      {Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 0.49e6},
-      {Model::multi_maxwell, &kFiveInputs, "nominal_frequency", 40.0},
-      {Model::multi_maxwell, &kFiveInputs, "high_frequency", 2.5},
-      {Model::multi_maxwell, &kFiveInputs, "low_frequency", 25.0},
-      {Model::multi_maxwell, &kFiveInputs, "low_frequency", 4.0},
-      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 1.0},
-      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 2.0},
-      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 3.5},
-      {Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 50.0},
-      {Model::multi_maxwell, &kFiveInputs, "loss_angle", 0.1},  // one input too many
-      {Model::multi_maxwell, &kFiveInputs, "break_frequency", 1.0},
-      {Model::multi_maxwell, &kFiveInputs, "dynamic_stifness", 4.2e6},
-      {Model::maxwell, &kMaxwell, "dynamic_stiffness", 2e6},
-      {Model::maxwell, &kMaxwell, "loss_angle", 5.7},
-      {Model::maxwell, &kMaxwell, "loss_angle", 1.0},
-      {Model::maxwell, &kMaxwell, "loss_angle", M_PI / 2.0},
-      {Model::maxwell, &kMaxwell, "loss_angle", 0.0},
-      {Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // beside the loss angle
-      {Model::maxwell, &kMaxwell, "nominal_frequency", 0.0},
-      {Model::maxwell, &kMaxwell, "nominal_frequency", HUGE_VAL},
-      {Model::maxwell_dashpot, &kMaxwellDashpot, "break_frequency", 5.0},
-      {Model::kelvin_voigt, &kKelvinVoigt, "relative_damping", 0.05},
-      {Model::kelvin_voigt, &kKelvinVoigt, "loss_angle", 1.6},
-      {Model::kelvin_voigt, &kKelvinVoigt, "static_stiffness", 5e6},
-      {Model::kelvin_voigt, &kKelvinVoigt, "dynamic_stiffness", -1.0},
-      {Model::friction, &kFriction, "relative_damping", 5.0},
-      {Model::friction, &kFriction, "relative_damping", 0.5},
-      {Model::friction, &kFriction, "nominal_amplitude", 2.0},
-      {Model::friction, &kFriction, "viscous_share", 0.2},
-      {Model::friction_dashpot, &kFriction, "viscous_share", 20.0},
-      {Model::friction_dashpot, &kFriction, "viscous_share", 1.0},
-      {Model::friction_dashpot, &kFriction, "dynamic_stiffness", 3.1e6},
-      {Model::berg, &kBerg, "break_frequency", 0.02},
-      {Model::berg, &kBerg, "dynamic_stiffness", 2.9e6},
-      {Model::berg, &kBerg, "dynamic_stiffness", 3.2e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "static_stiffness", 30e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "static_stiffness", 0.3e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "static_stiffness", 3.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "static_stiffness", -3e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 42e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 2.4e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 4.9e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", 3e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stiffness", NAN},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 49e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maximum_stiffness", 0.49e6},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "nominal_frequency", 40.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "high_frequency", 2.5},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "low_frequency", 25.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "low_frequency", 4.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 1.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 2.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 3.5},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "maxwell_elements", 50.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "loss_angle", 0.1},  // one input too many
+      {estimation::Model::multi_maxwell, &kFiveInputs, "break_frequency", 1.0},
+      {estimation::Model::multi_maxwell, &kFiveInputs, "dynamic_stifness", 4.2e6},
+      {estimation::Model::maxwell, &kMaxwell, "dynamic_stiffness", 2e6},
+      {estimation::Model::maxwell, &kMaxwell, "loss_angle", 5.7},
+      {estimation::Model::maxwell, &kMaxwell, "loss_angle", 1.0},
+      {estimation::Model::maxwell, &kMaxwell, "loss_angle", M_PI / 2.0},
+      {estimation::Model::maxwell, &kMaxwell, "loss_angle", 0.0},
+      {estimation::Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // beside the loss angle
+      {estimation::Model::maxwell, &kMaxwell, "nominal_frequency", 0.0},
+      {estimation::Model::maxwell, &kMaxwell, "nominal_frequency", HUGE_VAL},
+      {estimation::Model::maxwell_dashpot, &kMaxwellDashpot, "break_frequency", 5.0},
+      {estimation::Model::kelvin_voigt, &kKelvinVoigt, "relative_damping", 0.05},
+      {estimation::Model::kelvin_voigt, &kKelvinVoigt, "loss_angle", 1.6},
+      {estimation::Model::kelvin_voigt, &kKelvinVoigt, "static_stiffness", 5e6},
+      {estimation::Model::kelvin_voigt, &kKelvinVoigt, "dynamic_stiffness", -1.0},
+      {estimation::Model::friction, &kFriction, "relative_damping", 5.0},
+      {estimation::Model::friction, &kFriction, "relative_damping", 0.5},
+      {estimation::Model::friction, &kFriction, "nominal_amplitude", 2.0},
+      {estimation::Model::friction, &kFriction, "viscous_share", 0.2},
+      {estimation::Model::friction_dashpot, &kFriction, "viscous_share", 20.0},
+      {estimation::Model::friction_dashpot, &kFriction, "viscous_share", 1.0},
+      {estimation::Model::friction_dashpot, &kFriction, "dynamic_stiffness", 3.1e6},
+      {estimation::Model::berg, &kBerg, "break_frequency", 0.02},
+      {estimation::Model::berg, &kBerg, "dynamic_stiffness", 2.9e6},
+      {estimation::Model::berg, &kBerg, "dynamic_stiffness", 3.2e6},
   };
   for (const auto& row : rows) {
-    ASSERT_TRUE(solvable(row.model, *row.values)) << toString(row.model);
+    ASSERT_TRUE(solvable(row.model, *row.values)) << estimation::toString(row.model);
     const std::string message = refusal(row.model, with(*row.values, row.key, row.value));
     EXPECT_THAT(message, HasSubstr(row.key)) << row.key << " = " << row.value;
     EXPECT_THAT(message, HasSubstr("accepted")) << row.key;
@@ -126,20 +126,21 @@ TEST(Refusal, SlipsOfInput) {
 }
 
 TEST(Refusal, MissingInputs) {
-  const std::pair<Model, Values> complete[] = {{Model::kelvin_voigt, kKelvinVoigt},       {Model::maxwell, kMaxwell},
-                                               {Model::maxwell_dashpot, kMaxwellDashpot}, {Model::friction, kFriction},
-                                               {Model::friction_dashpot, kFriction},      {Model::berg, kBerg},
-                                               {Model::multi_maxwell, kFiveInputs}};
+  const std::pair<estimation::Model, Values> complete[] = {
+      {estimation::Model::kelvin_voigt, kKelvinVoigt},       {estimation::Model::maxwell, kMaxwell},
+      {estimation::Model::maxwell_dashpot, kMaxwellDashpot}, {estimation::Model::friction, kFriction},
+      {estimation::Model::friction_dashpot, kFriction},      {estimation::Model::berg, kBerg},
+      {estimation::Model::multi_maxwell, kFiveInputs}};
   for (const auto& [model, values] : complete) {
     for (const auto& [key, value] : values) {
-      EXPECT_THAT(refusal(model, without(values, key)), HasSubstr(key)) << toString(model);
+      EXPECT_THAT(refusal(model, without(values, key)), HasSubstr(key)) << estimation::toString(model);
     }
   }
 }
 
 TEST(Refusal, ElementsTakeNoSpecification) {
-  EXPECT_TRUE(solvable(Model::elements, {}));
-  EXPECT_THAT(refusal(Model::elements, {{"static_stiffness", 3e6}}), HasSubstr("static_stiffness"));
+  EXPECT_TRUE(solvable(estimation::Model::elements, {}));
+  EXPECT_THAT(refusal(estimation::Model::elements, {{"static_stiffness", 3e6}}), HasSubstr("static_stiffness"));
 }
 
 struct Interval {
@@ -163,7 +164,7 @@ std::vector<Interval> intervalsIn(const std::string& message) {
 
 TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
   const Values values = with(kFiveInputs, "maxwell_elements", 2.0);
-  const std::string message = refusal(Model::multi_maxwell, values);
+  const std::string message = refusal(estimation::Model::multi_maxwell, values);
   EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m"));
   // All stiffness in the last or in the first element: f_l = 5 Hz, q = sqrt(5).
   const auto single = [](double break_frequency) {
@@ -183,21 +184,21 @@ TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
 }
 
 TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
-  const std::pair<Model, Values> unsolvable[] = {
-      {Model::multi_maxwell, with(kFiveInputs, "maxwell_elements", 2.0)},
-      {Model::multi_maxwell, with(kFiveInputs, "dynamic_stiffness", 4.8999e6)},
-      {Model::multi_maxwell, with(without(kFiveInputs, "maximum_stiffness"), "loss_angle", 0.7)},
-      {Model::multi_maxwell, with(without(kFiveInputs, "high_frequency"), "loss_angle", 0.02)},
-      {Model::maxwell, with(kMaxwell, "loss_angle", 1.0)},
-      {Model::maxwell_dashpot, with(kMaxwellDashpot, "break_frequency", 5.0)},
-      {Model::friction, with(kFriction, "relative_damping", 0.5)},
-      {Model::friction_dashpot, with(kFriction, "dynamic_stiffness", 3.1e6)},
-      {Model::berg, with(kBerg, "dynamic_stiffness", 3.2e6)},
-      {Model::berg, with(kBerg, "break_frequency", 0.02)},
+  const std::pair<estimation::Model, Values> unsolvable[] = {
+      {estimation::Model::multi_maxwell, with(kFiveInputs, "maxwell_elements", 2.0)},
+      {estimation::Model::multi_maxwell, with(kFiveInputs, "dynamic_stiffness", 4.8999e6)},
+      {estimation::Model::multi_maxwell, with(without(kFiveInputs, "maximum_stiffness"), "loss_angle", 0.7)},
+      {estimation::Model::multi_maxwell, with(without(kFiveInputs, "high_frequency"), "loss_angle", 0.02)},
+      {estimation::Model::maxwell, with(kMaxwell, "loss_angle", 1.0)},
+      {estimation::Model::maxwell_dashpot, with(kMaxwellDashpot, "break_frequency", 5.0)},
+      {estimation::Model::friction, with(kFriction, "relative_damping", 0.5)},
+      {estimation::Model::friction_dashpot, with(kFriction, "dynamic_stiffness", 3.1e6)},
+      {estimation::Model::berg, with(kBerg, "dynamic_stiffness", 3.2e6)},
+      {estimation::Model::berg, with(kBerg, "break_frequency", 0.02)},
   };
   for (const auto& [model, values] : unsolvable) {
     const std::string message = refusal(model, values);
-    ASSERT_NE(message, "accepted") << toString(model);
+    ASSERT_NE(message, "accepted") << estimation::toString(model);
     const auto intervals = intervalsIn(message);
     EXPECT_FALSE(intervals.empty()) << message;
     for (const Interval& interval : intervals) {
@@ -217,10 +218,12 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
 }
 
 TEST(Tables, EveryKeyOfEveryModelIsInTheTable) {
-  for (const Model model : {Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
-                            Model::friction_dashpot, Model::berg, Model::multi_maxwell, Model::elements}) {
-    EXPECT_EQ(modelFromString(toString(model)), model);
-    const ModelInfo& info = modelInfo(model);
+  for (const estimation::Model model :
+       {estimation::Model::kelvin_voigt, estimation::Model::maxwell, estimation::Model::maxwell_dashpot,
+        estimation::Model::friction, estimation::Model::friction_dashpot, estimation::Model::berg,
+        estimation::Model::multi_maxwell, estimation::Model::elements}) {
+    EXPECT_EQ(estimation::modelFromString(estimation::toString(model)), model);
+    const estimation::ModelInfo& info = estimation::modelInfo(model);
     EXPECT_EQ(info.model, model);
     std::vector<std::string> keys = info.required;
     keys.insert(keys.end(), info.optional.begin(), info.optional.end());
@@ -230,12 +233,14 @@ TEST(Tables, EveryKeyOfEveryModelIsInTheTable) {
       }
     }
     for (const std::string& key : keys) {
-      const auto& table = specificationParameters();
-      EXPECT_EQ(std::count_if(table.begin(), table.end(), [&](const ParameterInfo& row) { return row.name == key; }), 1)
+      const auto& table = estimation::specificationParameters();
+      EXPECT_EQ(
+          std::count_if(table.begin(), table.end(), [&](const element::ParameterInfo& row) { return row.name == key; }),
+          1)
           << key;
     }
   }
-  EXPECT_FALSE(modelFromString("kelvin").has_value());
+  EXPECT_FALSE(estimation::modelFromString("kelvin").has_value());
 }
 
 }  // namespace

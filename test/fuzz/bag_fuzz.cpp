@@ -1,12 +1,12 @@
 // Fuzz target: whatever bytes are given as a bag are refused by LogError or taken; what is taken is a valid log.
+#include "bag/bag_log.h"
 #include "fuzz/memory_file.h"
 #include "fuzz/valid_log.h"
-#include "rubber_suspension/ros_interface/bag_log.h"
 
 using namespace rubber_suspension;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::MemoryFile file(data, size);
-  fuzz::requireValidLogOrError([&] { return readBagLog(file.path()); });
+  fuzz::requireValidLogOrError([&] { return bag::readBagLog(file.path()); });
   return 0;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension {
 namespace {
@@ -56,9 +56,9 @@ TEST_P(BadComponentFile, IsRefusedWithItsError) {
   const std::string line = firstLine(GetParam());
   ASSERT_THAT(line, StartsWith(mark));
   try {
-    loadComponentFile(GetParam());
+    io::loadComponentFile(GetParam());
     FAIL() << "accepted";
-  } catch (const ComponentFileError& error) {
+  } catch (const io::ComponentFileError& error) {
     expectError(error.what(), GetParam(), line.substr(mark.size()));
   }
 }
@@ -70,9 +70,9 @@ class BadLog : public ::testing::TestWithParam<std::string> {};
 TEST_P(BadLog, IsRefusedWithItsError) {
   const std::string expected = firstLine(std::filesystem::path(GetParam()).replace_extension(".error").string());
   try {
-    readCsvLog(GetParam());
+    log::readCsvLog(GetParam());
     FAIL() << "accepted";
-  } catch (const LogError& error) {
+  } catch (const log::LogError& error) {
     expectError(error.what(), GetParam(), expected);
   }
 }

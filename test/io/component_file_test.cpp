@@ -32,12 +32,14 @@ const char* const kExample = R"(components:
         stiffness: 1e6
 )";
 
-std::vector<ComponentDescription> parse(const std::string& text) { return parseComponentFile(text, "file.yaml"); }
+std::vector<io::ComponentDescription> parse(const std::string& text) {
+  return io::parseComponentFile(text, "file.yaml");
+}
 
 std::string errorOf(const std::string& text) {
   try {
     parse(text);
-  } catch (const ComponentFileError& error) {
+  } catch (const io::ComponentFileError& error) {
     return error.what();
   }
   return "no error";
@@ -47,7 +49,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   const auto components = parse(kExample);
   ASSERT_EQ(components.size(), 2u);
   EXPECT_EQ(components[0].name, "left_secondary");
-  EXPECT_EQ(components[0].model, Model::multi_maxwell);
+  EXPECT_EQ(components[0].model, estimation::Model::multi_maxwell);
   EXPECT_EQ(components[0].specification.at("static_stiffness"), 3.0e6);
   EXPECT_DOUBLE_EQ(components[0].specification.at("dynamic_stiffness"), 4.2e6);
   EXPECT_DOUBLE_EQ(components[0].specification.at("maximum_stiffness"), 4.9e6);
@@ -55,7 +57,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   EXPECT_EQ(components[0].add[0].type, "friction");
   EXPECT_EQ(components[0].add[0].value("maximum_force"), 6000.0);
   EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
-  EXPECT_EQ(components[1].model, Model::elements);
+  EXPECT_EQ(components[1].model, estimation::Model::elements);
   EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
   // Spring, five Maxwell elements and the friction added.
   EXPECT_EQ(components[0].allElements().size(), 7u);
@@ -118,16 +120,17 @@ TEST(ComponentFile, DeepNestingIsRefused) {
 }
 
 TEST(ComponentFile, SizesAreBounded) {
-  EXPECT_THAT(errorOf(std::string(kMaximumComponentFileSize + 1, '#')), HasSubstr("bytes; accepted: at most 1048576"));
+  EXPECT_THAT(errorOf(std::string(io::kMaximumComponentFileSize + 1, '#')),
+              HasSubstr("bytes; accepted: at most 1048576"));
 
   std::string many = "components:\n";
-  for (std::size_t i = 0; i <= kMaximumComponents; ++i) {
+  for (std::size_t i = 0; i <= io::kMaximumComponents; ++i) {
     many += "  c" + std::to_string(i) + ": {}\n";
   }
   EXPECT_THAT(errorOf(many), HasSubstr("257 components; accepted: at most 256"));
 
   std::string entries = "components: {a: {model: elements, elements: [";
-  for (std::size_t i = 0; i <= kMaximumElements; ++i) {
+  for (std::size_t i = 0; i <= io::kMaximumElements; ++i) {
     entries += "{},";
   }
   EXPECT_THAT(errorOf(entries + "]}}"), HasSubstr("elements: 1001 elements; accepted: at most 1000"));
@@ -140,27 +143,27 @@ TEST(ComponentFile, ErrorsAreOneLine) {
 }
 
 TEST(ComponentFile, NamesAFileThatCannotBeRead) {
-  EXPECT_THROW(loadComponentFile("/nonexistent/file.yaml"), ComponentFileError);
-  EXPECT_THROW(loadComponentFile("/"), ComponentFileError);
-  EXPECT_THROW(loadComponentFile("/dev/zero"), ComponentFileError);
+  EXPECT_THROW(io::loadComponentFile("/nonexistent/file.yaml"), io::ComponentFileError);
+  EXPECT_THROW(io::loadComponentFile("/"), io::ComponentFileError);
+  EXPECT_THROW(io::loadComponentFile("/dev/zero"), io::ComponentFileError);
 }
 
 TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   const auto two = parse(kExample);
-  EXPECT_EQ(selectComponent(two, "bush").name, "bush");
-  EXPECT_THROW(selectComponent(two, "brush"), ComponentFileError);
-  EXPECT_THROW(selectComponent(two, ""), ComponentFileError);
+  EXPECT_EQ(io::selectComponent(two, "bush").name, "bush");
+  EXPECT_THROW(io::selectComponent(two, "brush"), io::ComponentFileError);
+  EXPECT_THROW(io::selectComponent(two, ""), io::ComponentFileError);
   const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");
-  EXPECT_EQ(selectComponent(one, "").name, "a");
+  EXPECT_EQ(io::selectComponent(one, "").name, "a");
 }
 
 // Values over the whole range of exponents, and parameters of every law that takes them.
 TEST(ToYaml, ReadsBackBitByBit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(-300.0, 300.0);
-  ComponentDescription component;
+  io::ComponentDescription component;
   component.name = "random";
-  component.model = Model::elements;
+  component.model = estimation::Model::elements;
   for (int i = 0; i < 200; ++i) {
     component.elements.push_back({"spring", {{"stiffness", {std::pow(10.0, exponent(random))}}}});
     component.add.push_back({"maxwell",
@@ -168,7 +171,7 @@ TEST(ToYaml, ReadsBackBitByBit) {
                               {"break_frequency", {std::pow(10.0, exponent(random) / 10.0)}}}});
   }
   component.elements.push_back({"spring", {{"stiffness", {std::numeric_limits<double>::min()}}}});
-  const auto read = parse(toYaml({component}));
+  const auto read = parse(io::toYaml({component}));
   ASSERT_EQ(read.size(), 1u);
   ASSERT_EQ(read[0].elements.size(), component.elements.size());
   for (std::size_t i = 0; i < component.elements.size(); ++i) {
@@ -182,11 +185,11 @@ TEST(ToYaml, ReadsBackBitByBit) {
 
 TEST(ToYaml, ReadsBackASpecification) {
   const auto components = parse(kExample);
-  const auto read = parse(toYaml(components));
+  const auto read = parse(io::toYaml(components));
   ASSERT_EQ(read.size(), components.size());
   EXPECT_EQ(read[0].specification.values(), components[0].specification.values());
   EXPECT_EQ(read[0].add[0].values, components[0].add[0].values);
-  EXPECT_EQ(toYaml(read), toYaml(components));
+  EXPECT_EQ(io::toYaml(read), io::toYaml(components));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/replay.h"
 
 namespace rubber_suspension {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 const std::string kFolder = TEST_DIR "/../config";
 
 TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
-  Log sine;
+  log::Log sine;
   sine.name = "sine";
   for (int i = 0; i < 2000; ++i) {
     sine.stamp.push_back(i * 1000000LL);
@@ -26,8 +26,8 @@ TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
       continue;
     }
     ++files;
-    for (const ComponentDescription& component : loadComponentFile(entry.path().string())) {
-      EXPECT_NO_THROW(simulateLog(component.makeComponent(), sine)) << component.name;
+    for (const io::ComponentDescription& component : io::loadComponentFile(entry.path().string())) {
+      EXPECT_NO_THROW(gap::simulateLog(component.makeComponent(), sine)) << component.name;
     }
   }
   EXPECT_GE(files, 2);
@@ -37,17 +37,19 @@ TEST(ExampleFiles, TheExampleHasEveryModelAndEveryKey) {
   std::set<std::string> models;
   std::set<std::string> keys;
   bool added = false;
-  for (const ComponentDescription& component : loadComponentFile(kFolder + "/example.yaml")) {
-    models.insert(toString(component.model));
+  for (const io::ComponentDescription& component : io::loadComponentFile(kFolder + "/example.yaml")) {
+    models.insert(estimation::toString(component.model));
     added = added || !component.add.empty();
     for (const auto& value : component.specification.values()) {
       keys.insert(value.first);
     }
   }
-  for (int i = static_cast<int>(Model::kelvin_voigt); i <= static_cast<int>(Model::elements); ++i) {
-    EXPECT_EQ(models.count(toString(static_cast<Model>(i))), 1u) << toString(static_cast<Model>(i));
+  for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
+       ++i) {
+    EXPECT_EQ(models.count(estimation::toString(static_cast<estimation::Model>(i))), 1u)
+        << estimation::toString(static_cast<estimation::Model>(i));
   }
-  for (const ParameterInfo& parameter : specificationParameters()) {
+  for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     EXPECT_EQ(keys.count(parameter.name), 1u) << parameter.name;
   }
   EXPECT_TRUE(added);

@@ -17,18 +17,18 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-Figure exampleFigure() {
-  Axes curves;
+io::Figure exampleFigure() {
+  io::Axes curves;
   curves.title = "stiffness & <loss>";
   curves.x_label = "frequency [Hz]";
   curves.y_label = "stiffness [kN/mm]";
   curves.log_x = true;
   curves.curves.push_back({"measured", {0.5, 1, 2, 4}, {3.1, 3.4, 3.8, 4.2}, "o", 0});
   curves.curves.push_back({"simulated", {0.5, 1, 2, 4}, {3.0, std::nan(""), 3.7, 4.1}, "-", 1});
-  Axes map;
+  io::Axes map;
   map.title = "share of the gap";
   map.maps.push_back({{0, 1, 2}, {0, 1, 2}, {0.1, 0.2, std::numeric_limits<double>::quiet_NaN(), 0.4}, "share [-]"});
-  Figure figure;
+  io::Figure figure;
   figure.title = "example";
   figure.axes = {curves, map};
   return figure;
@@ -42,7 +42,7 @@ std::string contentOf(const std::string& path) {
 
 TEST(DrawFigure, SvgFollowsLightAndDark) {
   const TemporaryFile file("figure.svg", "");
-  drawFigure(exampleFigure(), file.path());
+  io::drawFigure(exampleFigure(), file.path());
   const std::string svg = contentOf(file.path());
   EXPECT_THAT(svg, StartsWith("<?xml"));
   EXPECT_THAT(svg, HasSubstr("prefers-color-scheme:dark"));
@@ -55,78 +55,78 @@ TEST(DrawFigure, SvgFollowsLightAndDark) {
 
 TEST(DrawFigure, Png) {
   const TemporaryFile file("figure.png", "");
-  drawFigure(exampleFigure(), file.path());
+  io::drawFigure(exampleFigure(), file.path());
   EXPECT_THAT(contentOf(file.path()), StartsWith("\x89PNG"));
 }
 
 TEST(DrawSvg, SeveralFiguresForAPage) {
-  const std::vector<std::string> texts = drawSvg({exampleFigure(), Figure{}});
+  const std::vector<std::string> texts = io::drawSvg({exampleFigure(), io::Figure{}});
   ASSERT_EQ(texts.size(), 2u);
   EXPECT_THAT(texts[0], StartsWith("<svg"));
   EXPECT_THAT(texts[0], Not(HasSubstr("<style>svg{")));  // the page's own colour
   EXPECT_THAT(texts[1], StartsWith("<svg"));
-  EXPECT_TRUE(drawSvg({}).empty());
-  EXPECT_EQ(drawSvg({exampleFigure()}), drawSvg({exampleFigure()}));  // reports can be compared
+  EXPECT_TRUE(io::drawSvg({}).empty());
+  EXPECT_EQ(io::drawSvg({exampleFigure()}), io::drawSvg({exampleFigure()}));  // reports can be compared
 }
 
 // Names in place of numbers, each of them in the picture; values lie below the middle of their row by the offset.
 TEST(DrawFigure, RowsOfNames) {
-  Axes axes;
+  io::Axes axes;
   axes.rows = {"first work", "second work"};
-  addSpreads(axes, "ratio", {{1.0, 0.9, 1.2}, {2.0, 1.5, 3.0}}, 0.1, 4);
+  io::addSpreads(axes, "ratio", {{1.0, 0.9, 1.2}, {2.0, 1.5, 3.0}}, 0.1, 4);
   ASSERT_EQ(axes.curves.size(), 2U);
-  const Curve& lines = axes.curves[0];
-  const Curve& markers = axes.curves[1];
+  const io::Curve& lines = axes.curves[0];
+  const io::Curve& markers = axes.curves[1];
   EXPECT_EQ(markers.x, (std::vector<double>{1.0, 2.0}));
   EXPECT_EQ(markers.y, (std::vector<double>{0.1, 1.1}));
   EXPECT_EQ(lines.x[3], 1.5);
   EXPECT_EQ(lines.x[4], 3.0);
   EXPECT_TRUE(std::isnan(lines.x[2]));  // no line from row to row
-  const std::string svg = drawSvg({{"", {axes}, 1}}).at(0);
+  const std::string svg = io::drawSvg({{"", {axes}, 1}}).at(0);
   EXPECT_THAT(svg, HasSubstr("first work"));
   EXPECT_THAT(svg, HasSubstr("second work"));
 }
 
 TEST(DrawFigure, AcceptsTwoKindsOfFile) {
-  EXPECT_TRUE(isFigurePath("a.svg"));
-  EXPECT_TRUE(isFigurePath("/folder/a.png"));
-  EXPECT_FALSE(isFigurePath("a.pdf"));
-  EXPECT_FALSE(isFigurePath("svg"));
-  EXPECT_FALSE(isFigurePath(""));
+  EXPECT_TRUE(io::isFigurePath("a.svg"));
+  EXPECT_TRUE(io::isFigurePath("/folder/a.png"));
+  EXPECT_FALSE(io::isFigurePath("a.pdf"));
+  EXPECT_FALSE(io::isFigurePath("svg"));
+  EXPECT_FALSE(io::isFigurePath(""));
 }
 
 TEST(DrawFigure, MuchDataPassesThrough) {
-  Figure figure = exampleFigure();
+  io::Figure figure = exampleFigure();
   for (int i = 0; i < 20000; ++i) {  // more than a pipe holds
     figure.axes[0].curves[0].x.push_back(4.0 + i);
     figure.axes[0].curves[0].y.push_back(std::sin(i));
   }
-  EXPECT_THROW(drawFigure(
+  EXPECT_THROW(io::drawFigure(
                    [&] {
-                     Figure uneven = figure;
+                     io::Figure uneven = figure;
                      uneven.axes[0].curves[0].x.push_back(0.0);
                      return uneven;
                    }(),
                    "unused.svg"),
-               FigureError);
-  EXPECT_GT(drawSvg({figure}).at(0).size(), 100000u);
+               io::FigureError);
+  EXPECT_GT(io::drawSvg({figure}).at(0).size(), 100000u);
 }
 
 TEST(DrawFigure, TellsWhatIsWrong) {
   const TemporaryFile file("figure.pdf", "");
-  EXPECT_THROW(drawFigure(exampleFigure(), file.path()), FigureError);
+  EXPECT_THROW(io::drawFigure(exampleFigure(), file.path()), io::FigureError);
   try {
-    drawFigure(exampleFigure(), "/nonexistent/figure.svg");
+    io::drawFigure(exampleFigure(), "/nonexistent/figure.svg");
     FAIL() << "drew into a folder that is not there";
-  } catch (const FigureError& error) {
+  } catch (const io::FigureError& error) {
     EXPECT_THAT(error.what(), HasSubstr("No such file or directory: '/nonexistent/figure.svg'"));
   }
-  Figure bad = exampleFigure();
+  io::Figure bad = exampleFigure();
   bad.axes[1].maps[0].values.pop_back();
-  EXPECT_THROW(drawSvg({bad}), FigureError);
+  EXPECT_THROW(io::drawSvg({bad}), io::FigureError);
   bad = exampleFigure();
   bad.axes[0].curves[0].style = "no such style";
-  EXPECT_THROW(drawSvg({bad}), FigureError);
+  EXPECT_THROW(io::drawSvg({bad}), io::FigureError);
 }
 
 // An empty module of that name stands before the real one: what a machine without Matplotlib looks like.
@@ -134,9 +134,9 @@ TEST(DrawFigure, NamesAMissingMatplotlib) {
   const TemporaryFile module("matplotlib.py", "raise ImportError('none here')\n");
   setenv("PYTHONPATH", module.folder().c_str(), 1);
   try {
-    drawSvg({exampleFigure()});
+    io::drawSvg({exampleFigure()});
     ADD_FAILURE() << "drew without Matplotlib";
-  } catch (const FigureError& error) {
+  } catch (const io::FigureError& error) {
     EXPECT_THAT(error.what(), HasSubstr("figures need Matplotlib (none here); install python3-matplotlib"));
   }
   unsetenv("PYTHONPATH");

@@ -1,5 +1,5 @@
 // The reference page in docs/ is the one that the code prints, and the page of theory knows what is on it.
-#include "rubber_suspension/io/reference.h"
+#include "io/reference.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@ namespace rubber_suspension {
 namespace {
 
 TEST(ParameterReference, IsThePageInDocs) {
-  EXPECT_EQ(pageInDocs("parameters"), parameterReference())
+  EXPECT_EQ(pageInDocs("parameters"), io::parameterReference())
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
 }
 
 // Every element that a file may name has its law on the page of theory.
 TEST(Theory, KnowsEveryElement) {
   const std::string page = pageInDocs("theory");
-  for (const ElementType& type : elementTypes()) {
+  for (const element::ElementType& type : element::elementTypes()) {
     EXPECT_NE(page.find("`" + type.name + "`"), std::string::npos) << type.name;
   }
 }

@@ -11,24 +11,33 @@ import sys
 # What each layer may include, itself apart.
 BELOW = {
     "element": set(),
-    "component": {"element"},
+    "kernel": {"element"},
+    "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
-    "io": {"element", "component", "response", "estimation"},
-    "command": {"element", "component", "response", "estimation", "io"},
-    "diagnosis": {"element", "component", "response", "estimation", "io"},
-    "benchmark": {"element", "component", "response", "estimation", "io", "diagnosis"},
-    "vehicle": {"element", "component", "response", "estimation", "io"},
-    "ros_interface": {"element", "component", "response", "estimation", "io", "diagnosis"},
+    "log": {"kernel"},
+    "io": {"element", "component", "response", "estimation", "log"},
+    "gap": {"element", "component", "response", "estimation", "log", "io"},
+    "fit": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},
+    "command": {"element", "component", "response", "estimation", "log", "io", "gap", "fit"},
+    "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "fit"},
+    "vehicle": {"element", "component", "response", "estimation", "log", "io"},
+    "node": {"element", "component", "response", "estimation", "log", "io", "gap"},
+    "bag": {"element", "log"},
+    "ros_interface": {
+        "element", "component", "response", "estimation", "log", "io", "gap", "fit", "diagnosis", "node", "bag"},
+    "benchmark": {
+        "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "fit", "diagnosis", "node",
+        "ros_interface"},
 }
-KNOW_ROS = {"ros_interface", "apps"}
+KNOW_ROS = {"bag", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
     r"^(ros|rosbag|roscpp|rosgraph_msgs|nodelet|pluginlib|class_loader|diagnostic_updater|xmlrpcpp|tf2?|actionlib"
     r"|[a-z_0-9]+_msgs|std_srvs|dynamic_reconfigure|topic_tools|message_filters|rostest)/"
 )
 OWN_MESSAGE = re.compile(r"^rubber_suspension/[A-Z]\w*\.h$")
-OWN_HEADER = re.compile(r"^rubber_suspension/([a-z_]+)/")
+OWN_HEADER = re.compile(r"^(?:rubber_suspension/)?([a-z_]+)/")
 
 
 def layer_of(path, root):
@@ -44,7 +53,7 @@ def violation(layer, header):
     own = OWN_HEADER.match(header)
     if own is None or layer == "apps" or own.group(1) == layer:
         return None
-    if own.group(1) not in BELOW[layer]:
+    if own.group(1) in BELOW and own.group(1) not in BELOW[layer]:
         return f"{layer} must not depend on {own.group(1)}"
     return None
 

@@ -26,7 +26,8 @@ TEST(CharacteristicsOfLoop, EllipseOfSamples) {
   const double stiffness = 4.2e6;
   const double angle = 0.1;
   const double amplitude = 2e-3;
-  const auto result = characteristicsOfLoop(sine(amplitude, 0.0, samples), sine(stiffness * amplitude, angle, samples));
+  const auto result =
+      response::characteristicsOfLoop(sine(amplitude, 0.0, samples), sine(stiffness * amplitude, angle, samples));
   // The polygon inscribed in an ellipse has sin(x)/x of its area, x = 2 pi/n: a loss that is exact once that is put in.
   const double x = 2.0 * M_PI / samples;
   const double ellipse = M_PI * stiffness * amplitude * amplitude * std::sin(angle);
@@ -39,42 +40,43 @@ TEST(CharacteristicsOfLoop, EllipseOfSamples) {
 TEST(CharacteristicsOfLoop, OffsetsDoNotMatter) {
   auto displacement = sine(2e-3, 0.0, 400);
   auto force = sine(8e3, 0.2, 400);
-  const auto centred = characteristicsOfLoop(displacement, force);
+  const auto centred = response::characteristicsOfLoop(displacement, force);
   for (std::size_t i = 0; i < force.size(); ++i) {
     displacement[i] += 0.05;
     force[i] += 2e5;
   }
-  const auto shifted = characteristicsOfLoop(displacement, force);
+  const auto shifted = response::characteristicsOfLoop(displacement, force);
   // Offsets of 25 times the range cost the last two digits.
   EXPECT_NEAR(shifted.stiffness / centred.stiffness, 1.0, 1e-12);
   EXPECT_NEAR(shifted.loss_angle / centred.loss_angle, 1.0, 1e-12);
 }
 
 TEST(CharacteristicsOfLoop, LoopThatGivesEnergyHasNegativeAngle) {
-  EXPECT_LT(characteristicsOfLoop(sine(1.0, 0.0, 100), sine(1.0, -0.2, 100)).loss_angle, 0.0);
+  EXPECT_LT(response::characteristicsOfLoop(sine(1.0, 0.0, 100), sine(1.0, -0.2, 100)).loss_angle, 0.0);
 }
 
 TEST(CharacteristicsOfLoop, RefusesWhatIsNoLoop) {
   const std::vector<double> square_z = {0, 1, 1, 0};
   const std::vector<double> square_f = {0, 0, 1, 1};
-  EXPECT_THROW(characteristicsOfLoop({0, 1}, {0, 1}), std::invalid_argument);
-  EXPECT_THROW(characteristicsOfLoop({0, 1, 2}, {0, 1}), std::invalid_argument);
-  EXPECT_THROW(characteristicsOfLoop({0, 1, NAN}, {0, 1, 2}), std::invalid_argument);
-  EXPECT_THROW(characteristicsOfLoop({1, 1, 1}, {0, 1, 2}), std::invalid_argument);
-  EXPECT_THROW(characteristicsOfLoop(square_z, square_f), std::invalid_argument);  // 4/pi of the ellipse in its box
+  EXPECT_THROW(response::characteristicsOfLoop({0, 1}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(response::characteristicsOfLoop({0, 1, 2}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(response::characteristicsOfLoop({0, 1, NAN}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(response::characteristicsOfLoop({1, 1, 1}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(response::characteristicsOfLoop(square_z, square_f),
+               std::invalid_argument);  // 4/pi of the ellipse in its box
 }
 
 TEST(CharacteristicsOfEllipse, IsWhatTheLoopGives) {
-  const auto result = characteristicsOfEllipse(std::polar(4.2e6, 0.1), 2e-3);
+  const auto result = response::characteristicsOfEllipse(std::polar(4.2e6, 0.1), 2e-3);
   EXPECT_DOUBLE_EQ(result.stiffness, 4.2e6);
   EXPECT_NEAR(result.loss_angle, 0.1, 1e-15);
   EXPECT_NEAR(result.loss, M_PI * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
 }
 
 // F/z of a component under a sampled sine that is taken as linear between samples, from a simulation to steady state.
-Complex simulatedStiffness(const std::vector<ElementDescription>& elements, double frequency, int samples) {
-  const Component component(elements);
-  ComponentState state = component.makeState();
+Complex simulatedStiffness(const std::vector<element::ElementDescription>& elements, double frequency, int samples) {
+  const component::Component component(elements);
+  component::ComponentState state = component.makeState();
   const double dt = 1.0 / (frequency * samples);
   Complex force = 0.0;
   Complex displacement = 0.0;
@@ -94,11 +96,11 @@ Complex simulatedStiffness(const std::vector<ElementDescription>& elements, doub
 
 // The exact response of the law to the polygon through the samples of a sine, at the samples: with E = exp(i w dt) the
 // recursion F+ = e F + g (z+ - z) has F/z = g (E - 1)/(E - e); a dashpot has c (1 - 1/E)/dt.
-Complex polygonStiffness(const std::vector<ElementDescription>& elements, double frequency, int samples) {
+Complex polygonStiffness(const std::vector<element::ElementDescription>& elements, double frequency, int samples) {
   const double dt = 1.0 / (frequency * samples);
   const Complex e = std::polar(1.0, 2.0 * M_PI / samples);
   Complex sum = 0.0;
-  for (const ElementDescription& element : elements) {
+  for (const element::ElementDescription& element : elements) {
     if (element.type == "spring") {
       sum += element.value("stiffness");
     } else if (element.type == "dashpot") {
@@ -112,10 +114,11 @@ Complex polygonStiffness(const std::vector<ElementDescription>& elements, double
   return sum;
 }
 
-const std::vector<ElementDescription> kLinear = {{"spring", {{"stiffness", {3e6}}}},
-                                                 {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.4}}}},
-                                                 {"maxwell", {{"stiffness", {0.4e6}}, {"break_frequency", {15.0}}}},
-                                                 {"dashpot", {{"damping", {3000.0}}}}};
+const std::vector<element::ElementDescription> kLinear = {
+    {"spring", {{"stiffness", {3e6}}}},
+    {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.4}}}},
+    {"maxwell", {{"stiffness", {0.4e6}}, {"break_frequency", {15.0}}}},
+    {"dashpot", {{"damping", {3000.0}}}}};
 
 TEST(SimulatedSine, AgreesWithTheClosedFormOfThePolygon) {
   for (const double frequency : {0.5, 4.0, 30.0}) {
@@ -128,15 +131,15 @@ TEST(SimulatedSine, AgreesWithTheClosedFormOfThePolygon) {
 }
 
 TEST(SimulatedSine, PolygonTendsToTheSineWithTheSquareOfTheStep) {
-  const std::vector<ElementDescription> undashed(kLinear.begin(), kLinear.begin() + 3);
-  const Complex exact = Component(undashed).complexStiffness(4.0).value();
+  const std::vector<element::ElementDescription> undashed(kLinear.begin(), kLinear.begin() + 3);
+  const Complex exact = component::Component(undashed).complexStiffness(4.0).value();
   const double coarse = std::abs(simulatedStiffness(undashed, 4.0, 100) - exact);
   const double fine = std::abs(simulatedStiffness(undashed, 4.0, 200) - exact);
   EXPECT_NEAR(coarse / fine, 4.0, 0.01);
   EXPECT_LT(coarse / std::abs(exact), 1e-3);
 }
 
-std::vector<ElementDescription> berg(double maximum_force, double displacement) {
+std::vector<element::ElementDescription> berg(double maximum_force, double displacement) {
   return {{"friction", {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}}}};
 }
 
@@ -145,10 +148,11 @@ TEST(SettledLoop, BergLoopIsThatOfItsFormula) {
     double amplitude, maximum_force, displacement, peak, loss;
   } rows[] = {{2.0, 1.5, 0.5, 1.05234, 4.44002}, {10.0, 1.0, 0.3, 0.944870, 31.9131}};
   for (const auto& row : rows) {
-    const BergFriction law(row.maximum_force, row.displacement, 0.0);
+    const element::BergFriction law(row.maximum_force, row.displacement, 0.0);
     EXPECT_NEAR(law.settledForce(row.amplitude), row.peak, 5e-6);
     EXPECT_NEAR(law.settledLoss(row.amplitude), row.loss, 1e-4);
-    const auto loop = simulateSettledLoop(Component(berg(row.maximum_force, row.displacement)), 1.0, row.amplitude);
+    const auto loop = response::simulateSettledLoop(component::Component(berg(row.maximum_force, row.displacement)),
+                                                    1.0, row.amplitude);
     const auto result = loop.characteristics();
     EXPECT_TRUE(loop.settled);
     EXPECT_NEAR(result.stiffness * row.amplitude / law.settledForce(row.amplitude), 1.0, 1e-6);
@@ -161,9 +165,9 @@ TEST(SettledLoop, WholeComponentSettlesOnTheSameLoop) {
   // settle on that of the parallel path.
   auto elements = berg(5000.0, 2.2e-3);
   elements.push_back({"spring", {{"stiffness", {3e6}}}});
-  const auto direct = simulateSettledLoop(Component(elements), 4.0, 2e-3).characteristics();
+  const auto direct = response::simulateSettledLoop(component::Component(elements), 4.0, 2e-3).characteristics();
   elements.push_back({"series_compliance", {{"stiffness", {1e18}}}});
-  const auto loop = simulateSettledLoop(Component(elements), 4.0, 2e-3);
+  const auto loop = response::simulateSettledLoop(component::Component(elements), 4.0, 2e-3);
   EXPECT_TRUE(loop.settled);
   EXPECT_GT(loop.cycles, 2);
   EXPECT_NEAR(loop.characteristics().stiffness / direct.stiffness, 1.0, 1e-7);
@@ -171,33 +175,35 @@ TEST(SettledLoop, WholeComponentSettlesOnTheSameLoop) {
 }
 
 TEST(SettledLoop, SaysWhenItHasNotSettled) {
-  const std::vector<ElementDescription> slow = {{"spring", {{"stiffness", {3e6}}}},
-                                                {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1e-3}}}},
-                                                {"series_compliance", {{"stiffness", {3e7}}}},
-                                                {"friction", {{"maximum_force", {1e3}}, {"displacement", {1e-4}}}}};
-  LoopOptions options;
+  const std::vector<element::ElementDescription> slow = {
+      {"spring", {{"stiffness", {3e6}}}},
+      {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {1e-3}}}},
+      {"series_compliance", {{"stiffness", {3e7}}}},
+      {"friction", {{"maximum_force", {1e3}}, {"displacement", {1e-4}}}}};
+  response::LoopOptions options;
   options.maximum_cycles = 5;
-  EXPECT_FALSE(simulateSettledLoop(Component(slow), 4.0, 2e-3, options).settled);
-  EXPECT_FALSE(characteristicsAt(Component(slow), 4.0, 2e-3, options).settled);
-  const auto loop = simulateSettledLoop(Component(slow), 4.0, 2e-3);
+  EXPECT_FALSE(response::simulateSettledLoop(component::Component(slow), 4.0, 2e-3, options).settled);
+  EXPECT_FALSE(response::characteristicsAt(component::Component(slow), 4.0, 2e-3, options).settled);
+  const auto loop = response::simulateSettledLoop(component::Component(slow), 4.0, 2e-3);
   EXPECT_TRUE(loop.settled);
   // tau = 159 s is 637 cycles; a part 1e-9 of the force takes about twenty of them.
   EXPECT_GT(loop.cycles, 5 * 637);
 }
 
 TEST(SettledLoop, RefusesWhatMakesNoLoop) {
-  const Component component(berg(1.0, 1.0));
-  EXPECT_THROW(simulateSettledLoop(component, 0.0, 1.0), std::invalid_argument);
-  EXPECT_THROW(simulateSettledLoop(component, NAN, 1.0), std::invalid_argument);
-  EXPECT_THROW(simulateSettledLoop(component, 1.0, -1.0), std::invalid_argument);
-  LoopOptions options;
+  const component::Component component(berg(1.0, 1.0));
+  EXPECT_THROW(response::simulateSettledLoop(component, 0.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(response::simulateSettledLoop(component, NAN, 1.0), std::invalid_argument);
+  EXPECT_THROW(response::simulateSettledLoop(component, 1.0, -1.0), std::invalid_argument);
+  response::LoopOptions options;
   options.samples = 10;
-  EXPECT_THROW(simulateSettledLoop(component, 1.0, 1.0, options), std::invalid_argument);
+  EXPECT_THROW(response::simulateSettledLoop(component, 1.0, 1.0, options), std::invalid_argument);
 }
 
 TEST(Sweep, LinearComponentIsItsClosedForm) {
-  const Component component(kLinear);
-  for (const SweepPoint& point : sweepFrequency(component, logSpaced(0.01, 100.0, 20), 1e-3)) {
+  const component::Component component(kLinear);
+  for (const response::SweepPoint& point :
+       response::sweepFrequency(component, response::logSpaced(0.01, 100.0, 20), 1e-3)) {
     const Complex exact = component.complexStiffness(point.frequency).value();
     EXPECT_NEAR(point.characteristics.stiffness / std::abs(exact), 1.0, 1e-14);
     EXPECT_NEAR(point.characteristics.loss_angle, std::arg(exact), 1e-14);
@@ -205,25 +211,26 @@ TEST(Sweep, LinearComponentIsItsClosedForm) {
 }
 
 TEST(Sweep, FrictionSoftensWithAmplitudeAndNotWithFrequency) {
-  const Component component(berg(5000.0, 2.2e-3));
+  const component::Component component(berg(5000.0, 2.2e-3));
   double before = HUGE_VAL;
-  for (const SweepPoint& point : sweepAmplitude(component, logSpaced(1e-5, 1e-2, 7), 4.0)) {
+  for (const response::SweepPoint& point :
+       response::sweepAmplitude(component, response::logSpaced(1e-5, 1e-2, 7), 4.0)) {
     EXPECT_LT(point.characteristics.stiffness, before);
     before = point.characteristics.stiffness;
   }
-  const auto over_frequency = sweepFrequency(component, {0.1, 10.0}, 1e-3);
+  const auto over_frequency = response::sweepFrequency(component, {0.1, 10.0}, 1e-3);
   EXPECT_DOUBLE_EQ(over_frequency[0].characteristics.stiffness, over_frequency[1].characteristics.stiffness);
 }
 
 TEST(Sweep, ConstantProduct) {
-  const auto points = sweepConstantProduct(Component(kLinear), {1.0, 4.0, 20.0}, 8e-3);
+  const auto points = response::sweepConstantProduct(component::Component(kLinear), {1.0, 4.0, 20.0}, 8e-3);
   EXPECT_DOUBLE_EQ(points[0].amplitude, 8e-3);
   EXPECT_DOUBLE_EQ(points[1].amplitude, 2e-3);
   EXPECT_DOUBLE_EQ(points[2].amplitude, 0.4e-3);
 }
 
 TEST(LogSpaced, EndsAreExact) {
-  const auto values = logSpaced(0.1, 40.0, 5);
+  const auto values = response::logSpaced(0.1, 40.0, 5);
   EXPECT_EQ(values.size(), 5u);
   EXPECT_EQ(values.front(), 0.1);
   EXPECT_EQ(values.back(), 40.0);

@@ -1,5 +1,5 @@
 // The comparison of a bench's forces with a reference, on forces made by hand.
-#include "rubber_suspension/ros_interface/force_check.h"
+#include "ros_interface/force_check.h"
 
 #include <gmock/gmock.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kOffset = 30.0;  // [N]
 
-Log sineLog() {
-  Log log;
+log::Log sineLog() {
+  log::Log log;
   log.name = "sine";
   for (int i = 0; i < 1000; ++i) {
     log.stamp.push_back(5000000000LL + i * 1000000LL);
@@ -23,8 +23,8 @@ Log sineLog() {
   return log;
 }
 
-PlayResult answered(const Log& log, double offset) {
-  PlayResult result;
+ros_interface::PlayResult answered(const log::Log& log, double offset) {
+  ros_interface::PlayResult result;
   for (const double force : log.force) {
     result.force.push_back({force + offset, force + offset, 0.0, 0.0});
     result.answers.push_back(1);
@@ -36,30 +36,31 @@ PlayResult answered(const Log& log, double offset) {
 // A constant offset over a sine of ten whole periods: RMS of the difference is the offset, the deviation of the
 // reference the amplitude over the square root of two.
 TEST(ForceCheck, GapOfAnOffset) {
-  const Log log = sineLog();
+  const log::Log log = sineLog();
   std::vector<double> force = log.force;
   for (double& value : force) {
     value += kOffset;
   }
-  const ForceDifference difference = compareForces(log, log.force, force, 0.0);
+  const ros_interface::ForceDifference difference = ros_interface::compareForces(log, log.force, force, 0.0);
   EXPECT_NEAR(difference.gap, kOffset / (2000.0 / std::sqrt(2.0)), 1e-12);
   EXPECT_NEAR(difference.largest, kOffset, 1e-9);
 }
 
 TEST(ForceCheck, LeavesOutTheStart) {
-  const Log log = sineLog();
+  const log::Log log = sineLog();
   std::vector<double> force = log.force;
   force[99] += 1e6;
-  EXPECT_GT(compareForces(log, log.force, force, 0.0).gap, 1.0);
-  EXPECT_EQ(compareForces(log, log.force, force, 0.1).gap, 0.0);
-  EXPECT_EQ(compareForces(log, log.force, force, 0.0).largest_time, 0.099);
-  EXPECT_THROW(compareForces(log, log.force, force, 0.999), std::invalid_argument);
+  EXPECT_GT(ros_interface::compareForces(log, log.force, force, 0.0).gap, 1.0);
+  EXPECT_EQ(ros_interface::compareForces(log, log.force, force, 0.1).gap, 0.0);
+  EXPECT_EQ(ros_interface::compareForces(log, log.force, force, 0.0).largest_time, 0.099);
+  EXPECT_THROW(ros_interface::compareForces(log, log.force, force, 0.999), std::invalid_argument);
 }
 
 // The last axes show the difference, in kN.
 TEST(ForceCheck, DrawsReferenceAndBench) {
-  const Log log = sineLog();
-  const Figure figure = forceFigure("mount", log, measuredReference(log), answered(log, kOffset));
+  const log::Log log = sineLog();
+  const io::Figure figure =
+      ros_interface::forceFigure("mount", log, ros_interface::measuredReference(log), answered(log, kOffset));
   ASSERT_EQ(figure.axes.size(), 4U);
   EXPECT_EQ(figure.axes[1].curves[0].label, "reference");
   EXPECT_EQ(figure.axes[1].curves[1].label, "bench");
@@ -68,50 +69,52 @@ TEST(ForceCheck, DrawsReferenceAndBench) {
 }
 
 TEST(ForceCheck, PassesWithinTheToleranceAndFailsBeyond) {
-  const Log log = sineLog();
+  const log::Log log = sineLog();
   const double gap = kOffset / (2000.0 / std::sqrt(2.0));
-  const ForceReference reference = measuredReference(log);
-  EXPECT_TRUE(checkForces(log, reference, answered(log, kOffset), 1.001 * gap, 0.0).passed);
-  const TestCase failed = checkForces(log, reference, answered(log, kOffset), 0.999 * gap, 0.0);
+  const ros_interface::ForceReference reference = ros_interface::measuredReference(log);
+  EXPECT_TRUE(ros_interface::checkForces(log, reference, answered(log, kOffset), 1.001 * gap, 0.0).passed);
+  const ros_interface::TestCase failed =
+      ros_interface::checkForces(log, reference, answered(log, kOffset), 0.999 * gap, 0.0);
   EXPECT_FALSE(failed.passed);
   EXPECT_THAT(failed.message, testing::HasSubstr("0.0212132 to the force measured in sine"));
 }
 
 TEST(ForceCheck, EqualForcesPassWithToleranceZero) {
-  const Log log = sineLog();
-  EXPECT_TRUE(checkForces(log, measuredReference(log), answered(log, 0.0), 0.0, 0.0).passed);
+  const log::Log log = sineLog();
+  EXPECT_TRUE(
+      ros_interface::checkForces(log, ros_interface::measuredReference(log), answered(log, 0.0), 0.0, 0.0).passed);
 }
 
 TEST(ForceCheck, FailsWhereAForceIsMissingOrNoNumber) {
-  const Log log = sineLog();
-  PlayResult result = answered(log, 0.0);
+  const log::Log log = sineLog();
+  ros_interface::PlayResult result = answered(log, 0.0);
   result.answers[500] = 0;
-  EXPECT_FALSE(checkForces(log, measuredReference(log), result, 1.0, 0.0).passed);
-  EXPECT_FALSE(checkAnswers("mount", log, result).passed);
+  EXPECT_FALSE(ros_interface::checkForces(log, ros_interface::measuredReference(log), result, 1.0, 0.0).passed);
+  EXPECT_FALSE(ros_interface::checkAnswers("mount", log, result).passed);
   result = answered(log, 0.0);
   result.force[500].total = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(checkForces(log, measuredReference(log), result, 1.0, 0.0).passed);
+  EXPECT_FALSE(ros_interface::checkForces(log, ros_interface::measuredReference(log), result, 1.0, 0.0).passed);
 }
 
 TEST(ForceCheck, FailsWhereASampleIsAnsweredTwice) {
-  const Log log = sineLog();
-  PlayResult result = answered(log, 0.0);
-  EXPECT_TRUE(checkAnswers("mount", log, result).passed);
+  const log::Log log = sineLog();
+  ros_interface::PlayResult result = answered(log, 0.0);
+  EXPECT_TRUE(ros_interface::checkAnswers("mount", log, result).passed);
   result.answers[3] = 2;
-  EXPECT_THAT(checkAnswers("mount", log, result).message, testing::HasSubstr("more than once"));
-  EXPECT_FALSE(checkAnswers("mount", log, result).passed);
+  EXPECT_THAT(ros_interface::checkAnswers("mount", log, result).message, testing::HasSubstr("more than once"));
+  EXPECT_FALSE(ros_interface::checkAnswers("mount", log, result).passed);
 }
 
 TEST(ForceCheck, ReferenceOfAComponentIsItsForceOffline) {
-  const Log log = sineLog();
-  const Component spring({{"spring", {{"stiffness", {2e6}}}}});
-  EXPECT_EQ(simulatedReference(spring, log, "c.yaml").force, log.force);
+  const log::Log log = sineLog();
+  const component::Component spring({{"spring", {{"stiffness", {2e6}}}}});
+  EXPECT_EQ(ros_interface::simulatedReference(spring, log, "c.yaml").force, log.force);
 }
 
 TEST(ForceCheck, SaysThatTheLogHasNoForce) {
-  Log log = sineLog();
+  log::Log log = sineLog();
   log.force.clear();
-  EXPECT_THROW(measuredReference(log), std::invalid_argument);
+  EXPECT_THROW(ros_interface::measuredReference(log), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The message pool: messages are used again once they were let go, never before.
-#include "rubber_suspension/ros_interface/message_pool.h"
+#include "ros_interface/message_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace rubber_suspension {
 namespace {
 
 TEST(MessagePool, UsesMessagesAgain) {
-  MessagePool<std::string> pool("prototype", 4);
+  ros_interface::MessagePool<std::string> pool("prototype", 4);
   std::set<std::string*> seen;
   for (int i = 0; i < 100; ++i) {
     seen.insert(pool.take().get());
@@ -20,8 +20,8 @@ TEST(MessagePool, UsesMessagesAgain) {
 }
 
 TEST(MessagePool, NeverHandsOutWhatSomebodyHolds) {
-  MessagePool<std::string> pool("prototype", 4);
-  std::vector<MessagePool<std::string>::Pointer> held;
+  ros_interface::MessagePool<std::string> pool("prototype", 4);
+  std::vector<ros_interface::MessagePool<std::string>::Pointer> held;
   std::set<std::string*> seen;
   for (int i = 0; i < 3000; ++i) {
     held.push_back(pool.take());

@@ -1,6 +1,6 @@
 // The page of topics in docs/ is the one that the code prints. That the table is what a running node offers is held by
 // the rostest interface.
-#include "rubber_suspension/ros_interface/node_interface.h"
+#include "ros_interface/node_interface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace rubber_suspension {
 namespace {
 
 TEST(TopicReference, IsThePageInDocs) {
-  EXPECT_EQ(pageInDocs("topics"), topicReference())
+  EXPECT_EQ(pageInDocs("topics"), ros_interface::topicReference())
       << "after a change of a topic, message or parameter: rosrun rubber_suspension reference topics > docs/topics.md";
 }
 

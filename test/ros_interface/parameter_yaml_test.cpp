@@ -1,5 +1,5 @@
 // Parameters as YAML text: every bit of a number, every character of a text.
-#include "rubber_suspension/ros_interface/parameter_yaml.h"
+#include "ros_interface/parameter_yaml.h"
 
 #include <gtest/gtest.h>
 
@@ -14,25 +14,25 @@ using XmlRpc::XmlRpcValue;
 
 TEST(ParameterYaml, KeepsEveryBitOfANumber) {
   for (const double value : {0.1, 1.0 / 3.0, 3.0e6, -4.9e-324, std::numeric_limits<double>::max()}) {
-    EXPECT_EQ(std::strtod(toYamlText(XmlRpcValue(value)).c_str(), nullptr), value);
+    EXPECT_EQ(std::strtod(ros_interface::toYamlText(XmlRpcValue(value)).c_str(), nullptr), value);
   }
-  EXPECT_EQ(toYamlText(XmlRpcValue(6000)), "6000");
-  EXPECT_EQ(toYamlText(XmlRpcValue(true)), "true");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue(6000)), "6000");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue(true)), "true");
 }
 
 TEST(ParameterYaml, TextThatIsANumberBecomesOne) {
   // PyYAML, which loads parameters, reads 3.0e6 (no sign in the exponent) as text.
-  EXPECT_EQ(toYamlText(XmlRpcValue("3.0e6")), "3.0e6");
-  EXPECT_EQ(toYamlText(XmlRpcValue("-1")), "-1");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("3.0e6")), "3.0e6");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("-1")), "-1");
 }
 
 TEST(ParameterYaml, OtherTextIsQuoted) {
-  EXPECT_EQ(toYamlText(XmlRpcValue("3 kN/mm")), "\"3 kN/mm\"");
-  EXPECT_EQ(toYamlText(XmlRpcValue("")), "\"\"");
-  EXPECT_EQ(toYamlText(XmlRpcValue("nan")), "\"nan\"");
-  EXPECT_EQ(toYamlText(XmlRpcValue("0x10")), "\"0x10\"");
-  EXPECT_EQ(toYamlText(XmlRpcValue("1e999")), "\"1e999\"");
-  EXPECT_EQ(toYamlText(XmlRpcValue("a\"b\\c\nd")), "\"a\\\"b\\\\c\\x0ad\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("3 kN/mm")), "\"3 kN/mm\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("")), "\"\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("nan")), "\"nan\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("0x10")), "\"0x10\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("1e999")), "\"1e999\"");
+  EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("a\"b\\c\nd")), "\"a\\\"b\\\\c\\x0ad\"");
 }
 
 TEST(ParameterYaml, NestsMapsAndLists) {
@@ -40,13 +40,13 @@ TEST(ParameterYaml, NestsMapsAndLists) {
   value["a"]["list"][0] = 1;
   value["a"]["list"][1] = 2.5;
   value["b"] = "x: {y}";
-  EXPECT_EQ(toYamlText(value), R"({"a": {"list": [1, 2.5]}, "b": "x: {y}"})");
+  EXPECT_EQ(ros_interface::toYamlText(value), R"({"a": {"list": [1, 2.5]}, "b": "x: {y}"})");
 }
 
 TEST(ParameterYaml, RefusesWhatNoComponentFileHolds) {
-  EXPECT_THROW(toYamlText(XmlRpcValue()), std::invalid_argument);
+  EXPECT_THROW(ros_interface::toYamlText(XmlRpcValue()), std::invalid_argument);
   char bytes[4] = {};
-  EXPECT_THROW(toYamlText(XmlRpcValue(bytes, 4)), std::invalid_argument);
+  EXPECT_THROW(ros_interface::toYamlText(XmlRpcValue(bytes, 4)), std::invalid_argument);
 }
 
 TEST(ParameterYaml, RefusesDeepNesting) {
@@ -56,7 +56,7 @@ TEST(ParameterYaml, RefusesDeepNesting) {
     outer[0] = value;
     value = outer;
   }
-  EXPECT_THROW(toYamlText(value), std::invalid_argument);
+  EXPECT_THROW(ros_interface::toYamlText(value), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The report of a test node is what rostest reads: read back here with the same kind of parser.
-#include "rubber_suspension/ros_interface/test_report.h"
+#include "ros_interface/test_report.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace rubber_suspension {
 namespace {
 
-boost::property_tree::ptree parsed(const std::vector<TestCase>& cases) {
-  std::istringstream text(testReportXml("bench", cases));
+boost::property_tree::ptree parsed(const std::vector<ros_interface::TestCase>& cases) {
+  std::istringstream text(ros_interface::testReportXml("bench", cases));
   boost::property_tree::ptree tree;
   boost::property_tree::read_xml(text, tree);
   return tree.get_child("testsuites.testsuite");
@@ -45,15 +45,15 @@ TEST(TestReport, KeepsCharactersThatXmlUsesItself) {
 }
 
 TEST(TestReport, TakesThePathFromTheOptionOfRostest) {
-  EXPECT_EQ(testReportPath("xml:/tmp/a:b.xml"), "/tmp/a:b.xml");
-  EXPECT_THROW(testReportPath("xml:"), std::invalid_argument);
-  EXPECT_THROW(testReportPath("json:/tmp/a"), std::invalid_argument);
-  EXPECT_THROW(testReportPath(""), std::invalid_argument);
+  EXPECT_EQ(ros_interface::testReportPath("xml:/tmp/a:b.xml"), "/tmp/a:b.xml");
+  EXPECT_THROW(ros_interface::testReportPath("xml:"), std::invalid_argument);
+  EXPECT_THROW(ros_interface::testReportPath("json:/tmp/a"), std::invalid_argument);
+  EXPECT_THROW(ros_interface::testReportPath(""), std::invalid_argument);
 }
 
 TEST(TestReport, SaysWhereItCannotBeWritten) {
   try {
-    writeTestReport("/nowhere/at/all.xml", "bench", {});
+    ros_interface::writeTestReport("/nowhere/at/all.xml", "bench", {});
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("/nowhere/at/all.xml"), std::string::npos);

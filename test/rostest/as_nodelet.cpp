@@ -6,9 +6,9 @@
 #include <set>
 
 #include "bench.h"
+#include "ros_interface/loopback.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/ros_interface/loopback.h"
 
 namespace rubber_suspension {
 namespace {
@@ -25,15 +25,15 @@ TEST(Nodelet, AnswersWithoutCopies) {
   const ros::Publisher publisher = handle.advertise<Displacement>("left_secondary/displacement", 1000);
   ASSERT_TRUE(spinUntil([&] { return subscriber.getNumPublishers() > 0 && publisher.getNumSubscribers() > 0; }));
 
-  const auto components = loadComponentFile(std::string(TEST_DIR) + "/rostest/config/two_components.yaml");
-  const Component component = selectComponent(components, "left_secondary").makeComponent();
-  SampleStream expected(component);
+  const auto components = io::loadComponentFile(std::string(TEST_DIR) + "/rostest/config/two_components.yaml");
+  const component::Component component = io::selectComponent(components, "left_secondary").makeComponent();
+  component::SampleStream expected(component);
   std::set<const Force*> addresses;
   constexpr std::size_t kSamples = 1000;
   for (std::size_t i = 0; i < kSamples; ++i) {
     const auto sample = boost::make_shared<Displacement>();
     const std::int64_t stamp = kStart + static_cast<std::int64_t>(i) * kMillisecond;
-    sample->header.stamp = toRosTime(stamp);
+    sample->header.stamp = bag::toRosTime(stamp);
     sample->displacement = 1e-3 * std::sin(0.02 * static_cast<double>(i));
     publisher.publish(sample);
     ASSERT_TRUE(spinUntil([&] { return !forces.empty(); }));
@@ -52,8 +52,8 @@ TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
   nodelet::Loader loader;
   ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
   // Where this kernel does not permit it, the node says so and goes on.
-  const bool expected = isKeptToLoopback() && keepSlaveApiToLoopback().empty();
-  EXPECT_EQ(interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
+  const bool expected = ros_interface::isKeptToLoopback() && ros_interface::keepSlaveApiToLoopback().empty();
+  EXPECT_EQ(ros_interface::interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
   EXPECT_TRUE(loader.unload("/simulate"));
 }
 

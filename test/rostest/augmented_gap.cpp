@@ -6,9 +6,9 @@
 
 #include "../diagnosis/rig.h"
 #include "bench.h"
+#include "ros_interface/child_process.h"
+#include "ros_interface/log_player.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/ros_interface/child_process.h"
-#include "rubber_suspension/ros_interface/log_player.h"
 
 namespace rubber_suspension {
 namespace {
@@ -29,7 +29,7 @@ RigEffect dahlFriction() {
   };
 }
 
-double gapOf(const Log& log, const std::vector<ComponentForce>& simulated) {
+double gapOf(const log::Log& log, const std::vector<element::ComponentForce>& simulated) {
   double mean = 0.0;
   for (const double force : log.force) {
     mean += force / static_cast<double>(log.size());
@@ -44,20 +44,21 @@ double gapOf(const Log& log, const std::vector<ComponentForce>& simulated) {
 }
 
 TEST(AugmentedGap, IsWhatTheReportClaims) {
-  const Log unseen = runRig("unseen", 3, dahlFriction());
-  const Diagnosis result =
-      diagnose(rigComponent(), {runRig("one", 1, dahlFriction()), runRig("two", 2, dahlFriction())}, {unseen});
+  const log::Log unseen = runRig("unseen", 3, dahlFriction());
+  const diagnosis::Diagnosis result = diagnosis::diagnose(
+      rigComponent(), {runRig("one", 1, dahlFriction()), runRig("two", 2, dahlFriction())}, {unseen});
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "friction");
   EXPECT_LT(result.gap.augmented, 0.5 * result.gap.re_estimated);
 
   const std::string folder = testing::TempDir() + "augmented_gap";
-  writeReport(result, folder);
-  const ChildProcess node({siblingProgram("simulate"), "_config_file:=" + folder + "/augmented.yaml"});
-  PlayOptions options;
+  diagnosis::writeReport(result, folder);
+  const ros_interface::ChildProcess node(
+      {ros_interface::siblingProgram("simulate"), "_config_file:=" + folder + "/augmented.yaml"});
+  ros_interface::PlayOptions options;
   options.component = result.component;
-  LogPlayer player(ros::NodeHandle(), options);
-  const PlayResult played = player.play(unseen);
+  ros_interface::LogPlayer player(ros::NodeHandle(), options);
+  const ros_interface::PlayResult played = player.play(unseen);
   ASSERT_TRUE(played.exactlyOneEach());
   // The same numbers through the same code: what differs is the order of summation of the mean and the squares.
   EXPECT_NEAR(gapOf(unseen, played.force), result.gap.augmented, 1e-9);

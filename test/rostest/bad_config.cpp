@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bench.h"
-#include "rubber_suspension/ros_interface/child_process.h"
+#include "ros_interface/child_process.h"
 
 namespace rubber_suspension {
 namespace {
@@ -28,7 +28,7 @@ struct Outcome {
 Outcome runNode(const std::string& arguments) {
   Outcome outcome;
   const std::string command =
-      "timeout 20 " + siblingProgram("simulate") + " __name:=" + kNode + " " + arguments + " 2>&1";
+      "timeout 20 " + ros_interface::siblingProgram("simulate") + " __name:=" + kNode + " " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   std::array<char, 4096> buffer{};
   while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {

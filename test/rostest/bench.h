@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/ros_interface/bag_log.h"
-#include "rubber_suspension/ros_interface/connection.h"
+#include "bag/bag_log.h"
+#include "ros_interface/connection.h"
 
 namespace rubber_suspension {
 
@@ -46,7 +46,7 @@ class Bench {
 
   /// Wait until nothing sent or answered can be lost.
   bool connect() {
-    return waitForPublishers(subscriber_.getTopic(), kPatience) &&
+    return ros_interface::waitForPublishers(subscriber_.getTopic(), kPatience) &&
            spinUntil([this] { return publisher_.getNumSubscribers() > 0; });
   }
 
@@ -54,7 +54,7 @@ class Bench {
 
   void send(std::int64_t stamp, double displacement) {
     Displacement message;
-    message.header.stamp = toRosTime(stamp);
+    message.header.stamp = bag::toRosTime(stamp);
     message.header.frame_id = "specimen";
     message.displacement = displacement;
     publisher_.publish(message);

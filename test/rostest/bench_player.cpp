@@ -1,5 +1,5 @@
 // Plays logs step by step, held, over and over and at a rate, for one and for several components.
-#include "rubber_suspension/ros_interface/bench_player.h"
+#include "ros_interface/bench_player.h"
 
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -17,10 +17,10 @@ constexpr const char* kLeft = "left_secondary";
 constexpr const char* kRight = "right_secondary";
 
 // Each log begins 1000 s after the last, so that nothing of it is refused as stepping back.
-Log sineLog(int samples, std::int64_t interval) {
+log::Log sineLog(int samples, std::int64_t interval) {
   static std::int64_t start = kStart;
   start += 1000 * 1000 * kMillisecond;
-  Log log;
+  log::Log log;
   log.name = "sine";
   for (int i = 0; i < samples; ++i) {
     log.stamp.push_back(start + i * interval);
@@ -30,8 +30,8 @@ Log sineLog(int samples, std::int64_t interval) {
   return log;
 }
 
-BenchTrack track(const std::string& component, const Log& log) {
-  BenchTrack track;
+ros_interface::BenchTrack track(const std::string& component, const log::Log& log) {
+  ros_interface::BenchTrack track;
   track.component = component;
   track.log = log;
   return track;
@@ -42,11 +42,11 @@ TEST(BenchPlayer, StepsAndHolds) {
   constexpr std::size_t kSamples = 20;
   Bench bench(kLeft);
   ASSERT_TRUE(bench.connect());
-  PlayControl control(kStep, true);
-  const PlayControlServices services(ros::NodeHandle("~"), control);
-  PlayOptions options;
+  ros_interface::PlayControl control(kStep, true);
+  const ros_interface::PlayControlServices services(ros::NodeHandle("~"), control);
+  ros_interface::PlayOptions options;
   options.control = &control;
-  BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, sineLog(kSamples, kMillisecond))});
+  ros_interface::BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, sineLog(kSamples, kMillisecond))});
   auto played = std::async(std::launch::async, [&] { return player.play(1); });
   const std::shared_ptr<void> ends_play_on_failure(nullptr, [&](void*) { control.pause(false); });
   for (std::size_t steps = 1; steps <= 3; ++steps) {
@@ -68,9 +68,10 @@ TEST(BenchPlayer, LoopsSeveralComponentsSideBySide) {
   Bench left(kLeft);
   Bench right(kRight);
   ASSERT_TRUE(left.connect() && right.connect());
-  const Log longer = sineLog(500, kMillisecond);
-  const Log shorter = sineLog(200, 2 * kMillisecond);
-  BenchPlayer player(ros::NodeHandle(), PlayOptions(), {track(kLeft, longer), track(kRight, shorter)});
+  const log::Log longer = sineLog(500, kMillisecond);
+  const log::Log shorter = sineLog(200, 2 * kMillisecond);
+  ros_interface::BenchPlayer player(ros::NodeHandle(), ros_interface::PlayOptions(),
+                                    {track(kLeft, longer), track(kRight, shorter)});
   const auto counts = player.play(kPasses);
   EXPECT_EQ(counts.at(0).samples, kPasses * longer.size());
   EXPECT_EQ(counts.at(1).samples, kPasses * shorter.size());
@@ -88,10 +89,10 @@ TEST(BenchPlayer, LoopsSeveralComponentsSideBySide) {
 
 TEST(BenchPlayer, IsNeverFasterThanItsRate) {
   constexpr double kRate = 5.0;
-  const Log log = sineLog(500, 2 * kMillisecond);
-  PlayOptions options;
+  const log::Log log = sineLog(500, 2 * kMillisecond);
+  ros_interface::PlayOptions options;
   options.rate = kRate;
-  BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, log)});
+  ros_interface::BenchPlayer player(ros::NodeHandle(), options, {track(kLeft, log)});
   const auto counts = player.play(1);
   EXPECT_TRUE(counts.at(0).exactlyOneEach());
   EXPECT_GE(counts.at(0).duration, 1e-9 * static_cast<double>(log.stamp.back() - log.stamp.front()) / kRate);
@@ -101,24 +102,24 @@ TEST(BenchPlayer, IsNeverFasterThanItsRate) {
 TEST(BenchPlayer, KeepsTheShiftOfNegativeTimes) {
   Bench bench(kLeft);
   ASSERT_TRUE(bench.connect());
-  Log log = sineLog(100, kMillisecond);
+  log::Log log = sineLog(100, kMillisecond);
   for (std::size_t i = 0; i < log.size(); ++i) {
     log.stamp[i] = (static_cast<std::int64_t>(i) - 50) * kMillisecond;
   }
-  BenchPlayer player(ros::NodeHandle(), PlayOptions(), {track(kLeft, log)});
+  ros_interface::BenchPlayer player(ros::NodeHandle(), ros_interface::PlayOptions(), {track(kLeft, log)});
   EXPECT_TRUE(player.play(2).at(0).exactlyOneEach());
   ASSERT_TRUE(bench.waitForForces(200));
   EXPECT_EQ((bench.forces[100].header.stamp - bench.forces[0].header.stamp).toNSec(), 100 * kMillisecond);
 }
 
 TEST(BenchPlayer, RefusesWhatCannotBeWritten) {
-  BenchTrack bad = track(kLeft, sineLog(10, kMillisecond));
-  bad.paths = recordPathsIn(testing::TempDir() + "no_such_folder", kLeft);
-  EXPECT_THROW(BenchPlayer(ros::NodeHandle(), PlayOptions(), {bad}), LogError);
+  ros_interface::BenchTrack bad = track(kLeft, sineLog(10, kMillisecond));
+  bad.paths = ros_interface::recordPathsIn(testing::TempDir() + "no_such_folder", kLeft);
+  EXPECT_THROW(ros_interface::BenchPlayer(ros::NodeHandle(), ros_interface::PlayOptions(), {bad}), log::LogError);
 }
 
 TEST(RecordPaths, PutNamespacesIntoTheName) {
-  const RecordPaths paths = recordPathsIn("runs", "/front/left");
+  const ros_interface::RecordPaths paths = ros_interface::recordPathsIn("runs", "/front/left");
   EXPECT_EQ(paths.forces, "runs/front_left_force.csv");
   EXPECT_EQ(paths.gaps, "runs/front_left_gap.csv");
   EXPECT_EQ(paths.bag, "runs/front_left.bag");

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "bench.h"
+#include "benchmark/latency/soak.h"
 #include "node_process.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/ros_interface/soak.h"
 
 namespace rubber_suspension {
 namespace {
@@ -28,9 +28,9 @@ class Fault : public testing::Test {
  protected:
   void open(const std::string& name) {
     name_ = name;
-    static const auto components = loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
-    component_ = std::make_unique<Component>(selectComponent(components, name).makeComponent());
-    expected_ = std::make_unique<SampleStream>(*component_);
+    static const auto components = io::loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
+    component_ = std::make_unique<component::Component>(io::selectComponent(components, name).makeComponent());
+    expected_ = std::make_unique<component::SampleStream>(*component_);
     bench_ = std::make_unique<Bench>(name);
     ASSERT_TRUE(bench_->connect());
   }
@@ -39,7 +39,7 @@ class Fault : public testing::Test {
   void expectAnswer(std::int64_t stamp, double displacement) {
     const std::size_t before = bench_->forces.size();
     const Force force = bench_->ask(stamp, displacement);
-    EXPECT_EQ(force.header.stamp, toRosTime(stamp));
+    EXPECT_EQ(force.header.stamp, bag::toRosTime(stamp));
     EXPECT_EQ(force.force, expected_->push(stamp, displacement).force.total);
     EXPECT_TRUE(std::isfinite(force.force));
     EXPECT_EQ(bench_->forces.size(), before + 1);
@@ -81,8 +81,8 @@ class Fault : public testing::Test {
   }
 
   std::string name_;
-  std::unique_ptr<Component> component_;
-  std::unique_ptr<SampleStream> expected_;
+  std::unique_ptr<component::Component> component_;
+  std::unique_ptr<component::SampleStream> expected_;
   std::unique_ptr<Bench> bench_;
   DiagnosticsWatch diagnostics_;
 };
@@ -184,7 +184,7 @@ TEST_F(Fault, LogsOneLineASecondAtMost) {
       handle.subscribe<rosgraph_msgs::Log>("/rosout", 10000, [&](const rosgraph_msgs::Log::ConstPtr& line) {
         lines += line->name == "/simulate" && line->msg.find("logged: ") != std::string::npos ? 1 : 0;
       });
-  ASSERT_TRUE(spinUntil([&] { return sendsToThisNode("/simulate", "/rosout"); }));
+  ASSERT_TRUE(spinUntil([&] { return ros_interface::sendsToThisNode("/simulate", "/rosout"); }));
   ASSERT_TRUE(spinUntil([&] { return diagnostics_.arrays > 0; }));
   const std::size_t before = diagnostics_.arrays;
   long sent = 0;
@@ -211,11 +211,11 @@ TEST_F(Fault, SubscriberThatStalls) {
   constexpr int kMore = 40000;
   constexpr long kWire = 64;  // bytes of a force on the wire, and more
   flood(kStart, kFill);
-  const long full = residentMemory(node);
+  const long full = benchmark::residentMemory(node);
   flood(kStart + kFill * kMillisecond / 10, kMore);
   // Had the node kept what nobody reads, the memory would have grown by more than this: besides what goes over the
   // wire, each force waits in a block of memory of its own, with the pointers to it.
-  EXPECT_LT(residentMemory(node) - full, kWire * kMore);
+  EXPECT_LT(benchmark::residentMemory(node) - full, kWire * kMore);
   // It has stalled indeed: of what was sent only as much has come as its buffer holds.
   EXPECT_LT(stalled.unread(), kWire * kFill);
   expectCounts({{"accepted", kFill + kMore}});

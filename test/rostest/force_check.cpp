@@ -6,9 +6,9 @@
 #include <random>
 
 #include "bench.h"
+#include "ros_interface/child_process.h"
+#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/replay.h"
-#include "rubber_suspension/ros_interface/child_process.h"
 
 namespace rubber_suspension {
 namespace {
@@ -30,8 +30,9 @@ class ForceCheckNode : public testing::Test {
   Outcome run(const std::string& arguments) const {
     const std::string report = path(".xml");
     std::remove(report.c_str());
-    const std::string command = siblingProgram("check_force") + " __name:=check_force_inner --reset /simulate/reset " +
-                                arguments + " --gtest_output=xml:" + report;
+    const std::string command = ros_interface::siblingProgram("check_force") +
+                                " __name:=check_force_inner --reset /simulate/reset " + arguments +
+                                " --gtest_output=xml:" + report;
     Outcome outcome;
     const int status = std::system(command.c_str());
     outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -52,13 +53,14 @@ class ForceCheckNode : public testing::Test {
 
   // Force of left_secondary with white noise of a tenth of its standard deviation, seed fixed.
   void writeMeasured() const {
-    Log log;
+    log::Log log;
     log.name = "measured";
     for (int i = 0; i < 4000; ++i) {
       log.stamp.push_back(kStart + i * kMillisecond);
       log.displacement.push_back(2e-3 * std::sin(0.02 * i) + 5e-4 * std::cos(0.11 * i));
     }
-    log.force = simulateLog(selectComponent(loadComponentFile(config()), "left_secondary").makeComponent(), log);
+    log.force =
+        gap::simulateLog(io::selectComponent(io::loadComponentFile(config()), "left_secondary").makeComponent(), log);
     double square = 0.0;
     for (const double force : log.force) {
       square += force * force;
@@ -68,7 +70,7 @@ class ForceCheckNode : public testing::Test {
     for (double& force : log.force) {
       force += noise(random);
     }
-    writeLogCsv(path(".csv"), log);
+    log::writeLogCsv(path(".csv"), log);
   }
 };
 

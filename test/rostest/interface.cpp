@@ -5,12 +5,12 @@
 #include <set>
 
 #include "bench.h"
-#include "rubber_suspension/ros_interface/node_interface.h"
+#include "ros_interface/node_interface.h"
 
 namespace rubber_suspension {
 namespace {
 
-using Kind = InterfaceEntry::Kind;
+using Kind = ros_interface::InterfaceEntry::Kind;
 using Names = std::set<std::string>;
 
 const std::string kNode = "/bench/simulate";
@@ -46,7 +46,7 @@ Names withoutThoseOfAllNodes(Names names) {
 
 Names expected(Kind kind) {
   Names names;
-  for (const InterfaceEntry& entry : nodeInterface()) {
+  for (const ros_interface::InterfaceEntry& entry : ros_interface::nodeInterface()) {
     if (entry.kind != kind) {
       continue;
     }
@@ -78,7 +78,7 @@ TEST(NodeInterface, TopicsHaveTheTypesOfTheTable) {
   ASSERT_TRUE(ros::master::getTopics(topics));
   int found = 0;
   for (const ros::master::TopicInfo& topic : topics) {
-    for (const InterfaceEntry& entry : nodeInterface()) {
+    for (const ros_interface::InterfaceEntry& entry : ros_interface::nodeInterface()) {
       const std::string end = entry.name.substr(entry.name.find('/') == std::string::npos ? 0 : entry.name.find('/'));
       const std::string full = end[0] == '/' ? end : "/" + end;
       const bool same = entry.kind == Kind::published && topic.name.size() >= full.size() &&

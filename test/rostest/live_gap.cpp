@@ -20,12 +20,12 @@ class LiveGapTopic : public testing::Test {
     subscriber_ = handle_.subscribe<Gap>(component + "/gap", 100, [this](const Gap::ConstPtr& gap) { gap_ = *gap; });
     ASSERT_TRUE(bench_->connect());
     ASSERT_TRUE(spinUntil([&] { return publisher_.getNumSubscribers() > 0; }));
-    ASSERT_TRUE(waitForPublishers(subscriber_.getTopic(), kPatience));
+    ASSERT_TRUE(ros_interface::waitForPublishers(subscriber_.getTopic(), kPatience));
   }
 
   void measure(std::int64_t stamp, double force) {
     MeasuredForce message;
-    message.header.stamp = toRosTime(stamp);
+    message.header.stamp = bag::toRosTime(stamp);
     message.force = force;
     publisher_.publish(message);
   }
@@ -51,7 +51,7 @@ class LiveGapTopic : public testing::Test {
 
   // The gap of the whole window, as the last messages may still be under way.
   bool waitForWindow(int last) {
-    const ros::Time newest = toRosTime(kStart + last * kMillisecond);
+    const ros::Time newest = bag::toRosTime(kStart + last * kMillisecond);
     return spinUntil([&] { return gap_.samples >= kSamples && gap_.header.stamp >= newest; });
   }
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "bench.h"
-#include "rubber_suspension/ros_interface/child_process.h"
+#include "ros_interface/child_process.h"
 
 namespace rubber_suspension {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 class MasterRestart : public testing::Test {
  protected:
   // A master of the test's own, as the one of rostest must live.
-  static std::unique_ptr<ChildProcess> startMaster(int port) {
-    auto master =
-        std::make_unique<ChildProcess>(std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
+  static std::unique_ptr<ros_interface::ChildProcess> startMaster(int port) {
+    auto master = std::make_unique<ros_interface::ChildProcess>(
+        std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
     EXPECT_TRUE(spinUntil([] { return ros::master::check(); }));
     return master;
   }
@@ -26,7 +26,7 @@ std::string config_file;
 
 TEST_F(MasterRestart, SamplesAreServedAndTheNodeIsFoundAgain) {
   auto master = startMaster(port);
-  const ChildProcess node({siblingProgram("simulate"), "_config_file:=" + config_file});
+  const ros_interface::ChildProcess node({ros_interface::siblingProgram("simulate"), "_config_file:=" + config_file});
   Bench left("left_secondary");
   ASSERT_TRUE(left.connect());
   for (int i = 0; i < 100; ++i) {
@@ -59,7 +59,7 @@ TEST_F(MasterRestart, SamplesAreServedAndTheNodeIsFoundAgain) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   rubber_suspension::config_file = std::string(TEST_DIR) + "/rostest/config/two_components.yaml";
-  rubber_suspension::port = rubber_suspension::freePort();
+  rubber_suspension::port = rubber_suspension::ros_interface::freePort();
   setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + std::to_string(rubber_suspension::port)).c_str(), 1);
   ros::init(argc, argv, "master_restart");
   return RUN_ALL_TESTS();

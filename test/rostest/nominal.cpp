@@ -20,7 +20,7 @@ TEST(Nominal, EverySampleHasOneForceWithItsHeader) {
   ASSERT_TRUE(bench.waitForForces(kSamples));
   for (std::size_t i = 0; i < kSamples; ++i) {
     const Force& force = bench.forces[i];
-    EXPECT_EQ(force.header.stamp, toRosTime(kStart + static_cast<std::int64_t>(i) * kMillisecond));
+    EXPECT_EQ(force.header.stamp, bag::toRosTime(kStart + static_cast<std::int64_t>(i) * kMillisecond));
     EXPECT_EQ(force.header.frame_id, "specimen");
     EXPECT_EQ(force.displacement, 1e-3 * std::sin(0.025 * static_cast<double>(i)));
     // The parts are summed in another order than the total: equal but for rounding.
@@ -44,12 +44,12 @@ TEST(Nominal, ABundleIsAnsweredByTheSameComponents) {
   const ros::Subscriber subscriber = handle.subscribe<ForceArray>(
       "forces", 100, [&](const ForceArray::ConstPtr& answer) { answers.push_back(*answer); });
   const ros::Publisher publisher = handle.advertise<DisplacementArray>("displacements", 100);
-  ASSERT_TRUE(waitForPublishers(subscriber.getTopic(), kPatience));
+  ASSERT_TRUE(ros_interface::waitForPublishers(subscriber.getTopic(), kPatience));
   ASSERT_TRUE(spinUntil([&] { return publisher.getNumSubscribers() > 0; }));
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
   DisplacementArray bundle;
-  bundle.header.stamp = toRosTime(kStart);
+  bundle.header.stamp = bag::toRosTime(kStart);
   bundle.displacement = {0.002, 0.001};
   publisher.publish(bundle);
   ASSERT_TRUE(spinUntil([&] { return !answers.empty(); }));

@@ -14,7 +14,7 @@
 
 #include "bench.h"
 #include "node_process.h"
-#include "rubber_suspension/ros_interface/child_process.h"
+#include "ros_interface/child_process.h"
 
 namespace rubber_suspension {
 namespace {
@@ -50,7 +50,8 @@ bool mayLockMemory() {
 class TimelyNode {
  public:
   explicit TimelyNode(const std::string& prefix) {
-    const std::string command = prefix + "timeout 60 " + siblingProgram("simulate") + " __name:=" + (kNode + 1) +
+    const std::string command = prefix + "timeout 60 " + ros_interface::siblingProgram("simulate") +
+                                " __name:=" + (kNode + 1) +
                                 " _threads:=2 _lock_memory:=true _realtime_priority:=" + std::to_string(kPriority) +
                                 " _config_file:=" + TEST_DIR + "/rostest/config/two_components.yaml 2>&1";
     output_ = popen(command.c_str(), "r");

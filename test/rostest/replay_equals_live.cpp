@@ -6,9 +6,9 @@
 #include <random>
 
 #include "bench.h"
+#include "ros_interface/log_player.h"
+#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/replay.h"
-#include "rubber_suspension/ros_interface/log_player.h"
 
 namespace rubber_suspension {
 namespace {
@@ -20,11 +20,11 @@ class ReplayEqualsLive : public testing::TestWithParam<std::string> {
 };
 
 // Noise-like motion with uneven steps and one gap longer than max_gap; seed fixed.
-Log unevenLog(double start) {
+log::Log unevenLog(double start) {
   std::mt19937 random(20151);
   std::normal_distribution<double> kick(0.0, 2e-4);
   std::uniform_int_distribution<std::int64_t> step(100, 3000000);
-  Log log;
+  log::Log log;
   log.name = "uneven";
   std::int64_t stamp = static_cast<std::int64_t>(start * 1e9);
   double displacement = 1e-3;
@@ -37,14 +37,14 @@ Log unevenLog(double start) {
   return log;
 }
 
-std::vector<double> live(const std::string& component, const Log& log) {
-  PlayOptions options;
+std::vector<double> live(const std::string& component, const log::Log& log) {
+  ros_interface::PlayOptions options;
   options.component = component;
-  LogPlayer player(ros::NodeHandle(), options);
-  const PlayResult result = player.play(log);
+  ros_interface::LogPlayer player(ros::NodeHandle(), options);
+  const ros_interface::PlayResult result = player.play(log);
   EXPECT_TRUE(result.exactlyOneEach()) << result.answered() << " of " << log.size() << " answered";
   std::vector<double> force;
-  for (const ComponentForce& answer : result.force) {
+  for (const element::ComponentForce& answer : result.force) {
     force.push_back(answer.total);
   }
   return force;
@@ -58,22 +58,22 @@ void expectSame(const std::vector<double>& expected, const std::vector<double>& 
 }
 
 TEST_P(ReplayEqualsLive, ToTheLastBit) {
-  const auto components = loadComponentFile(configFile());
-  const Component component = selectComponent(components, GetParam()).makeComponent();
-  const Log log = unevenLog(100.0);
-  expectSame(replay(component, log).force, live(GetParam(), log));
+  const auto components = io::loadComponentFile(configFile());
+  const component::Component component = io::selectComponent(components, GetParam()).makeComponent();
+  const log::Log log = unevenLog(100.0);
+  expectSame(gap::replay(component, log).force, live(GetParam(), log));
 }
 
 // Files start earlier than the log above, so that the node sees a jump back of more than a second: a new specimen.
 TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
-  const auto components = loadComponentFile(configFile());
-  const Component component = selectComponent(components, GetParam()).makeComponent();
-  const Log log = unevenLog(50.0);
-  const std::vector<double> expected = replay(component, log).force;
-  writeLogCsv(path(".csv"), log);
-  writeBagLog(path(".bag"), GetParam(), log);
-  expectSame(expected, live(GetParam(), readAnyLog(path(".csv"))));
-  expectSame(expected, live(GetParam(), readAnyLog(path(".bag"), GetParam())));
+  const auto components = io::loadComponentFile(configFile());
+  const component::Component component = io::selectComponent(components, GetParam()).makeComponent();
+  const log::Log log = unevenLog(50.0);
+  const std::vector<double> expected = gap::replay(component, log).force;
+  log::writeLogCsv(path(".csv"), log);
+  bag::writeBagLog(path(".bag"), GetParam(), log);
+  expectSame(expected, live(GetParam(), bag::readAnyLog(path(".csv"))));
+  expectSame(expected, live(GetParam(), bag::readAnyLog(path(".bag"), GetParam())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Components, ReplayEqualsLive, testing::Values("left_secondary", "right_secondary"),

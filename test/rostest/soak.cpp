@@ -1,5 +1,5 @@
 // A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
-#include "rubber_suspension/ros_interface/soak.h"
+#include "benchmark/latency/soak.h"
 
 #include "bench.h"
 
@@ -7,10 +7,10 @@ namespace rubber_suspension {
 namespace {
 
 TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
-  SoakOptions options;
+  benchmark::SoakOptions options;
   options.samples = 400000;
   options.components = 4;
-  const SoakResult result = soak(options, [](const std::string&) {});
+  const benchmark::SoakResult result = benchmark::soak(options, [](const std::string&) {});
   EXPECT_EQ(result.sent, options.samples);
   EXPECT_EQ(result.answered, result.sent);
   EXPECT_EQ(result.surplus, 0U);

@@ -13,7 +13,7 @@ double displacementOf(int component, int sample) {
 }
 
 TEST(TwoComponents, EachGivesTheForcesThatItGivesAlone) {
-  const auto descriptions = loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
+  const auto descriptions = io::loadComponentFile(ros::NodeHandle("~").param<std::string>("config_file", ""));
   ASSERT_EQ(descriptions.size(), 2U);
   std::vector<std::unique_ptr<Bench>> benches;
   for (const auto& description : descriptions) {
@@ -29,8 +29,8 @@ TEST(TwoComponents, EachGivesTheForcesThatItGivesAlone) {
   for (int c = 0; c < 2; ++c) {
     Bench& bench = *benches[static_cast<std::size_t>(c)];
     ASSERT_TRUE(bench.waitForForces(kSamples));
-    const Component component = descriptions[static_cast<std::size_t>(c)].makeComponent();
-    SampleStream alone(component);
+    const component::Component component = descriptions[static_cast<std::size_t>(c)].makeComponent();
+    component::SampleStream alone(component);
     for (int i = 0; i < kSamples; ++i) {
       const Force& force = bench.forces[static_cast<std::size_t>(i)];
       ASSERT_EQ(force.force, alone.push(kStart + i * kMillisecond, displacementOf(c, i)).force.total)

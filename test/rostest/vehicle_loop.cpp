@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kStep = 500000;  // [ns]
 
-std::vector<Component> loadedComponents(const std::vector<ElementDescription>& further = {}) {
+std::vector<component::Component> loadedComponents(const std::vector<element::ElementDescription>& further = {}) {
   return loadStruts(ros::NodeHandle("~").param<std::string>("config_file", ""), further);
 }
 
@@ -25,7 +25,7 @@ class VehicleLoop : public testing::TestWithParam<int> {
     const std::string command = TEST_DIR "/../scripts/generate_track --track --duration 3 --output " + path;
     EXPECT_EQ(std::system(command.c_str()), 0);
     Scene scene;
-    scene.track = Track(readLog(path));
+    scene.track = Track(log::readLog(path));
     scene.duration = scene.track.duration();
     scene.step = kStep;
     return scene;

@@ -26,9 +26,9 @@ class ConstantForces final : public ForceExchange {
   PerStrut force_;
 };
 
-std::vector<Component> springs(double primary, double secondary) {
-  const Component front({{"spring", {{"stiffness", {primary}}}}});
-  return {front, front, Component({{"spring", {{"stiffness", {secondary}}}}})};
+std::vector<component::Component> springs(double primary, double secondary) {
+  const component::Component front({{"spring", {{"stiffness", {primary}}}}});
+  return {front, front, component::Component({{"spring", {{"stiffness", {secondary}}}}})};
 }
 
 TEST(HalfBogie, CompressionsFollowFromHeightsAndPitch) {

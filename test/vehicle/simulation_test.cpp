@@ -13,13 +13,13 @@ namespace {
 
 const std::string kConfig = TEST_DIR "/../config/half_bogie.yaml";
 
-std::vector<Component> loadedComponents(const std::vector<ElementDescription>& further = {}) {
+std::vector<component::Component> loadedComponents(const std::vector<element::ElementDescription>& further = {}) {
   return loadStruts(kConfig, further);
 }
 
 // Somewhat more than a second of a track of some sines that start softly.
 Scene someTrack() {
-  Log log;
+  log::Log log;
   log.name = "track";
   for (int i = 0; i <= 2000; ++i) {
     const double t = 1e-3 * i;

@@ -9,12 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "rubber_suspension/component/maxwell_block.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/kernel/maxwell_block.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 /// Everything that a component remembers between two samples. Copying it is saving it; a trial step is a step on a
 /// copy.
@@ -44,10 +44,10 @@ class ComponentState {
   // Coefficients of dashpot and Maxwell elements for the step length last used; derived, not saved.
   double prepared_dt_ = -1.0;
   double dashpot_gain_ = 0.0;  // c/dt [N/m]
-  std::vector<MaxwellBlock> maxwell_blocks_;
+  std::vector<kernel::MaxwellBlock> maxwell_blocks_;
   // Of the one element of friction that a component has beside springs, dashpots and Maxwell elements: the branch that
   // the memory describes, or none; derived, not saved.
-  BergBranch branch_;
+  element::BergBranch branch_;
 };
 
 /// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
@@ -64,22 +64,22 @@ struct Tangent {
 class Component {
  public:
   /// Throws std::invalid_argument that names entry, parameter, value and what is accepted.
-  explicit Component(const std::vector<ElementDescription>& elements);
+  explicit Component(const std::vector<element::ElementDescription>& elements);
 
   /// A state of the right size, at rest at zero displacement.
   ComponentState makeState() const;
 
   /// Put the component at rest at a displacement [m], relaxed since long and never loaded before.
-  ComponentForce rest(ComponentState& state, double displacement) const;
+  element::ComponentForce rest(ComponentState& state, double displacement) const;
 
   /// The same component after a long rest at a displacement [m]: relaxed and cooled, what is permanent (stress
   /// softening) stays.
-  ComponentForce recover(ComponentState& state, double displacement) const;
+  element::ComponentForce recover(ComponentState& state, double displacement) const;
 
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
   /// The force is not a number, from there on, where the specimen has given way behind a series mount: where its
   /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the mount can hold.
-  ComponentForce step(ComponentState& state, double dt, double displacement) const {
+  element::ComponentForce step(ComponentState& state, double dt, double displacement) const {
     return sameBits(dt, state.prepared_dt_) && goesOn(state, displacement) ? leanStep(state, displacement)
                                                                            : fullStep(state, dt, displacement);
   }
@@ -101,7 +101,7 @@ class Component {
   std::optional<std::complex<double>> complexStiffness(double frequency) const;
 
   /// The entries that the component was made of, defaults filled in.
-  const std::vector<ElementDescription>& elements() const { return descriptions_; }
+  const std::vector<element::ElementDescription>& elements() const { return descriptions_; }
 
  private:
   template <class Law>
@@ -110,30 +110,30 @@ class Component {
     std::size_t offset;  // of its memory in the state
   };
 
-  void placeMount(const std::shared_ptr<const SeriesElement>& mount);
-  void placeSpecimen(const std::shared_ptr<const ParallelElement>& law);
+  void placeMount(const std::shared_ptr<const element::SeriesElement>& mount);
+  void placeSpecimen(const std::shared_ptr<const element::ParallelElement>& law);
   template <class Law>
   void placeAll(std::vector<Placed<Law>>& placed);
   std::size_t reserve(std::size_t size);
   void reserveMemory();
   void prepare(ComponentState& state, double dt) const;
-  ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
-  ComponentForce plainStep(const ComponentState& state, const Motion& motion, double* memory) const;
-  ComponentForce fullStep(ComponentState& state, double dt, double displacement) const;
+  element::ComponentForce specimenRest(double displacement, bool as_new, double* memory) const;
+  element::ComponentForce plainStep(const ComponentState& state, const element::Motion& motion, double* memory) const;
+  element::ComponentForce fullStep(ComponentState& state, double dt, double displacement) const;
 
   static constexpr std::size_t kEffectBlock = 64;  // most steps at once through effects
 
   /// Steps through whatever there is, law after law, so that each finds what it needs at hand.
   void stepsThroughEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
-                           ComponentForce* force) const;
-  void specimenSteps(const ComponentState& state, const Motion* motion, std::size_t count, double* memory,
-                     ComponentForce* force) const;
+                           element::ComponentForce* force) const;
+  void specimenSteps(const ComponentState& state, const element::Motion* motion, std::size_t count, double* memory,
+                     element::ComponentForce* force) const;
   void simulateEffects(ComponentState& state, double dt, const double* displacement, std::size_t count,
                        double* force) const;
-  static void addSteps(const Placed<ParallelElement>& element, const Motion* motion, std::size_t count, double* memory,
-                       ComponentForce* force);
-  static void takeIncrements(Motion* motion, std::size_t count, double& last);
-  ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
+  static void addSteps(const Placed<element::ParallelElement>& element, const element::Motion* motion,
+                       std::size_t count, double* memory, element::ComponentForce* force);
+  static void takeIncrements(element::Motion* motion, std::size_t count, double& last);
+  element::ComponentForce settle(ComponentState& state, double displacement, bool as_new) const;
   /// A force that is linear in a displacement.
   struct Line {
     double held;   // [N]
@@ -141,14 +141,14 @@ class Component {
   };
   Line lineOf(const ComponentState& state) const;
   double forceAt(double specimen, Line line, const double* berg_memory) const;
-  double meet(Line line, double compliance, const ComponentState& state, const Motion& motion) const;
+  double meet(Line line, double compliance, const ComponentState& state, const element::Motion& motion) const;
   double complianceAt(double force) const;
   double mountDeflection(double force) const;
   double trialFriction(double specimen, const double* memory) const;
   double behindMountAtRest(ComponentState& state, double displacement, bool as_new) const;
-  double behindMount(ComponentState& state, const Motion& motion) const;
-  double plainBehindMount(const ComponentState& state, const Motion& motion) const;
-  double plainBehindUnevenMount(const ComponentState& state, const Motion& motion) const;
+  double behindMount(ComponentState& state, const element::Motion& motion) const;
+  double plainBehindMount(const ComponentState& state, const element::Motion& motion) const;
+  double plainBehindUnevenMount(const ComponentState& state, const element::Motion& motion) const;
   std::optional<std::complex<double>> specimenStiffness(double omega) const;
 
   /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
@@ -166,13 +166,13 @@ class Component {
   }
 
   /// That step, for coefficients that are prepared. It calls nothing, so that all numbers stay in registers.
-  ComponentForce leanStep(ComponentState& state, double displacement) const {
+  element::ComponentForce leanStep(ComponentState& state, double displacement) const {
     const double increment = displacement - state.displacement_;
     state.displacement_ = displacement;
     double* memory = state.memory_.data();
     double friction = 0.0;
     if (!frictionless_) {
-      memory[maxwells_ + BergFriction::kExtremum] = displacement;
+      memory[maxwells_ + element::BergFriction::kExtremum] = displacement;
       friction = state.branch_.follow(displacement);
     }
     const double viscous = viscousStep(state, increment, memory);
@@ -180,17 +180,18 @@ class Component {
   }
 
   /// With that of the springs [N].
-  ComponentForce sumOf(double displacement, double viscous, double friction) const {
+  element::ComponentForce sumOf(double displacement, double viscous, double friction) const {
     const double elastic = spring_stiffness_ * displacement;
     return {elastic + viscous + friction, elastic, viscous, friction};
   }
 
   /// Advances all Maxwell elements; returns their force and that of the dashpots [N].
   double viscousStep(const ComponentState& state, double increment, double* memory) const {
-    return stepMaxwells(state.maxwell_blocks_.data(), maxwells_, increment, state.dashpot_gain_ * increment, memory);
+    return kernel::stepMaxwells(state.maxwell_blocks_.data(), maxwells_, increment, state.dashpot_gain_ * increment,
+                                memory);
   }
 
-  std::vector<ElementDescription> descriptions_;
+  std::vector<element::ElementDescription> descriptions_;
   std::size_t memory_size_ = 0;
 
   // The elements that most components consist of are kept as plain numbers and values, apart from the general ones.
@@ -202,16 +203,17 @@ class Component {
   std::vector<double> maxwell_stiffness_;  // [N/m], with zeros up to a whole number of blocks
   std::vector<double> maxwell_rate_;       // 1/tau [1/s], likewise
   double fastest_rate_ = 0.0;              // the largest of these
-  std::vector<BergFriction> bergs_;
+  std::vector<element::BergFriction> bergs_;
 
-  std::vector<Placed<ParallelElement>> specimen_;
-  std::vector<Placed<ParallelElement>> rig_;
-  std::vector<Placed<DisplacementEffect>> displacement_effects_;
-  std::vector<Placed<ForceEffect>> force_effects_;
-  SeriesElement::Compliance mount_compliance_ = {0.0, 0.0};   // sums over the series mounts that are linear to a side
-  std::vector<std::shared_ptr<const SeriesElement>> joints_;  // the others
-  bool mounted_ = false;                                      // any of both
-  bool mount_is_linear_ = true;                               // alike to both sides, and none of the others
+  std::vector<Placed<element::ParallelElement>> specimen_;
+  std::vector<Placed<element::ParallelElement>> rig_;
+  std::vector<Placed<element::DisplacementEffect>> displacement_effects_;
+  std::vector<Placed<element::ForceEffect>> force_effects_;
+  element::SeriesElement::Compliance mount_compliance_ = {
+      0.0, 0.0};  // sums over the series mounts that are linear to a side
+  std::vector<std::shared_ptr<const element::SeriesElement>> joints_;  // the others
+  bool mounted_ = false;                                               // any of both
+  bool mount_is_linear_ = true;                                        // alike to both sides, and none of the others
   bool plain_ = true;                    // nothing but springs, dashpots, Maxwell elements and Berg friction
   bool frictionless_ = true;             // the same without Berg friction
   std::size_t trial_size_ = 0;           // of the leading memory that a trial step changes
@@ -219,4 +221,4 @@ class Component {
   std::size_t behind_mount_slot_ = 0;    // memory: displacement of the specimen, behind the mount
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

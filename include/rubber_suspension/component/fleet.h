@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
-#include "rubber_suspension/component/instructions.h"
+#include "rubber_suspension/kernel/instructions.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 /// One number of each of eight components.
 struct alignas(64) LaneRow {
@@ -26,7 +26,7 @@ struct FleetGroups;
 class ComponentFleet {
  public:
   /// At rest at zero displacement. Throws std::invalid_argument that says which component does not fit, and why.
-  explicit ComponentFleet(const std::vector<Component>& components);
+  explicit ComponentFleet(const std::vector<component::Component>& components);
 
   std::size_t size() const { return size_; }
 
@@ -51,11 +51,11 @@ class ComponentFleet {
   struct Laws {
     double spring_stiffness = 0.0;
     double damping = 0.0;
-    std::vector<Maxwell> maxwells;
-    std::vector<BergFriction> bergs;
+    std::vector<element::Maxwell> maxwells;
+    std::vector<element::BergFriction> bergs;
   };
 
-  static Laws lawsOf(const Component& component);
+  static Laws lawsOf(const component::Component& component);
   bool frictional() const;
   void prepare(double dt);
   void stepEach(double dt, const double* displacement, double* force);
@@ -75,4 +75,4 @@ class ComponentFleet {
   bool moved_together_ = true;  // the same displacements since they were at rest
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/component/component.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 /// What became of a sample.
 enum class Verdict {
@@ -34,7 +34,7 @@ struct StreamCounters {
 
 struct StreamForce {
   Verdict verdict;
-  ComponentForce force;  ///< of an accepted sample only
+  element::ComponentForce force;  ///< of an accepted sample only
 };
 
 /// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same
@@ -77,8 +77,8 @@ class SampleStream {
   Verdict judge(std::int64_t stamp, double displacement) const;
   void save();
   void goBack();
-  ComponentForce rest(double displacement);
-  ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
+  element::ComponentForce rest(double displacement);
+  element::ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
   void count(Verdict verdict);
   std::size_t evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const;
   bool pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
@@ -95,4 +95,4 @@ class SampleStream {
   bool started_ = false;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/component/component.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::component {
 
 /// Keeps what the component remembers at the last step that the integrator has accepted; every trial starts there and
 /// leaves nothing behind. The order of calls is rest(), then any number of attempt() and tangent(), then accept(), and
@@ -19,21 +19,21 @@ class TrialStepper {
   explicit TrialStepper(const Component& component);
 
   /// A new specimen, at rest at a displacement [m] at a time [s].
-  ComponentForce rest(double time, double displacement);
+  element::ComponentForce rest(double time, double displacement);
 
   /// The force at a time [s] and displacement [m], tried out. At the accepted time itself it is the accepted force.
   /// Throws std::invalid_argument for a time before the accepted one. Allocates nothing.
-  ComponentForce attempt(double time, double displacement);
+  element::ComponentForce attempt(double time, double displacement);
 
   /// Derivatives of attempt() about a time later than the accepted one: for an implicit integrator, dF/dz is
   /// stiffness + damping/dt with dt the time since the accepted step. Throws as attempt() does, also at that time.
   Tangent tangent(double time, double displacement);
 
   /// The integrator has accepted a step that ends here. Returns the force there. Throws as attempt() does.
-  ComponentForce accept(double time, double displacement);
+  element::ComponentForce accept(double time, double displacement);
 
-  double time() const { return time_; }                   ///< of the accepted step [s]
-  const ComponentForce& force() const { return force_; }  ///< at the accepted step [N]
+  double time() const { return time_; }                            ///< of the accepted step [s]
+  const element::ComponentForce& force() const { return force_; }  ///< at the accepted step [N]
 
  private:
   double since(double time) const;
@@ -42,7 +42,7 @@ class TrialStepper {
   ComponentState accepted_;
   ComponentState trial_;
   double time_ = 0.0;
-  ComponentForce force_;
+  element::ComponentForce force_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::component

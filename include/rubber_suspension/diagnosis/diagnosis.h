@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "rubber_suspension/diagnosis/search.h"
-#include "rubber_suspension/diagnosis/where.h"
+#include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/io/log.h"
+#include "rubber_suspension/log/log.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 /// What a diagnosis is told besides the component and the logs.
 struct DiagnosisOptions {
@@ -32,7 +32,7 @@ struct CandidateResult {
   bool testable = false;             ///< a typical size of it would be visible in these logs, or what was fitted is
   double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
-  std::vector<ElementDescription> add;
+  std::vector<element::ElementDescription> add;
 };
 
 struct Gap {
@@ -80,7 +80,7 @@ struct Diagnosis {
   std::vector<std::vector<std::string>> confounded;
   std::vector<CandidateResult> candidates;  ///< most probable first
   double probability_none = 0.0;            ///< that no effect of the list is at work
-  std::vector<GapCell> where;
+  std::vector<gap::GapCell> where;
   std::string next_experiment;
   std::string sentence;  ///< the verdict for an engineer
   std::string noise_source;
@@ -90,11 +90,11 @@ struct Diagnosis {
   std::vector<ParameterByLog> by_log;
   CharacteristicErrors errors_before;  ///< re-estimated
   CharacteristicErrors errors_after;   ///< augmented
-  ComponentDescription re_estimated;
-  ComponentDescription augmented;
+  io::ComponentDescription re_estimated;
+  io::ComponentDescription augmented;
   Search search;  ///< everything that was tried
 
-  std::vector<Record> records;                    ///< of the logs, then of the hold-outs
+  std::vector<log::Record> records;               ///< of the logs, then of the hold-outs
   std::size_t training = 0;                       ///< how many of them took part in the fit
   std::vector<Eigen::VectorXd> force_configured;  ///< per record [N]
   std::vector<Eigen::VectorXd> force_re_estimated;
@@ -104,8 +104,8 @@ struct Diagnosis {
 /// Diagnose one component. Logs in the order of recording, on one specimen; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
 /// Throws LogError for a log that cannot be used, std::invalid_argument for a component that cannot be built.
-Diagnosis diagnose(const ComponentDescription& component, const std::vector<Log>& logs,
-                   const std::vector<Log>& hold_out, const DiagnosisOptions& options = {});
+Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
+                   const std::vector<log::Log>& hold_out, const DiagnosisOptions& options = {});
 
 /// The report as JSON text, schema rubber_suspension/gap_report/1.
 std::string toJson(const Diagnosis& diagnosis);
@@ -116,4 +116,4 @@ std::string toHtml(const Diagnosis& diagnosis);
 /// Write report.json, report.html and augmented.yaml into a folder, which is made. Throws std::runtime_error.
 void writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -4,7 +4,7 @@
 
 #include "rubber_suspension/diagnosis/search.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 /// What an error (RMS) is beyond the noise floor.
 double excess(const Search& search, double error);
@@ -33,4 +33,4 @@ bool closedByOwnParameters(const Search& search);
 /// configured ones, as re-estimation does that has to move several far. Effects of more numbers are no simpler.
 const Trial* hiddenEffect(const Search& search);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/diagnosis/candidate.h"
+#include "rubber_suspension/fit/candidate.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 /// An experiment of the menu: what to do on the bench, and its displacement [m] at even steps dt [s].
 struct Experiment {
@@ -17,7 +17,7 @@ struct Experiment {
 
 /// Sines over frequency and amplitude, a hold, a preload, and small amplitude before and after a large one, within the
 /// displacements, frequencies and rates that the logs show to be possible.
-std::vector<Experiment> experimentMenu(const Excitation& excitation);
+std::vector<Experiment> experimentMenu(const fit::Excitation& excitation);
 
 /// The experiment in which two models differ most.
 struct Discrimination {
@@ -26,7 +26,7 @@ struct Discrimination {
 };
 
 /// `noise` is the floor in force [N].
-Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vector<ElementDescription>& one,
-                           const std::vector<ElementDescription>& other, double noise);
+Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vector<element::ElementDescription>& one,
+                           const std::vector<element::ElementDescription>& other, double noise);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

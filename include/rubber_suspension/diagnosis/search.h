@@ -5,24 +5,24 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/diagnosis/hypothesis.h"
+#include "rubber_suspension/fit/hypothesis.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 /// A set of candidate effects fitted jointly with the model's own parameters.
 struct Trial {
   std::vector<int> members;  ///< indices into Search::candidates, ascending
-  std::vector<Atom> atoms;
-  Fit fit;
+  std::vector<fit::Atom> atoms;
+  fit::Fit fit;
 };
 
 /// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
 struct Search {
-  Excitation excitation;
-  std::vector<Candidate> candidates;
+  fit::Excitation excitation;
+  std::vector<fit::Candidate> candidates;
   double configured_gap = 0.0;  ///< as configured
   Trial re_estimated;           ///< own parameters alone
-  Fit element_level;            ///< every parameter of every element of the model free, nothing added
+  fit::Fit element_level;       ///< every parameter of every element of the model free, nothing added
   std::vector<Trial> singles;   ///< one per candidate, in their order
   std::vector<Trial> pairs;     ///< the pairs that a screening of all found worth a full fit, best first
   std::vector<Trial> triples;
@@ -36,15 +36,16 @@ struct Search {
 };
 
 /// True if one of these candidates frees a slow trend per log.
-bool hasTrends(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+bool hasTrends(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members);
 
 /// True if one of these candidates is named only where no others explain the gap.
-bool hasLastResort(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+bool hasLastResort(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 
 /// Fit all hypotheses on `threads` threads.
-Search search(const Fitter& fitter, const Fitter& element_level, int threads, const ProgressCallback& progress = {});
+Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, int threads,
+              const ProgressCallback& progress = {});
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

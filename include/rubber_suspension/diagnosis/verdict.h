@@ -6,7 +6,7 @@
 
 #include "rubber_suspension/diagnosis/search.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 enum class VerdictKind { none, parameter_error, named, confounded, unknown, partly };
 
@@ -25,4 +25,4 @@ struct Verdict {
 /// an effect that frees a slow trend per log may be named.
 Verdict decide(const Search& search, std::size_t most_effects = 3, bool trends = true);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = k2 z^2 + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added to a linear spring. No loss.
 /// Under a sine of amplitude A the first term shifts the mean force by k2 A^2/2 and adds a second harmonic of as much.
@@ -39,4 +39,4 @@ class AsymmetricStiffness final : public ParallelElement {
 
 ElementType asymmetricStiffnessType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -7,7 +7,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// What the forces on one side of a branch's reference point have in common.
 struct BergSide {
@@ -170,4 +170,4 @@ class BergFriction final : public ParallelElement {
 
 ElementType bergFrictionType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

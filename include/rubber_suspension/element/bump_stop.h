@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = k_s d (d/d_ref)^(p-1) with the depth d = (|z| - g)_+, directed as z, on one side or on both. No loss.
 /// k_s is the secant stiffness at the reference depth; for p = 1 the stop is linear and d_ref without influence.
@@ -33,4 +33,4 @@ class BumpStop final : public ParallelElement {
 
 ElementType bumpStopType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

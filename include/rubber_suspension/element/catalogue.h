@@ -10,7 +10,7 @@
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
                                     std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
@@ -38,4 +38,4 @@ ElementPointer makeElement(const ElementDescription& description);
 /// The entry with defaults filled in; throws as makeElement does.
 ElementDescription complete(const ElementDescription& description);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/slider_bank.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// A single Jenkins slider: sticks as a spring k up to F_max, then slides at F_max; turns at once at a reversal.
 /// For k -> infinity it is Coulomb's law. Settled loss per cycle at amplitude A > F_max/k: 4 F_max (A - F_max/k).
@@ -16,4 +16,4 @@ class CoulombFriction final : public SliderBank {
 
 ElementType coulombFrictionType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

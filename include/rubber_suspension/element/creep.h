@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/maxwell_bank.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// After a step of displacement z the force falls by S z per decade of time, between the shortest and the longest time.
 /// Realised by two Maxwell elements per decade with equal stiffness S/2 and relaxation times in geometric progression,
@@ -19,4 +19,4 @@ class Creep final : public MaxwellBank {
 
 ElementType creepType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

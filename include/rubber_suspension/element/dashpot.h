@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = c dz/dt, the rate being that of the piecewise linear displacement: the force of a sampled sine lags by half a
 /// step, an error of phase of pi f dt. Its stiffness grows without limit with frequency, so it suits a narrow band
@@ -58,4 +58,4 @@ class SmoothDashpot final : public ParallelElement {
 
 ElementType dashpotType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

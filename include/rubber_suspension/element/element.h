@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// How the displacement moved since the previous sample; it is taken as linear in between.
 struct Motion {
@@ -102,4 +102,4 @@ class SeriesElement : public Element {
   virtual std::optional<Compliance> compliance() const = 0;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = r t, t being the time since the start. Opens every loop; its dynamic stiffness is 0.
 /// Validity: the linear trend over one record; a load cell that warms up levels off later. Memory: the time.
@@ -24,4 +24,4 @@ class ForceDrift final : public ParallelElement {
 
 ElementType forceDriftType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

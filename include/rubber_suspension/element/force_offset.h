@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = F_0. Changes the mean force and nothing else, so its dynamic stiffness is 0.
 class ForceOffset final : public ParallelElement {
@@ -22,4 +22,4 @@ class ForceOffset final : public ParallelElement {
 
 ElementType forceOffsetType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

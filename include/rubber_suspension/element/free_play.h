@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// The specimen sees z - s clamp(z, -g, g): with the share s = 1 nothing within the gap and all that exceeds it beyond;
 /// with less, a seat that gives way within the gap. Entries one after the other make a gap with soft edges.
@@ -28,4 +28,4 @@ class FreePlay final : public DisplacementEffect {
 
 ElementType freePlayType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

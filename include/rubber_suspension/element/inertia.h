@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = m d2z/dt2, K* = -m w^2: lowers the measured stiffness as f^2, in phase.
 /// Without a bandwidth the acceleration at a sample is extrapolated linearly from the second differences of the last
@@ -52,4 +52,4 @@ class SmoothedInertia final : public ParallelElement {
 
 ElementType inertiaType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/slider_bank.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Sliders whose backbone lies on a hyperbola like Berg's, F = c z/(z2' + z), at each yield displacement, with F =
 /// F_max/2 at z2 and F = F_max at the greatest yield displacement. The yield displacements are in geometric progression
@@ -30,4 +30,4 @@ class IwanTable final : public SliderBank {
 ElementType iwanType();
 ElementType iwanTableType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

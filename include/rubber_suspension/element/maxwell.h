@@ -6,7 +6,7 @@
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/relaxation.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Coefficients of the exact step of a Maxwell element for one step length.
 struct MaxwellStep {
@@ -50,4 +50,4 @@ class Maxwell final : public ParallelElement {
 
 ElementType maxwellType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

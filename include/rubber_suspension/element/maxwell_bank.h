@@ -6,7 +6,7 @@
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/maxwell.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Sum of Maxwell elements, each stepped exactly for displacement that is linear between samples.
 /// A component takes the elements one by one and so computes the coefficients of a step length only once; step() here
@@ -27,4 +27,4 @@ class MaxwellBank : public ParallelElement {
   std::vector<Maxwell> elements_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

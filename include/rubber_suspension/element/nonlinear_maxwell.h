@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/maxwell.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// dF/dt = k dz/dt - F/tau (1 + |F|/(k y)), tau = 1/(2 pi f_b): a Maxwell element at displacements well below y, one
 /// that relaxes the faster the larger its force beyond. So the stiffness falls with amplitude, but only at frequencies
@@ -32,4 +32,4 @@ class NonlinearMaxwell final : public ParallelElement {
 
 ElementType nonlinearMaxwellType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

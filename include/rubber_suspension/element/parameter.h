@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// An interval of admissible values; an open end excludes the bound itself.
 struct Range {
@@ -61,4 +61,4 @@ struct ElementDescription {
 [[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
                               const std::string& unit, const std::string& accepted);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

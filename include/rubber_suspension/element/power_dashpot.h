@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/dashpot.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = c v_r sign(v) |v/v_r|^p, v = dz/dt: at the rate v_r the force of a dashpot c. p = 2: fluid through an orifice;
 /// p < 1: what thins under shear. The rate at a sample is that of SmoothDashpot; noise of the displacement makes about
@@ -30,4 +30,4 @@ class PowerDashpot final : public ParallelElement {
 
 ElementType powerDashpotType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = k2 z|z| + k3 z^3 + k5 z^5 + k_e (s sinh(z/s) - z), to be added to a linear spring. No loss.
 /// Under z = A sin(wt) the cubic term adds 3/4 k3 A^2 to the stiffness of the first harmonic and a third harmonic of
@@ -45,4 +45,4 @@ class ProgressiveStiffness final : public ParallelElement {
 
 ElementType progressiveStiffnessType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 #include "rubber_suspension/element/relaxation_mean.h"
 
@@ -31,4 +31,4 @@ struct Relaxation {
   }
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

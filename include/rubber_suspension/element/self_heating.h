@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Factor on the specimen's force: 1 - x, at least 0.2 and at most 1, with dx/dt = s P - x/T.
 /// x is the temperature rise times the relative softening per kelvin; P the power that the viscous and friction parts
@@ -30,4 +30,4 @@ class SelfHeating final : public ForceEffect {
 
 ElementType selfHeatingType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Deflection u = F/(K_s (1 + |F|/F_c)), towards one side alone if so asked. The component solves for the displacement
 /// of the specimen at each step. Several mounts add their deflections.
@@ -32,4 +32,4 @@ class SeriesCompliance final : public SeriesElement {
 
 ElementType seriesComplianceType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// A spring k in series with a slider that holds up to the displacement y of the spring.
 struct JenkinsSlider {
@@ -47,4 +47,4 @@ class SliderBank : public ParallelElement {
   std::vector<JenkinsSlider> sliders_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

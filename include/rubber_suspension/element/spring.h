@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F = k z. Valid while the component's static characteristic is straight.
 /// Source: Polach (IAVSD 2015), element k0 of every model.
@@ -24,4 +24,4 @@ class Spring final : public ParallelElement {
 
 ElementType springType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// F(z) through the points (z_i, F_i), linear between them and with the end slopes beyond. No loss.
 /// The displacements increase, the forces do not decrease, and F(0) = 0: a preload is a `force_offset`.
@@ -28,4 +28,4 @@ class SpringTable final : public ParallelElement {
 
 ElementType springTableType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/maxwell_bank.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// What a springpot is meant to be.
 struct SpringpotLaw {
@@ -38,4 +38,4 @@ class Springpot final : public MaxwellBank {
 
 ElementType springpotType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

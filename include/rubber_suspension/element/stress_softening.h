@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// Factor on the specimen's force: 1 - R tanh(u/w)/tanh(1/w), u = 1 - (z/S)^2 while |z| < S, and 1 at |z| >= S.
 ///
@@ -38,4 +38,4 @@ class StressSoftening final : public ForceEffect {
 
 ElementType stressSofteningType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

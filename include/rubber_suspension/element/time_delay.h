@@ -3,7 +3,7 @@
 
 #include "rubber_suspension/element/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::element {
 
 /// The specimen sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
 /// is 3.6 degrees at 10 Hz), down to negative values; the magnitude stays. T < 0 raises it, as a late displacement
@@ -41,4 +41,4 @@ class TimeDelay final : public DisplacementEffect {
 
 ElementType timeDelayType();
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::element

@@ -8,7 +8,7 @@
 
 #include "rubber_suspension/estimation/specification.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 
 /// Young's modulus [Pa] at small strain from Shore A hardness:
 /// E = 0.0981 (56 + 7.62336 H)/(0.137505 (254 - 2.54 H)) MPa, for 20 <= H <= 80.
@@ -25,7 +25,7 @@ double compressionFactor(double shape_factor);
 enum class LoadDirection { compression, shear };
 
 /// The table of everything that `data_sheet:` may hold beside the keys of a specification.
-const std::vector<ParameterInfo>& dataSheetParameters();
+const std::vector<element::ParameterInfo>& dataSheetParameters();
 
 struct DataSheetResult {
   Model model;
@@ -48,4 +48,4 @@ struct DataSheetResult {
 DataSheetResult specificationFromDataSheet(std::optional<Model> model, LoadDirection direction,
                                            const std::map<std::string, double>& values);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

@@ -6,9 +6,9 @@
 
 #include "rubber_suspension/estimation/specification.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 
 /// One sentence each; the specification has to have a solution.
 std::vector<std::string> estimationNotes(Model model, const Specification& specification);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

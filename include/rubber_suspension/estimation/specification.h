@@ -12,7 +12,7 @@
 
 #include "rubber_suspension/element/parameter.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::estimation {
 
 /// The models of a component file, in the order of the paper.
 enum class Model {
@@ -62,7 +62,7 @@ class Specification {
 };
 
 /// The table of everything that `specification:` may hold.
-const std::vector<ParameterInfo>& specificationParameters();
+const std::vector<element::ParameterInfo>& specificationParameters();
 
 /// What a model takes from its specification.
 struct ModelInfo {
@@ -82,6 +82,6 @@ void checkSpecification(Model model, const Specification& specification);
 
 /// The elements of the model that meets the specification.
 /// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
-std::vector<ElementDescription> estimate(Model model, const Specification& specification);
+std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::estimation

@@ -9,21 +9,21 @@
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 
 /// One component as a file describes it.
 struct ComponentDescription {
   std::string name;  ///< a ROS base name
-  Model model = Model::elements;
-  Specification specification;               ///< of every model but `elements`
-  std::vector<ElementDescription> elements;  ///< of the model `elements` only
-  std::vector<ElementDescription> add;       ///< effects on top
+  estimation::Model model = estimation::Model::elements;
+  estimation::Specification specification;            ///< of every model but `elements`
+  std::vector<element::ElementDescription> elements;  ///< of the model `elements` only
+  std::vector<element::ElementDescription> add;       ///< effects on top
 
   /// All elements: those that the model estimates, or lists, and those added.
   /// Throws std::invalid_argument where the specification has no solution.
-  std::vector<ElementDescription> allElements() const;
+  std::vector<element::ElementDescription> allElements() const;
 
-  Component makeComponent() const { return Component(allElements()); }
+  component::Component makeComponent() const { return component::Component(allElements()); }
 };
 
 /// A file that was refused. what() is one line: file:line, component, key, value and what would be accepted.
@@ -53,4 +53,4 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
 /// YAML that parseComponentFile reads back to the same numbers, bit by bit.
 std::string toYaml(const std::vector<ComponentDescription>& components);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

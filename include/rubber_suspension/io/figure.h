@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::io {
 
 /// One curve, or a set of markers.
 struct Curve {
@@ -66,4 +66,4 @@ void drawFigure(const Figure& figure, const std::string& path);
 /// Draw several figures in one process, as SVG texts to be put into HTML. Throws FigureError.
 std::vector<std::string> drawSvg(const std::vector<Figure>& figures);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::io

@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 
 /// What one closed cycle tells about a component.
 struct Characteristics {
@@ -25,4 +25,4 @@ Characteristics characteristicsOfLoop(const std::vector<double>& displacement, c
 /// Of the elliptic loop of a linear component with this K*, at this amplitude [m]: K = |K*|, sin(delta) = Im K*/|K*|.
 Characteristics characteristicsOfEllipse(std::complex<double> complex_stiffness, double amplitude);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

@@ -6,7 +6,7 @@
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/response/characteristics.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 
 struct LoopOptions {
   /// Samples per cycle, a multiple of 4 so that turning points and zero crossings are samples.
@@ -40,7 +40,7 @@ struct SettledLoop {
 /// half a sample.
 /// A loop that does not settle within maximum_cycles (self-heating may take minutes) is returned with settled = false.
 /// Throws std::invalid_argument for a frequency, an amplitude or options that make no loop.
-SettledLoop simulateSettledLoop(const Component& component, double frequency, double amplitude,
+SettledLoop simulateSettledLoop(const component::Component& component, double frequency, double amplitude,
                                 const LoopOptions& options = {});
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

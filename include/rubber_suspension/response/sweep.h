@@ -5,7 +5,7 @@
 
 #include "rubber_suspension/response/settled_loop.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::response {
 
 struct SweepPoint {
   double frequency = 0.0;  ///< [Hz]
@@ -15,20 +15,21 @@ struct SweepPoint {
 };
 
 /// At one frequency [Hz] and amplitude [m]: closed form for a linear component, a settled simulated loop for another.
-SweepPoint characteristicsAt(const Component& component, double frequency, double amplitude,
+SweepPoint characteristicsAt(const component::Component& component, double frequency, double amplitude,
                              const LoopOptions& options = {});
 
-std::vector<SweepPoint> sweepFrequency(const Component& component, const std::vector<double>& frequencies,
+std::vector<SweepPoint> sweepFrequency(const component::Component& component, const std::vector<double>& frequencies,
                                        double amplitude, const LoopOptions& options = {});
 
-std::vector<SweepPoint> sweepAmplitude(const Component& component, const std::vector<double>& amplitudes,
+std::vector<SweepPoint> sweepAmplitude(const component::Component& component, const std::vector<double>& amplitudes,
                                        double frequency, const LoopOptions& options = {});
 
 /// At A = P/f with the product P [m Hz]: the amplitude of a track excitation falls about so (Polach Eq. 3).
-std::vector<SweepPoint> sweepConstantProduct(const Component& component, const std::vector<double>& frequencies,
-                                             double product, const LoopOptions& options = {});
+std::vector<SweepPoint> sweepConstantProduct(const component::Component& component,
+                                             const std::vector<double>& frequencies, double product,
+                                             const LoopOptions& options = {});
 
 /// `count` numbers from `low` to `high`, evenly spaced on a log axis, both ends exact.
 std::vector<double> logSpaced(double low, double high, int count);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::response

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::ros_interface {
 
 /// No node serves the topics, it stopped answering, or it dropped a sample.
 class BundleError : public std::runtime_error {
@@ -52,4 +52,4 @@ class BundleClient {
   ros::Subscriber subscriber_;
 };
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::ros_interface

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "peers.h"
+#include "benchmark/peer/peers.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr int kElements = 5;
@@ -96,4 +96,4 @@ void cvodeBackwardDifferentiation(const PeerWork& work, std::vector<double>& for
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

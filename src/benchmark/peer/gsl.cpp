@@ -7,9 +7,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "peers.h"
+#include "benchmark/peer/peers.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 struct Task {
@@ -44,4 +44,4 @@ void gslFehlberg(const PeerWork& work, std::vector<double>& force) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "peers.h"
+#include "benchmark/peer/peers.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 // Numbers that the control is made of, in the user data of the simulation.
@@ -78,4 +78,4 @@ void mujocoRungeKutta4(const PeerWork& work, int substeps, std::vector<double>& 
   mjcb_control = nullptr;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

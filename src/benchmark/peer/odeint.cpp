@@ -3,9 +3,9 @@
 #include <boost/numeric/odeint.hpp>
 #include <numeric>
 
-#include "peers.h"
+#include "benchmark/peer/peers.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 using State = std::array<double, 5>;
@@ -47,4 +47,4 @@ void odeintDormandPrince(const PeerWork& work, std::vector<double>& force) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

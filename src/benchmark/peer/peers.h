@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 
 /// What a solver gets.
 struct PeerWork {
@@ -57,4 +57,4 @@ void simbodyMerson(const PeerWork& work, std::vector<double>& force);
 /// of actuators.
 void mujocoRungeKutta4(const PeerWork& work, int substeps, std::vector<double>& force);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -1,9 +1,9 @@
 // Simbody on the library's work: the displacements of the dashpots are auxiliary states of a force.
 #include <Simbody.h>
 
-#include "peers.h"
+#include "benchmark/peer/peers.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::benchmark {
 namespace {
 
 using SimTK::State;
@@ -73,4 +73,4 @@ void simbodyMerson(const PeerWork& work, std::vector<double>& force) {
   }
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::benchmark

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
-Excitation summarise(const std::vector<Record>& records) {
-  Excitation result;
+fit::Excitation summarise(const std::vector<log::Record>& records) {
+  fit::Excitation result;
   double force_power = 0.0;
   double displacement_power = 0.0;
-  for (const Record& record : records) {
+  for (const log::Record& record : records) {
     const auto count = static_cast<double>(record.size());
     const Eigen::ArrayXd centred = record.displacement.array() - record.displacement.mean();
     const Eigen::Index steps = record.size() - 1;
@@ -30,18 +30,19 @@ Excitation summarise(const std::vector<Record>& records) {
   return result;
 }
 
-Atom additiveAtom(const std::string& type, const std::string& scaled, double typical, const ParameterValues& others) {
-  Atom atom;
+fit::Atom additiveAtom(const std::string& type, const std::string& scaled, double typical,
+                       const element::ParameterValues& others) {
+  fit::Atom atom;
   atom.typical = typical;
   atom.at = [=](double scale) {
-    ElementDescription description{type, others};
+    element::ElementDescription description{type, others};
     description.values[scaled] = {scale};
     return description;
   };
   return atom;
 }
 
-std::vector<Candidate> candidates(const Excitation& excitation) {
+std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
   return {
       frictionCandidate(excitation),
       relaxationCandidate(excitation),
@@ -62,4 +63,4 @@ std::vector<Candidate> candidates(const Excitation& excitation) {
   };
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -1,13 +1,13 @@
 // Candidate effect: mass that moves with the displacement.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
-#include "rubber_suspension/diagnosis/hypothesis.h"
+#include "rubber_suspension/fit/hypothesis.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 namespace {
 
 // m d2z/dt2 by central differences, per mass [N/kg].
-Eigen::VectorXd acceleration(const Record& record) {
+Eigen::VectorXd acceleration(const log::Record& record) {
   const Eigen::Index inner = record.size() - 2;
   const Eigen::VectorXd& z = record.displacement;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(record.size());
@@ -17,9 +17,9 @@ Eigen::VectorXd acceleration(const Record& record) {
 
 // What the node errs by, from the displacement as recorded and without samples to come: sum of mean squares per mass,
 // in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
-double errorInTime(const std::vector<Record>& records, double bandwidth) {
-  const auto in_time = simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records,
-                                [](const Record& record) { return record.raw_displacement; });
+double errorInTime(const std::vector<log::Record>& records, double bandwidth) {
+  const auto in_time = fit::simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records,
+                                     [](const log::Record& record) { return record.raw_displacement; });
   double sum = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::Index settled = records[r].size() - records[r].size() / 20;
@@ -31,7 +31,7 @@ double errorInTime(const std::vector<Record>& records, double bandwidth) {
 
 }  // namespace
 
-double massBandwidth(const std::vector<Record>& records, double highest_frequency) {
+double massBandwidth(const std::vector<log::Record>& records, double highest_frequency) {
   double best = 0.0;
   double least = errorInTime(records, best);
   for (const double multiple : {1.0, 1.5, 2.2, 3.3, 5.0, 7.5, 11.0, 16.0}) {
@@ -45,13 +45,13 @@ double massBandwidth(const std::vector<Record>& records, double highest_frequenc
   return best;
 }
 
-Candidate inertiaCandidate(const Excitation& excitation) {
+fit::Candidate inertiaCandidate(const fit::Excitation& excitation) {
   const double omega = 6.28 * excitation.highest_frequency;
-  Atom mass = additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
-                           {{"bandwidth", {excitation.mass_bandwidth}}});
+  fit::Atom mass = fit::additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
+                                     {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
   mass.exact = acceleration;
   return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -3,22 +3,23 @@
 
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
-Candidate progressiveStiffnessCandidate(const Excitation& excitation) {
+fit::Candidate progressiveStiffnessCandidate(const fit::Excitation& excitation) {
   const double z = excitation.largest_displacement;
   const double typical = 0.2 * excitation.stiffness;
-  Candidate candidate{"progressive_stiffness",
-                      "odd stiffening: stiffness rises with amplitude, no loss",
-                      false,
-                      {additiveAtom("progressive_stiffness", "quadratic", typical / z),
-                       additiveAtom("progressive_stiffness", "cubic", typical / (z * z)),
-                       additiveAtom("progressive_stiffness", "quintic", typical / (z * z * z * z))}};
+  fit::Candidate candidate{"progressive_stiffness",
+                           "odd stiffening: stiffness rises with amplitude, no loss",
+                           false,
+                           {fit::additiveAtom("progressive_stiffness", "quadratic", typical / z),
+                            fit::additiveAtom("progressive_stiffness", "cubic", typical / (z * z)),
+                            fit::additiveAtom("progressive_stiffness", "quintic", typical / (z * z * z * z))}};
   for (const double share : {0.3, 0.15}) {  // steep, without a knee
-    candidate.atoms.push_back(additiveAtom("progressive_stiffness", "exponential", typical * std::exp(-1.0 / share),
-                                           {{"exponential_scale", {share * z}}}));
+    candidate.atoms.push_back(fit::additiveAtom("progressive_stiffness", "exponential",
+                                                typical * std::exp(-1.0 / share),
+                                                {{"exponential_scale", {share * z}}}));
   }
   return candidate;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

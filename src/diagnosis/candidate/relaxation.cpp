@@ -1,19 +1,19 @@
 // Candidate effect: further relaxation times within the band of the excitation.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 // Faster than 5 s, where creep begins, and slower than what a dashpot could not be told from.
-Candidate relaxationCandidate(const Excitation& excitation) {
+fit::Candidate relaxationCandidate(const fit::Excitation& excitation) {
   constexpr double kSlowest = 1.0 / (2.0 * 3.14159265358979 * 5.0);
   constexpr double kRatio = 2.2;
-  Candidate candidate{
+  fit::Candidate candidate{
       "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};
   for (double frequency = kSlowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
     candidate.atoms.push_back(
-        additiveAtom("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
+        fit::additiveAtom("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
   }
   return candidate;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

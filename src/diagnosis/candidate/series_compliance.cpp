@@ -1,13 +1,13 @@
 // Candidate effect: a bracket or rig that yields.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 namespace {
 
-Atom mountAtom(const Excitation& excitation, double closing_force, double side) {
-  Atom atom;
+fit::Atom mountAtom(const fit::Excitation& excitation, double closing_force, double side) {
+  fit::Atom atom;
   atom.at = [closing_force, side](double compliance) {
-    ElementDescription entry{"series_compliance", {{"stiffness", {1.0 / compliance}}}};
+    element::ElementDescription entry{"series_compliance", {{"stiffness", {1.0 / compliance}}}};
     if (closing_force > 0.0) {
       entry.values["closing_force"] = {closing_force};
     } else {
@@ -25,7 +25,7 @@ Atom mountAtom(const Excitation& excitation, double closing_force, double side) 
 }  // namespace
 
 // One compliance for each side, and one that load takes away: together a mount that is uneven, hardens, or neither.
-Candidate seriesComplianceCandidate(const Excitation& excitation) {
+fit::Candidate seriesComplianceCandidate(const fit::Excitation& excitation) {
   constexpr double kClosing = 0.5;  // of the largest force
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;
   return {
@@ -37,4 +37,4 @@ Candidate seriesComplianceCandidate(const Excitation& excitation) {
       false};
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

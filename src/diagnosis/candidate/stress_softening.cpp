@@ -1,17 +1,17 @@
 // Candidate effect: softening by past displacement.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
 // Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
 // displacement only; at once or over some cycles.
-Candidate stressSofteningCandidate(const Excitation& excitation) {
-  Candidate candidate{
+fit::Candidate stressSofteningCandidate(const fit::Excitation& excitation) {
+  fit::Candidate candidate{
       "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}, false};
   for (const double width : {0.05, 0.15, 0.5, 1.5}) {
     for (const double path : {0.0, 2.0, 8.0, 32.0}) {
-      Atom atom = additiveAtom("stress_softening", "reduction", 0.1,
-                               {{"width", {width}}, {"path", {path * excitation.largest_displacement}}});
+      fit::Atom atom = fit::additiveAtom("stress_softening", "reduction", 0.1,
+                                         {{"width", {width}}, {"path", {path * excitation.largest_displacement}}});
       atom.upper = 0.8;
       atom.additive = false;
       atom.softening = true;
@@ -21,4 +21,4 @@ Candidate stressSofteningCandidate(const Excitation& excitation) {
   return candidate;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -1,19 +1,20 @@
 // Candidate effect: viscous damping, linear or not.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
-Candidate viscousDampingCandidate(const Excitation& excitation) {
+fit::Candidate viscousDampingCandidate(const fit::Excitation& excitation) {
   const double typical = 0.05 * excitation.stiffness / (6.28 * excitation.highest_frequency);
-  Candidate candidate{"viscous_damping",
-                      "dashpot: loss force grows with frequency",
-                      false,
-                      {additiveAtom("dashpot", "damping", typical, {{"order", {2.0}}})}};
+  fit::Candidate candidate{"viscous_damping",
+                           "dashpot: loss force grows with frequency",
+                           false,
+                           {fit::additiveAtom("dashpot", "damping", typical, {{"order", {2.0}}})}};
   for (const double exponent : {0.5, 2.0}) {  // thins under shear; flows through an orifice
-    candidate.atoms.push_back(additiveAtom("power_dashpot", "damping", typical,
-                                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
+    candidate.atoms.push_back(
+        fit::additiveAtom("power_dashpot", "damping", typical,
+                          {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
   }
   return candidate;
 }
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

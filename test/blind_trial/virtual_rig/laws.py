@@ -1,5 +1,5 @@
 # The laws by which the effects of a virtual rig act: several for each effect, some held back for the sealed test set.
-# None of them is meant to share its form with what a diagnosis fits where physics leaves a choice.
+# Several share their form with what the diagnosis fits: sliders, Prony, dead zone, linear stop, ramp, mass, offset, delay.
 """Effect laws. `LAWS[effect]` is a list of (law, maker, test_only); a maker draws an Effect from (rng, scale)."""
 import math
 
@@ -402,7 +402,7 @@ def damping_turbulent(rng, scale, name, law_name):
     return damping_effect(name, law_name, lambda v: v * np.sqrt(1.0 + (q * v) ** 2), scale, {"q": q})
 
 
-# ---- coupling of rate and amplitude: flow that stress or motion hastens ----------------------------------------------
+# ---- coupling of rate and amplitude: flow that stress or motion accelerates ----------------------------------------------
 
 
 @law("rate_amplitude_coupling", "eyring_flow")

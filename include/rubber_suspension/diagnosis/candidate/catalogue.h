@@ -1,28 +1,28 @@
 // The candidate effects, one file each in src/diagnosis/candidate.
 #pragma once
 
-#include "rubber_suspension/diagnosis/candidate.h"
+#include "rubber_suspension/fit/candidate.h"
 
-namespace rubber_suspension {
+namespace rubber_suspension::diagnosis {
 
-Candidate frictionCandidate(const Excitation& excitation);
-Candidate relaxationCandidate(const Excitation& excitation);
-Candidate creepCandidate(const Excitation& excitation);
-Candidate viscousDampingCandidate(const Excitation& excitation);
-Candidate progressiveStiffnessCandidate(const Excitation& excitation);
-Candidate asymmetricStiffnessCandidate(const Excitation& excitation);
-Candidate bumpStopCandidate(const Excitation& excitation);
-Candidate freePlayCandidate(const Excitation& excitation);
-Candidate stressSofteningCandidate(const Excitation& excitation);
-Candidate selfHeatingCandidate(const Excitation& excitation);
-Candidate seriesComplianceCandidate(const Excitation& excitation);
-Candidate inertiaCandidate(const Excitation& excitation);
-Candidate timeDelayCandidate(const Excitation& excitation);
-Candidate forceOffsetCandidate(const Excitation& excitation);
-Candidate forceDriftCandidate(const Excitation& excitation);
-Candidate rateAmplitudeCouplingCandidate(const Excitation& excitation);
+fit::Candidate frictionCandidate(const fit::Excitation& excitation);
+fit::Candidate relaxationCandidate(const fit::Excitation& excitation);
+fit::Candidate creepCandidate(const fit::Excitation& excitation);
+fit::Candidate viscousDampingCandidate(const fit::Excitation& excitation);
+fit::Candidate progressiveStiffnessCandidate(const fit::Excitation& excitation);
+fit::Candidate asymmetricStiffnessCandidate(const fit::Excitation& excitation);
+fit::Candidate bumpStopCandidate(const fit::Excitation& excitation);
+fit::Candidate freePlayCandidate(const fit::Excitation& excitation);
+fit::Candidate stressSofteningCandidate(const fit::Excitation& excitation);
+fit::Candidate selfHeatingCandidate(const fit::Excitation& excitation);
+fit::Candidate seriesComplianceCandidate(const fit::Excitation& excitation);
+fit::Candidate inertiaCandidate(const fit::Excitation& excitation);
+fit::Candidate timeDelayCandidate(const fit::Excitation& excitation);
+fit::Candidate forceOffsetCandidate(const fit::Excitation& excitation);
+fit::Candidate forceDriftCandidate(const fit::Excitation& excitation);
+fit::Candidate rateAmplitudeCouplingCandidate(const fit::Excitation& excitation);
 
 /// Bandwidth [Hz] with which an inertia that is driven by the displacement as recorded errs least; 0: none is needed.
-double massBandwidth(const std::vector<Record>& records, double highest_frequency);
+double massBandwidth(const std::vector<log::Record>& records, double highest_frequency);
 
-}  // namespace rubber_suspension
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,82 @@
+// Parameters of a component's elements from measured displacement and force, with intervals.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension::fit {
+
+/// A recorded run of a specimen that was at rest before; all vectors have the same length.
+struct Measurement {
+  std::vector<std::int64_t> stamp;   ///< [ns], increasing
+  std::vector<double> displacement;  ///< [m]
+  std::vector<double> force;         ///< [N]
+};
+
+struct IdentificationOptions {
+  int starts = 8;                 ///< first as given, the others spread over what the log can show
+  std::vector<std::string> held;  ///< parameters to keep, as "maxwell.break_frequency"
+  unsigned seed = 1;              ///< of the starts
+  /// Search by products of columns where the elements and the logs allow it: the same result, many times as fast.
+  bool by_products = true;
+};
+
+struct IdentifiedParameter {
+  std::string element;
+  int index = 0;  ///< of the element in Identification::elements
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  double lower = 0.0;  ///< 95 % interval
+  double upper = 0.0;
+  double given = 0.0;      ///< what the search began with
+  bool determined = true;  ///< false: at a limit of the search, or an interval wider than a factor of 2 to either side
+};
+
+/// A combination of parameters that the log hardly shows: along it the force stays the same within the noise.
+struct UndeterminedDirection {
+  double deviation = 0.0;  ///< standard deviation of ln(parameter) along the direction; inf where nothing shows it
+  std::vector<std::pair<std::string, double>> weights;  ///< relative changes of the parameters, largest is 1
+};
+
+struct Identification {
+  std::vector<element::ElementDescription> elements;  ///< with the values found; an element of no force is left out
+  std::vector<IdentifiedParameter> parameters;
+  double force_offset = 0.0;  ///< constant force of the rig, found along with them [N]
+  std::vector<UndeterminedDirection> undetermined;
+  double residual = 0.0;             ///< RMS of measured minus simulated force [N]
+  double relative_residual = 0.0;    ///< the same over the standard deviation of the measured force
+  double independent_samples = 0.0;  ///< as many as the autocorrelated residuals are worth
+  int starts = 0;
+  int starts_at_best = 0;  ///< starts that ended at the same, best residual
+  std::vector<std::string> notes;
+};
+
+/// Least squares over all logs at once: min sum of (measured - simulated - offset)^2.
+///
+/// Parameters that scale a force (stiffnesses, damping, maximum forces) are eliminated by a linear least squares
+/// problem with bounds (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413-432), so that the
+/// search runs over break frequencies and displacements only; with effects in series (mount, free play, delay,
+/// softening, heating) it runs over all. Bounds follow from the tables of the elements and from what rate and length of
+/// the logs can show. Whole numbers, switches, tables, dead bands and reference quantities are kept as given.
+///
+/// Intervals allow for autocorrelated residuals: an autoregressive model of the residuals, of the order that the
+/// Bayesian information criterion chooses, gives their covariance O, and that of the parameters is
+/// (J'J)^-1 J'OJ (J'J)^-1, with Student's distribution for the number of independent samples that the log is worth.
+/// They hold if the model is right and the displacement exact; what the model cannot follow is not part of them.
+///
+/// Friction without dead band gets one of six standard deviations of the displacement's noise, said in the notes.
+/// Throws std::invalid_argument for logs that are empty, too short, not finite, or do not move, and for names to hold
+/// that are no parameters.
+Identification identify(const std::vector<element::ElementDescription>& elements,
+                        const std::vector<Measurement>& measurements, const IdentificationOptions& options = {});
+
+/// Standard deviation of white noise on a smooth signal, from its differences: those of a signal that is smooth at the
+/// sampling rate fall with every order, scaled differences of noise stay, so the least over orders 1 to 10 is noise.
+double noiseDeviation(const std::vector<double>& signal);
+
+}  // namespace rubber_suspension::fit

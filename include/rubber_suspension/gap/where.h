@@ -1,0 +1,36 @@
+// Where the gap lies: its squared size by log, frequency, amplitude and quantity.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::gap {
+
+/// What of the force is wrong in a cell.
+enum class Quantity { stiffness, loss, harmonics, mean, drift };
+
+std::string toString(Quantity quantity);
+
+/// One cell of the map of the gap.
+struct GapCell {
+  std::string log;
+  std::array<double, 2> frequency{};  ///< [Hz]
+  std::array<double, 2> amplitude{};  ///< [m]
+  Quantity quantity = Quantity::stiffness;
+  double share = 0.0;        ///< of the squared gap, all cells adding up to 1
+  double noise_ratio = 0.0;  ///< RMS in the cell over that of the noise floor in its windows and band
+};
+
+/// Split the squared residual. Each log is cut into windows of at least two periods of its slowest motion; in each
+/// window and octave the part of the residual that is coherent with the displacement is an error of stiffness (in
+/// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the
+/// log is its mean, the windows' means about it are drift. `residual`: measured less simulated [N], `noise`: floor of
+/// each log in units of its force's deviation. Sorted by share, largest first.
+std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual,
+                            const std::vector<double>& noise);
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,19 @@
+// Which vector instructions the code for blocks of samples and for many components uses.
+#pragma once
+
+namespace rubber_suspension::kernel {
+
+/// Kinds of processors that such code is compiled for, each next to the others. All give the same bits.
+enum class Instructions {
+  any,     ///< what each processor of the architecture has
+  avx2,    ///< four numbers at once
+  avx512,  ///< eight numbers at once
+};
+
+/// The widest that the processor has, unless useAtMost() said less.
+Instructions instructionsInUse();
+
+/// Use none wider than these from here on, in all threads: for tests, and to measure what other processors would do.
+void useAtMost(Instructions most);
+
+}  // namespace rubber_suspension::kernel

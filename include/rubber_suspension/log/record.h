@@ -1,0 +1,49 @@
+// A measured log made ready for diagnosis: even time steps, displacement freed of sensor noise, weights.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::log {
+
+/// One log, evenly sampled. All vectors have the same length.
+struct Record {
+  std::string name;
+  double dt = 0.0;                   ///< [s]
+  Eigen::VectorXd displacement;      ///< [m], smoothed where the sensor's noise asks for it
+  Eigen::VectorXd raw_displacement;  ///< [m], as recorded
+  Eigen::VectorXd force;             ///< measured [N]
+  double force_deviation = 0.0;      ///< standard deviation of the measured force [N]
+  double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
+  double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
+  double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
+  std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
+
+  Eigen::Index size() const { return displacement.size(); }
+  double duration() const { return dt * static_cast<double>(size()); }
+};
+
+/// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, with a note.
+/// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
+Record makeRecord(const Log& log);
+
+/// Noise floor of a log by what a model leaves of its force [N], in units of the force's deviation: white noise above
+/// three times the band of the displacement, but no more than the measured force itself has there (a mass that is
+/// driven by a noisy displacement makes more).
+double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual);
+
+/// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
+Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);
+
+/// One-sided power spectral density [unit^2/Hz], Welch's method with Hann windows of `segment` samples, half
+/// overlapped; entry i belongs to the frequency i/(segment dt).
+Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment);
+
+/// Standard deviation of the white noise that fills the spectrum above a frequency, by the median of the spectrum
+/// there. Zero where fewer than 8 spectral lines lie above it.
+double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequency);
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,32 @@
+// Physical units: text such as "3 kN/mm" to a number in an SI unit, by UDUNITS-2.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace rubber_suspension::log {
+
+/// The number that the whole text is, in decimal notation whatever the locale, or nothing. "nan" and "inf" (with sign,
+/// or YAML's leading dot) are numbers; hexadecimal ones are not.
+std::optional<double> parseNumber(const std::string& text);
+
+/// Linear conversion between two units.
+class UnitConversion {
+ public:
+  /// Throws std::invalid_argument where a unit is unknown or they differ in dimension. Angles count as a dimension of
+  /// their own, so that rad/s is not taken for Hz or a loss angle for a relative damping.
+  UnitConversion(const std::string& from, const std::string& to);
+
+  double operator()(double value) const { return (inverse_ ? value / scale_ : value * scale_) + offset_; }
+
+ private:
+  double scale_ = 1.0;
+  double offset_ = 0.0;
+  bool inverse_ = false;  // scale is the whole number to divide by, so that 38 mm is 0.038 m to the last bit
+};
+
+/// A quantity as text, in `unit`: "3 kN/mm" for unit "N/m" is 3e6. A number without unit is taken as in `unit`.
+/// Throws std::invalid_argument with what is wrong with the text; the value may be out of any range, or not finite.
+double parseQuantity(const std::string& text, const std::string& unit);
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,331 @@
+// Logs in ROS bags.
+#include "bag/bag_log.h"
+
+#include <fmt/format.h>
+#include <rosbag/view.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/Gap.h>
+#include <rubber_suspension/MeasuredForce.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "bag/bag_check.h"
+
+namespace rubber_suspension::bag {
+namespace {
+
+constexpr const char* kDisplacement = "/displacement";
+constexpr const char* kMeasuredForce = "/measured_force";
+
+struct Series {
+  std::vector<std::int64_t> stamp;
+  std::vector<double> value;
+};
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string stem(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return file.substr(0, file.find_last_of('.'));
+}
+
+std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& end) {
+  std::set<std::string> topics;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    // A leading slash makes "name/displacement" end in "/name/displacement" too.
+    if (endsWith("/" + connection->topic, end)) {
+      topics.insert(connection->topic);
+    }
+  }
+  return topics;
+}
+
+std::string join(const std::set<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+// The only topic of displacements that fits. Its end without "displacement" is common to all topics of the component.
+std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
+  const std::string end = component.empty() ? std::string(kDisplacement) : "/" + component + kDisplacement;
+  const std::set<std::string> topics = topicsEndingIn(bag, end);
+  if (topics.empty()) {
+    const std::set<std::string> others = topicsEndingIn(bag, kDisplacement);
+    throw log::LogError(fmt::format("{}: no topic ends in {}; the bag has {}", path, end,
+                                    others.empty() ? "no displacement at all" : join(others)));
+  }
+  if (topics.size() > 1) {
+    throw log::LogError(fmt::format("{}: several topics end in {}: {}; name the component", path, end, join(topics)));
+  }
+  return *topics.begin();
+}
+
+double valueOf(const Displacement& message) { return message.displacement; }
+double valueOf(const MeasuredForce& message) { return message.force; }
+
+template <class Message>
+Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  if (view.size() > log::kMaximumLogRows) {
+    throw log::LogError(
+        fmt::format("{}: {} messages on {}; accepted: at most {}", path, view.size(), topic, log::kMaximumLogRows));
+  }
+  Series series;
+  series.stamp.reserve(view.size());
+  series.value.reserve(view.size());
+  for (const rosbag::MessageInstance& instance : view) {
+    const auto message = instance.instantiate<Message>();
+    if (!message) {
+      throw log::LogError(fmt::format("{}: {} has type {} of another definition or name; accepted: {}", path, topic,
+                                      instance.getDataType(), ros::message_traits::datatype<Message>()));
+    }
+    series.stamp.push_back(static_cast<std::int64_t>(message->header.stamp.toNSec()));
+    series.value.push_back(valueOf(*message));
+  }
+  return series;
+}
+
+void checkIncreasing(const Series& series, const std::string& path, const std::string& topic) {
+  for (std::size_t i = 1; i < series.stamp.size(); ++i) {
+    if (series.stamp[i] <= series.stamp[i - 1]) {
+      throw log::LogError(fmt::format("{}: message {} on {}: stamp {:.9f} s does not increase (before: {:.9f} s)", path,
+                                      i + 1, topic, 1e-9 * static_cast<double>(series.stamp[i]),
+                                      1e-9 * static_cast<double>(series.stamp[i - 1])));
+    }
+  }
+}
+
+using ForceAt = std::function<std::optional<double>(std::int64_t)>;
+
+// The measured force that has the stamp; to be asked for stamps that increase.
+ForceAt forceOfSameStamp(const Series& measured) {
+  return [&measured, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
+    while (j < measured.stamp.size() && measured.stamp[j] < stamp) {
+      ++j;
+    }
+    const bool found = j < measured.stamp.size() && measured.stamp[j] == stamp;
+    return found ? std::optional<double>(measured.value[j]) : std::nullopt;
+  };
+}
+
+std::int64_t medianInterval(const Series& series) {
+  std::vector<std::int64_t> intervals;
+  for (std::size_t i = 1; i < series.stamp.size(); ++i) {
+    intervals.push_back(series.stamp[i] - series.stamp[i - 1]);
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
+// The measured force between the two stamps around the one asked for, taken as linear; none across missing samples.
+ForceAt forceInBetween(const Series& measured) {
+  const std::int64_t longest = 3 * medianInterval(measured);
+  return [&measured, longest, j = std::size_t{0}](std::int64_t stamp) mutable -> std::optional<double> {
+    while (j + 2 < measured.stamp.size() && measured.stamp[j + 1] < stamp) {
+      ++j;
+    }
+    const std::int64_t before = measured.stamp[j];
+    const std::int64_t after = measured.stamp[j + 1];
+    if (stamp < before || stamp > after || after - before > longest) {
+      return std::nullopt;
+    }
+    const double share = static_cast<double>(stamp - before) / static_cast<double>(after - before);
+    return (1.0 - share) * measured.value[j] + share * measured.value[j + 1];
+  };
+}
+
+// A force of another clock or rate has no stamps, or only a few by chance, in common with the displacement.
+bool hasOwnClock(const Series& displacement, const Series& measured) {
+  std::size_t common = 0;
+  std::size_t i = 0;
+  for (const std::int64_t stamp : measured.stamp) {
+    while (i < displacement.stamp.size() && displacement.stamp[i] < stamp) {
+      ++i;
+    }
+    common += i < displacement.stamp.size() && displacement.stamp[i] == stamp ? 1 : 0;
+  }
+  return measured.stamp.size() > 1 && 2 * common < measured.stamp.size();
+}
+
+// First sample and length of the longest stretch of displacements that all have a force; forces of it in `force`.
+std::size_t longestMatch(const Series& displacement, const ForceAt& force_at, std::vector<double>& force) {
+  std::size_t best_start = 0;
+  std::vector<double> current;
+  for (std::size_t i = 0; i < displacement.stamp.size(); ++i) {
+    if (const auto value = force_at(displacement.stamp[i])) {
+      current.push_back(*value);
+    } else {
+      current.clear();
+    }
+    if (current.size() > force.size()) {
+      force = current;
+      best_start = i + 1 - current.size();
+    }
+  }
+  return best_start;
+}
+
+template <class Value>
+void keep(std::vector<Value>& values, std::size_t start, std::size_t count) {
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(start);
+  values = std::vector<Value>(first, first + static_cast<std::ptrdiff_t>(count));
+}
+
+void addMeasuredForce(const Series& displacement, const Series& measured, const std::string& topic, log::Log& log) {
+  const bool own_clock = hasOwnClock(displacement, measured);
+  const ForceAt force_at = own_clock ? forceInBetween(measured) : forceOfSameStamp(measured);
+  const std::size_t start = longestMatch(displacement, force_at, log.force);
+  const std::size_t count = log.force.size();
+  const char* what = own_clock ? "a force around their stamp" : "a force of the same stamp";
+  if (count == 0) {
+    log.notes.push_back(fmt::format("{}: {}: no displacement has {}; ignored", log.name, topic, what));
+    return;
+  }
+  if (own_clock) {
+    log.notes.push_back(fmt::format(
+        "{}: {}: stamps of a clock or rate of its own; interpolated linearly to the displacement's", log.name, topic));
+  }
+  if (count < displacement.stamp.size()) {
+    log.notes.push_back(fmt::format("{}: {}: samples {} to {} of {} have {}; the others are left out", log.name, topic,
+                                    start + 1, start + count, displacement.stamp.size(), what));
+    keep(log.stamp, start, count);
+    keep(log.displacement, start, count);
+  }
+}
+
+log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
+  const std::string topic = displacementTopic(bag, path, component);
+  const Series displacement = readTopic<Displacement>(bag, path, topic);
+  checkIncreasing(displacement, path, topic);
+  log::Log log;
+  log.name = stem(path);
+  log.stamp = displacement.stamp;
+  log.displacement = displacement.value;
+  const std::string base = topic.substr(0, topic.size() - std::string(kDisplacement).size());
+  const std::string force_topic = base + kMeasuredForce;
+  const Series measured = readTopic<MeasuredForce>(bag, path, force_topic);
+  if (!measured.stamp.empty()) {
+    checkIncreasing(measured, path, force_topic);
+    addMeasuredForce(displacement, measured, force_topic, log);
+  }
+  log::checkLog(log);
+  return log;
+}
+
+}  // namespace
+
+log::Log readBagLog(const std::string& path, const std::string& component) {
+  try {
+    checkBagStructure(path);
+    rosbag::Bag bag;
+    bag.open(path, rosbag::bagmode::Read);
+    return readOpenBag(bag, path, component);
+  } catch (const log::LogError&) {
+    throw;
+  } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
+    throw log::LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
+  }
+}
+
+bool isBagPath(const std::string& path) { return endsWith(path, ".bag"); }
+
+log::Log readAnyLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
+  return isBagPath(path) ? readBagLog(path, component) : log::readLog(path, format);
+}
+
+std::int64_t headerShift(const log::Log& log) {
+  constexpr std::int64_t kOneSecond = 1000000000;
+  constexpr std::int64_t kEnd = kOneSecond * std::numeric_limits<std::uint32_t>::max();
+  const bool fits = log.stamp.empty() || (log.stamp.front() >= 0 && log.stamp.back() < kEnd);
+  return fits ? 0 : kOneSecond - log.stamp.front();
+}
+
+ros::Time toRosTime(std::int64_t stamp) {
+  ros::Time time;
+  try {
+    time.fromNSec(static_cast<std::uint64_t>(stamp));
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(fmt::format("stamp {} ns: {}", stamp, error.what()));
+  }
+  return time;
+}
+
+BagWriter::BagWriter(const std::string& path, const std::string& component) : path_(path), component_(component) {
+  try {
+    bag_.open(path, rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
+  }
+}
+
+BagWriter::~BagWriter() {
+  try {
+    close();
+  } catch (const log::LogError&) {  // close() tells it to whoever cares to call it
+  }
+}
+
+template <class Message>
+void BagWriter::write(const std::string& topic, const Message& message) {
+  try {
+    bag_.write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  }
+}
+
+void BagWriter::writeDisplacement(std::int64_t stamp, double displacement) {
+  Displacement message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  write(kDisplacement, message);
+}
+
+void BagWriter::writeMeasuredForce(std::int64_t stamp, double force) {
+  MeasuredForce message;
+  message.header.stamp = toRosTime(stamp);
+  message.force = force;
+  write(kMeasuredForce, message);
+}
+
+void BagWriter::writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force) {
+  Force message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  message.force = force.total;
+  message.elastic = force.elastic;
+  message.viscous = force.viscous;
+  message.friction = force.friction;
+  write("/force", message);
+}
+
+void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
+
+void BagWriter::close() {
+  try {
+    bag_.close();
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  }
+}
+
+void writeBagLog(const std::string& path, const std::string& component, const log::Log& log) {
+  log::checkLog(log);
+  BagWriter writer(path, component);
+  const std::int64_t shift = headerShift(log);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
+    if (!log.force.empty()) {
+      writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
+    }
+  }
+  writer.close();
+}
+
+}  // namespace rubber_suspension::bag

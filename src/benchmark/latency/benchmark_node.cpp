@@ -1,0 +1,56 @@
+// The node as a benchmark runs it.
+#include "benchmark/latency/benchmark_node.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace rubber_suspension::benchmark {
+
+std::vector<std::string> benchmarkNames(int count) {
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) {
+    names.push_back(fmt::format("component_{:03d}", i));
+  }
+  return names;
+}
+
+std::string benchmarkComponents(int count) {
+  std::string text = "components:\n";
+  int i = 0;
+  for (const std::string& name : benchmarkNames(count)) {
+    const bool berg = i++ % 2 == 1;
+    text += fmt::format(
+        "  {}:\n    model: {}\n    specification: {{static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, "
+        "nominal_frequency: 4.0, {}}}\n",
+        name, berg ? "berg" : "multi_maxwell",
+        berg ? "nominal_amplitude: 0.002, loss_angle: 0.0995, break_frequency: 1.45"
+             : "maximum_stiffness: 4.9e6, high_frequency: 25.0");
+  }
+  return text;
+}
+
+TemporaryFile::TemporaryFile(const std::string& text)
+    : path_(std::filesystem::temp_directory_path() / fmt::format("rubber_suspension_benchmark_{}.yaml", getpid())) {
+  std::ofstream file(path_);
+  file << text;
+  if (!file.flush()) {
+    throw std::runtime_error(path_.string() + " cannot be written");
+  }
+}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+BenchmarkNode::BenchmarkNode(int components, bool bundled)
+    : file_(benchmarkComponents(components)),
+      process_({ros_interface::siblingProgram("simulate"), "__ns:=/node", "_config_file:=" + file_.path()}),
+      meter_("/node", benchmarkNames(components), bundled) {
+  meter_.connect();
+}
+
+}  // namespace rubber_suspension::benchmark

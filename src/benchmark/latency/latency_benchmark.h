@@ -1,0 +1,54 @@
+// Compares the latency of the node with that of an empty echo node, in alternating runs on this machine.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::benchmark {
+
+struct BenchmarkOptions {
+  std::vector<int> components = {1, 10, 50};
+  double rate = 1000.0;         ///< of each component, where that is not more than total_rate in all [Hz]
+  double total_rate = 10000.0;  ///< samples of all components together, at most [Hz]
+  double duration = 1.0;        ///< of each run [s]
+  int pairs = 31;               ///< runs of echo node, node, and echo node again, per row
+  double flood_duration = 2.0;  ///< of each run for the highest rate [s]
+};
+
+/// A ratio of two runs, over many such pairs.
+struct Ratio {
+  double median = 0.0;
+  double lower = 0.0;  ///< quartile
+  double upper = 0.0;  ///< quartile
+};
+
+/// One row of the table.
+struct LatencyRow {
+  int components = 0;
+  bool bundled = false;
+  double rate = 0.0;          ///< of each component [Hz]
+  double echo_median = 0.0;   ///< round trip, median over the runs [s]
+  double echo_99 = 0.0;       ///< 99th percentile, median over the runs [s]
+  Ratio median;               ///< of the medians, node to echo node
+  Ratio percentile_99;        ///< of the 99th percentiles, node to echo node
+  Ratio again_median;         ///< of the medians, echo node to itself: what the machine does to such a ratio
+  Ratio again_99;             ///< of the 99th percentiles, echo node to itself
+  std::size_t lost = 0;       ///< samples without answer, both nodes
+  double echo_highest = 0.0;  ///< highest rate without loss, all components together [samples/s]
+  double node_highest = 0.0;
+};
+
+/// The median of the values with their quartiles. The list must not be empty.
+Ratio summariseRatios(std::vector<double> ratios);
+
+/// Measure. Needs a master and starts nothing but the two nodes, which are this program's neighbours `simulate` and
+/// `benchmark_latency --echo`. `progress` is told what is being measured. Throws std::runtime_error.
+std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
+                                         const std::function<void(const std::string&)>& progress);
+
+/// The rows as a Markdown table.
+void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
+
+}  // namespace rubber_suspension::benchmark

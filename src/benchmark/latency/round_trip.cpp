@@ -1,0 +1,226 @@
+// Measures round trips through a node.
+#include "benchmark/latency/round_trip.h"
+
+#include <fmt/format.h>
+#include <ros/init.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/DisplacementArray.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/ForceArray.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+#include "ros_interface/connection.h"
+
+namespace rubber_suspension::benchmark {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kQueueSize = 100000;
+constexpr double kConnectTimeout = 60.0;  // [s]
+constexpr double kLastAnswers = 5.0;      // time that answers under way may take at the end [s]
+
+std::int64_t nanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+}
+
+// Sample number `tick` of a run: stamps 1 ms apart, a slow motion of some millimetres.
+ros::Time stampOf(std::uint64_t tick) {
+  return ros::Time(1, 0) + ros::Duration().fromNSec(static_cast<std::int64_t>(tick) * 1000000);
+}
+std::uint64_t tickOf(const ros::Time& stamp) { return (stamp.toNSec() - 1000000000ULL) / 1000000ULL; }
+double displacementOf(std::uint64_t tick) { return 2e-3 * std::sin(0.01 * static_cast<double>(tick)); }
+
+}  // namespace
+
+double RoundTrips::quantile(double fraction) const {
+  if (durations.empty()) {
+    return 0.0;
+  }
+  const auto index = static_cast<std::size_t>(fraction * static_cast<double>(durations.size()));
+  return durations[std::min(index, durations.size() - 1)];
+}
+
+// One pair of topics: a component's, or the bundled ones.
+class RoundTripMeter::Link {
+ public:
+  Link(ros::NodeHandle& handle, const std::string& component) {
+    publisher_ = handle.advertise<Displacement>(component + "/displacement", kQueueSize);
+    subscribe<Force>(handle, component + "/force");
+  }
+
+  Link(ros::NodeHandle& handle, const std::vector<std::string>& components) : bundle_(true) {
+    array_.components = components;
+    array_.displacement.resize(components.size());
+    publisher_ = handle.advertise<DisplacementArray>("displacements", kQueueSize);
+    subscribe<ForceArray>(handle, "forces");
+  }
+
+  void connect() {
+    const auto end = Clock::now() + std::chrono::duration<double>(kConnectTimeout);
+    bool connected = ros_interface::waitForPublishers(subscriber_.getTopic(), kConnectTimeout);
+    while (connected && publisher_.getNumSubscribers() == 0) {
+      connected = Clock::now() < end && ros::ok();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (!connected) {
+      throw std::runtime_error(fmt::format("no node serves {}", publisher_.getTopic()));
+    }
+  }
+
+  // For a run of so many samples, of which this is the first. Not while answers may come.
+  void begin(std::uint64_t first, std::size_t capacity) {
+    first_ = first;
+    sent_.assign(capacity, kAnswered);
+    trips_.clear();
+    trips_.reserve(capacity);
+    answered_ = 0;
+    surplus_ = 0;
+  }
+
+  void send(std::uint64_t tick) {
+    if (bundle_) {
+      array_.header.stamp = stampOf(tick);
+      std::fill(array_.displacement.begin(), array_.displacement.end(), displacementOf(tick));
+      sent_[tick - first_] = nanoseconds();
+      publisher_.publish(array_);
+    } else {
+      single_.header.stamp = stampOf(tick);
+      single_.displacement = displacementOf(tick);
+      sent_[tick - first_] = nanoseconds();
+      publisher_.publish(single_);
+    }
+  }
+
+  std::size_t answered() const { return answered_.load(std::memory_order_acquire); }
+  std::size_t surplus() const { return surplus_; }
+  const std::vector<double>& trips() const { return trips_; }
+
+ private:
+  template <class Answer>
+  void subscribe(ros::NodeHandle& handle, const std::string& topic) {
+    const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
+        [this](const boost::shared_ptr<const Answer>& answer) { take(answer->header.stamp); };
+    subscriber_ =
+        handle.subscribe<Answer>(topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  }
+
+  void take(const ros::Time& stamp) {
+    const std::int64_t now = nanoseconds();
+    const std::uint64_t index = tickOf(stamp) - first_;
+    if (index >= sent_.size() || sent_[index] == kAnswered) {
+      ++surplus_;
+      return;
+    }
+    trips_.push_back(1e-9 * static_cast<double>(now - sent_[index]));
+    sent_[index] = kAnswered;
+    answered_.fetch_add(1, std::memory_order_release);
+  }
+
+  bool bundle_ = false;
+  Displacement single_;
+  DisplacementArray array_;
+  ros::Publisher publisher_;
+  ros::Subscriber subscriber_;
+  static constexpr std::int64_t kAnswered = -1;
+  std::uint64_t first_ = 0;
+  std::vector<std::int64_t> sent_;  // when, by tick since the first [ns]
+  std::vector<double> trips_;       // written by the receiving thread
+  std::atomic<std::size_t> answered_{0};
+  std::atomic<std::size_t> surplus_{0};
+};
+
+RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled) {
+  ros::NodeHandle handle(space);
+  handle.setCallbackQueue(&receiver_.queue());
+  if (bundled) {
+    links_.push_back(std::make_unique<Link>(handle, components));
+  } else {
+    for (const std::string& component : components) {
+      links_.push_back(std::make_unique<Link>(handle, component));
+    }
+  }
+  receiver_.start(0);
+}
+
+RoundTripMeter::~RoundTripMeter() { receiver_.stop(); }
+
+void RoundTripMeter::connect() {
+  for (auto& link : links_) {
+    link->connect();
+  }
+}
+
+void RoundTripMeter::begin(std::size_t capacity) {
+  for (auto& link : links_) {
+    link->begin(next_, capacity);
+  }
+}
+
+void RoundTripMeter::sendAll() {
+  for (auto& link : links_) {
+    link->send(next_);
+  }
+  ++next_;
+}
+
+std::size_t RoundTripMeter::answered() const {
+  std::size_t count = 0;
+  for (const auto& link : links_) {
+    count += link->answered();
+  }
+  return count;
+}
+
+RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) {
+  RoundTrips result;
+  result.sent = ticks * links_.size();
+  const auto end = Clock::now() + std::chrono::duration<double>(kLastAnswers);
+  while (answered() < result.sent && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  result.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  for (const auto& link : links_) {
+    result.surplus += link->surplus();
+    // Only so many as were counted: a straggler may still be at work.
+    const auto count = static_cast<std::ptrdiff_t>(link->answered());
+    result.durations.insert(result.durations.end(), link->trips().begin(), link->trips().begin() + count);
+  }
+  std::sort(result.durations.begin(), result.durations.end());
+  return result;
+}
+
+RoundTrips RoundTripMeter::atRate(double rate, double duration) {
+  const auto ticks = static_cast<std::uint64_t>(std::llround(rate * duration));
+  begin(ticks);
+  const auto start = Clock::now();
+  const std::chrono::duration<double> period(1.0 / rate);
+  for (std::uint64_t tick = 0; tick < ticks && ros::ok(); ++tick) {
+    std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(tick * period));
+    sendAll();
+  }
+  return finish(ticks, start);
+}
+
+RoundTrips RoundTripMeter::flood(double duration, std::size_t under_way, std::uint64_t most) {
+  begin(most);
+  const auto start = Clock::now();
+  const auto end = start + std::chrono::duration<double>(duration);
+  std::uint64_t tick = 0;
+  while (tick < most && Clock::now() < end && ros::ok()) {
+    if (tick * links_.size() < answered() + under_way * links_.size()) {
+      sendAll();
+      ++tick;
+    } else {
+      std::this_thread::sleep_for(std::chrono::microseconds(20));
+    }
+  }
+  return finish(tick, start);
+}
+
+}  // namespace rubber_suspension::benchmark

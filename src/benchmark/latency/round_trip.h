@@ -1,0 +1,60 @@
+// Measures round trips through a node: displacement sent to force received, at a rate or as fast as they go.
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ros_interface/serving_thread.h"
+
+namespace rubber_suspension::benchmark {
+
+/// Round trips of one run [s], and whether any was lost.
+struct RoundTrips {
+  std::vector<double> durations;  ///< sorted
+  std::size_t sent = 0;
+  std::size_t surplus = 0;  ///< answers to nothing that was sent, or answered already
+  double elapsed = 0.0;     ///< [s]
+
+  double median() const { return quantile(0.5); }
+  double quantile(double fraction) const;  ///< 0 without any
+  std::size_t lost() const { return sent - durations.size(); }
+};
+
+/// Drives the components of a node in a namespace. Sends in the calling thread, receives in one of its own. The stamps
+/// go on from run to run, a millisecond from sample to sample.
+class RoundTripMeter {
+ public:
+  /// With `bundled` all components go in one message of the topics `displacements` and `forces`.
+  RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled);
+  ~RoundTripMeter();
+
+  /// Wait until every topic is connected. Throws std::runtime_error where that does not come about.
+  void connect();
+
+  /// Send to all components at once, `rate` times a second [Hz], for a time [s].
+  RoundTrips atRate(double rate, double duration);
+
+  /// Send for a time [s] as fast as answers come, so many samples of each component under way and
+  /// `most` of each in all.
+  RoundTrips flood(double duration, std::size_t under_way, std::uint64_t most);
+
+ private:
+  class Link;
+
+  void sendAll();
+  void begin(std::size_t capacity);
+  RoundTrips finish(std::uint64_t ticks, std::chrono::steady_clock::time_point start);
+  std::size_t answered() const;
+
+  ros_interface::ServingThread receiver_;
+  std::vector<std::unique_ptr<Link>> links_;
+  std::uint64_t next_ = 0;  // number of the next sample
+};
+
+}  // namespace rubber_suspension::benchmark

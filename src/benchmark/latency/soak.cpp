@@ -1,0 +1,69 @@
+// Millions of samples through the node.
+#include "benchmark/latency/soak.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <ostream>
+
+#include "benchmark/latency/benchmark_node.h"
+
+namespace rubber_suspension::benchmark {
+namespace {
+
+constexpr int kPieces = 100;
+constexpr std::size_t kUnderWay = 100;  // samples of each component
+
+double mebibytes(long bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
+
+void add(const RoundTrips& trips, SoakResult& result) {
+  result.sent += trips.sent;
+  result.answered += trips.durations.size();
+  result.surplus += trips.surplus;
+  result.elapsed += trips.elapsed;
+}
+
+}  // namespace
+
+long residentMemory(int process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  long all = 0;
+  long resident = 0;
+  file >> all >> resident;
+  return resident * sysconf(_SC_PAGESIZE);
+}
+
+long SoakResult::highestMemory() const { return *std::max_element(memory.begin(), memory.end()); }
+
+SoakResult soak(const SoakOptions& options, const std::function<void(const std::string&)>& progress) {
+  SoakResult result;
+  result.components = options.components;
+  BenchmarkNode node(options.components, false);
+  const auto per_piece =
+      std::max<std::uint64_t>(1, options.samples / (kPieces * static_cast<std::uint64_t>(options.components)));
+  for (int piece = 0; piece < kPieces; ++piece) {
+    add(node.meter().flood(std::numeric_limits<int>::max(), kUnderWay, per_piece), result);
+    result.memory.push_back(residentMemory(node.process()));
+    if (piece % 10 == 9) {
+      progress(fmt::format("{} samples, {} forces, {:.1f} MiB", result.sent, result.answered,
+                           mebibytes(result.memory.back())));
+    }
+  }
+  return result;
+}
+
+void printMarkdown(const SoakResult& result, std::ostream& out) {
+  out << "| components | samples | with one force | forces too many | samples/s | resident after 1 %, at the end, at "
+         "most "
+         "[MiB] |\n"
+         "|---|---|---|---|---|---|\n"
+      << fmt::format("| {} | {} | {} | {} | {:.0f} | {:.2f}, {:.2f}, {:.2f} |\n", result.components, result.sent,
+                     result.answered, result.surplus, static_cast<double>(result.answered) / result.elapsed,
+                     mebibytes(result.memory.front()), mebibytes(result.memory.back()),
+                     mebibytes(result.highestMemory()));
+}
+
+}  // namespace rubber_suspension::benchmark

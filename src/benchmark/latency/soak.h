@@ -1,0 +1,39 @@
+// Millions of samples through the node, as fast as it answers: every one has its force, and the memory does not grow.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::benchmark {
+
+struct SoakOptions {
+  std::uint64_t samples = 1000000;  ///< of all components together
+  int components = 10;
+};
+
+struct SoakResult {
+  int components = 0;
+  std::uint64_t sent = 0;
+  std::uint64_t answered = 0;  ///< samples with exactly one force
+  std::uint64_t surplus = 0;   ///< forces that belong to no sample, or to one that had its force
+  double elapsed = 0.0;        ///< [s]
+  std::vector<long> memory;    ///< resident memory of the node after each hundredth of the samples [bytes]
+
+  long highestMemory() const;
+  bool exact() const { return answered == sent && surplus == 0; }
+};
+
+/// Soak the node that lies beside the running program. Needs a master. `progress` is told of every tenth part.
+/// Throws std::runtime_error.
+SoakResult soak(const SoakOptions& options, const std::function<void(const std::string&)>& progress);
+
+/// The result as a Markdown table.
+void printMarkdown(const SoakResult& result, std::ostream& out);
+
+/// Memory of a process that is resident [bytes]; 0 where there is no such process.
+long residentMemory(int process);
+
+}  // namespace rubber_suspension::benchmark

@@ -1,0 +1,50 @@
+// What the command `estimate` shows of a component: parameters, stiffness and loss angle over frequency and amplitude.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/io/figure.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension::command {
+
+/// Where characteristics are wanted; what is not given follows from the specification.
+struct SweepOptions {
+  std::optional<double> lowest_frequency;   ///< [Hz]; nominal_frequency/10, or 0.1
+  std::optional<double> highest_frequency;  ///< [Hz]; high_frequency or 10 nominal_frequency, or 50
+  std::optional<double> lowest_amplitude;   ///< [m]; amplitude/10
+  std::optional<double> highest_amplitude;  ///< [m]; 5 amplitude
+  std::optional<double> frequency;          ///< of the sweep over amplitude [Hz]; nominal_frequency, or 1
+  std::optional<double> amplitude;          ///< of the sweep over frequency [m]; nominal_amplitude, or 1 mm
+  std::optional<double> product;            ///< P = A f [m Hz]; amplitude times frequency
+  int points = 13;                          ///< of each sweep
+};
+
+struct EstimateReport {
+  io::ComponentDescription description;
+  std::vector<element::ElementDescription> elements;  ///< estimated or listed, then those added
+  std::vector<std::string> notes;
+  bool linear = false;
+  response::SweepPoint working_point;
+  double product = 0.0;  ///< of over_product [m Hz]
+  std::vector<response::SweepPoint> over_frequency;
+  std::vector<response::SweepPoint> over_amplitude;
+  std::vector<response::SweepPoint> over_product;
+};
+
+/// Estimates and computes all sweeps, with a progress bar on a terminal.
+/// Throws std::invalid_argument for ranges that are none.
+EstimateReport makeEstimateReport(const io::ComponentDescription& description, const SweepOptions& options);
+
+std::string toText(const EstimateReport& report);
+
+/// {"schema": "rubber_suspension/estimate/1", "components": [...]}, SI units, units in the keys.
+std::string toJson(const std::vector<EstimateReport>& reports);
+
+/// K and delta over frequency, amplitude, and at constant product.
+io::Figure toFigure(const std::vector<EstimateReport>& reports);
+
+}  // namespace rubber_suspension::command

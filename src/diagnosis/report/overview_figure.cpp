@@ -1,0 +1,24 @@
+// The diagnosis on one page: the report's figures, each for one log.
+#include "rubber_suspension/diagnosis/report/overview_figure.h"
+
+#include "diagnosis/report/report_figures.h"
+
+namespace rubber_suspension::diagnosis {
+
+io::Figure overviewFigure(const Diagnosis& diagnosis) {
+  io::Figure overview;
+  overview.title = diagnosis.component + ": " + diagnosis.verdict;
+  for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
+    overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
+  }
+  for (const io::Figure& figure : reportFigures(diagnosis)) {
+    if (!figure.axes.empty()) {
+      overview.axes.push_back(figure.axes.front());
+      io::Axes& axes = overview.axes.back();
+      axes.title = figure.title + (axes.title.empty() ? "" : "\n" + axes.title);
+    }
+  }
+  return overview;
+}
+
+}  // namespace rubber_suspension::diagnosis

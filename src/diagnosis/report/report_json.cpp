@@ -1,0 +1,150 @@
+// The report for programs: report.json.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using nlohmann::ordered_json;
+
+// JSON has no infinity; a value that is not finite is left null.
+ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+ordered_json interval(const std::array<double, 2>& bounds) { return {number(bounds[0]), number(bounds[1])}; }
+
+ordered_json entries(const std::vector<element::ElementDescription>& elements) {
+  ordered_json result = ordered_json::array();
+  for (const element::ElementDescription& element : elements) {
+    ordered_json entry = {{"type", element.type}};
+    for (const auto& [name, values] : element.values) {
+      entry[name] = values.size() == 1 ? ordered_json(values[0]) : ordered_json(values);
+    }
+    result.push_back(entry);
+  }
+  return result;
+}
+
+ordered_json candidateJson(const CandidateResult& candidate) {
+  return {{"effect", candidate.effect},
+          {"probability", number(candidate.probability)},
+          {"gap", number(candidate.gap)},
+          {"closed", number(candidate.closed)},
+          {"interval_95", interval(candidate.interval)},
+          {"testable", candidate.testable},
+          {"visible_share", number(candidate.visible_share)},
+          {"on_rig", candidate.on_rig},
+          {"parameters", candidate.parameters},
+          {"add", entries(candidate.add)}};
+}
+
+ordered_json cellJson(const gap::GapCell& cell) {
+  return {{"log", cell.log},
+          {"frequency_hz", {cell.frequency[0], cell.frequency[1]}},
+          {"amplitude_m", {cell.amplitude[0], cell.amplitude[1]}},
+          {"quantity", gap::toString(cell.quantity)},
+          {"share", number(cell.share)},
+          {"noise_ratio", number(cell.noise_ratio)}};
+}
+
+ordered_json admissionJson(const Admission& log) {
+  return {{"log", log.log},
+          {"hold_out", log.hold_out},
+          {"duration_s", log.duration},
+          {"step_s", log.dt},
+          {"largest_displacement_m", log.largest_displacement},
+          {"highest_frequency_hz", log.highest_frequency},
+          {"noise_floor", number(log.noise)},
+          {"repeats", number(log.repeats)},
+          {"notes", log.notes}};
+}
+
+ordered_json errorsJson(const CharacteristicErrors& errors) {
+  return {{"stiffness", number(errors.stiffness)},
+          {"loss_angle_rad", number(errors.loss_angle)},
+          {"energy_per_cycle", number(errors.energy)}};
+}
+
+// Every hypothesis that was fitted, with its held-out error.
+ordered_json trialsJson(const Search& search) {
+  ordered_json result = ordered_json::array();
+  const auto add = [&](const Trial& trial) {
+    ordered_json effects = ordered_json::array();
+    for (const int member : trial.members) {
+      effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
+    }
+    result.push_back({{"effects", effects},
+                      {"held_out", number(trial.fit.held_out)},
+                      {"in_sample", number(trial.fit.gap)},
+                      {"own_moved_by", number(std::exp(trial.fit.point.furthestMove()))},
+                      {"departure", number(trial.fit.departure)}});
+  };
+  add(search.re_estimated);
+  for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {
+    std::for_each(trials->begin(), trials->end(), add);
+  }
+  return result;
+}
+
+ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratios) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, ratio] : ratios) {
+    result[name] = number(ratio);
+  }
+  return result;
+}
+
+ordered_json ownJson(const Diagnosis& diagnosis) {
+  ordered_json by_log = ordered_json::array();
+  for (const ParameterByLog& row : diagnosis.by_log) {
+    by_log.push_back({{"log", row.log},
+                      {"amplitude_m", number(row.amplitude)},
+                      {"frequency_hz", number(row.frequency)},
+                      {"ratios", ratiosJson(row.ratios)}});
+  }
+  return {{"ratio_to_configured", ratiosJson(diagnosis.own_ratios)}, {"by_log", by_log}};
+}
+
+template <class T, class Function>
+ordered_json list(const std::vector<T>& values, Function convert) {
+  ordered_json result = ordered_json::array();
+  for (const T& value : values) {
+    result.push_back(convert(value));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string toJson(const Diagnosis& diagnosis) {
+  const ordered_json report = {
+      {"schema", "rubber_suspension/gap_report/1"},
+      {"component", diagnosis.component},
+      {"verdict", diagnosis.verdict},
+      {"sentence", diagnosis.sentence},
+      {"effects", diagnosis.effects},
+      {"gap",
+       {{"as_configured", number(diagnosis.gap.as_configured)},
+        {"re_estimated", number(diagnosis.gap.re_estimated)},
+        {"augmented", number(diagnosis.gap.augmented)},
+        {"noise_floor", number(diagnosis.gap.noise_floor)},
+        {"noise_source", diagnosis.noise_source}}},
+      {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
+      {"confounded", diagnosis.confounded},
+      {"candidates", list(diagnosis.candidates, candidateJson)},
+      {"probability_none_of_these", number(diagnosis.probability_none)},
+      {"where", list(diagnosis.where, cellJson)},
+      {"next_experiment", diagnosis.next_experiment},
+      {"errors",
+       {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
+      {"trials", trialsJson(diagnosis.search)},
+      {"surrogate_gap", number(diagnosis.search.surrogate_gap)},
+      {"element_level_gap", number(diagnosis.search.element_level.held_out)},
+      {"own_parameters", ownJson(diagnosis)},
+      {"admission", list(diagnosis.admission, admissionJson)}};
+  return report.dump(2) + "\n";
+}
+
+}  // namespace rubber_suspension::diagnosis

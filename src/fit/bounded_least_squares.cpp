@@ -1,0 +1,115 @@
+// Bounded least squares by an active set.
+#include "rubber_suspension/fit/bounded_least_squares.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rubber_suspension::fit {
+namespace {
+
+// Relative to the unit diagonal of the scaled Gram matrix: keeps collinear columns from large opposed coefficients that
+// rounding alone decides.
+constexpr double kRidge = 1e-9;
+constexpr double kGradientTolerance = 1e-11;
+
+struct Problem {
+  Eigen::MatrixXd gram;  // scaled to a unit diagonal
+  Eigen::VectorXd moment;
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+};
+
+Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, const Eigen::VectorXd& x) {
+  const auto count = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd gram(count, count);
+  Eigen::VectorXd moment(count);
+  Eigen::VectorXd fixed = x;
+  for (const int i : free) {
+    fixed[i] = 0.0;
+  }
+  const Eigen::VectorXd rest = problem.moment - problem.gram * fixed;
+  for (Eigen::Index a = 0; a < count; ++a) {
+    moment[a] = rest[free[static_cast<std::size_t>(a)]];
+    for (Eigen::Index b = 0; b < count; ++b) {
+      gram(a, b) = problem.gram(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
+    }
+  }
+  return gram.ldlt().solve(moment);
+}
+
+// Move from x towards the solution on the free set until a bound is met; that unknown leaves the free set.
+bool moveFeasibly(const Problem& problem, std::vector<int>& free, const Eigen::VectorXd& target, Eigen::VectorXd& x) {
+  double step = 1.0;
+  std::size_t blocking = free.size();
+  for (std::size_t a = 0; a < free.size(); ++a) {
+    const int i = free[a];
+    const double goal = target[static_cast<Eigen::Index>(a)];
+    const double bound = goal > x[i] ? problem.upper[i] : problem.lower[i];
+    const bool outside = goal > problem.upper[i] || goal < problem.lower[i];
+    if (outside && std::abs(bound - x[i]) < step * std::abs(goal - x[i])) {
+      step = std::abs(bound - x[i]) / std::abs(goal - x[i]);
+      blocking = a;
+    }
+  }
+  for (std::size_t a = 0; a < free.size(); ++a) {
+    const int i = free[a];
+    x[i] = std::clamp(x[i] + step * (target[static_cast<Eigen::Index>(a)] - x[i]), problem.lower[i], problem.upper[i]);
+  }
+  if (blocking == free.size()) {
+    return true;
+  }
+  free.erase(free.begin() + static_cast<std::ptrdiff_t>(blocking));
+  return false;
+}
+
+int mostViolated(const Problem& problem, const std::vector<int>& free, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd descent = problem.moment - problem.gram * x;
+  int best = -1;
+  double largest = kGradientTolerance * std::max(1e-300, problem.moment.cwiseAbs().maxCoeff());
+  for (int i = 0; i < x.size(); ++i) {
+    const bool can_move = descent[i] > 0.0 ? x[i] < problem.upper[i] : x[i] > problem.lower[i];
+    if (can_move && std::abs(descent[i]) > largest && std::find(free.begin(), free.end(), i) == free.end()) {
+      largest = std::abs(descent[i]);
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
+                                    const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const Eigen::VectorXd scale =
+      gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // a zero column keeps its coefficient at 0
+  Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), scale.cwiseProduct(moment),
+                  lower.cwiseQuotient(scale), upper.cwiseQuotient(scale)};
+  problem.gram.diagonal().array() += kRidge;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(moment.size()).cwiseMax(problem.lower).cwiseMin(problem.upper);
+  std::vector<int> free;
+  for (int i = 0; i < x.size(); ++i) {
+    if (problem.lower[i] < x[i] && x[i] < problem.upper[i]) {
+      free.push_back(i);
+    }
+  }
+  const int most = 10 * static_cast<int>(x.size()) + 10;
+  for (int iteration = 0; iteration < most; ++iteration) {
+    if (!free.empty() && !moveFeasibly(problem, free, solveFree(problem, free, x), x)) {
+      continue;
+    }
+    const int entering = mostViolated(problem, free, x);
+    if (entering < 0) {
+      break;
+    }
+    free.push_back(entering);
+  }
+  Eigen::VectorXd result = scale.cwiseProduct(x);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {  // on a bound means on it to the last bit
+    result[i] = x[i] == problem.lower[i] ? lower[i] : x[i] == problem.upper[i] ? upper[i] : result[i];
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,96 @@
+// The simulated force of a log as a function of a component's unknown parameters, those that scale a force set apart.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/fit/identification.h"
+
+namespace rubber_suspension::fit {
+
+/// A parameter that is sought.
+struct Unknown {
+  std::size_t element;  ///< index into the elements
+  std::string name;
+  std::string unit;
+  double given;
+  bool logarithmic;  ///< the search runs over ln(value), else over value/scale
+  double scale;      ///< 1 for logarithmic ones
+  double lower;      ///< limits of the value
+  double upper;
+  double start_lower;  ///< where starts are spread
+  double start_upper;
+
+  double toSearch(double value) const;
+  double toValue(double search) const;
+};
+
+/// What rate, length and amplitude of the logs can show.
+struct LogScales {
+  double sampling_rate;  ///< [Hz]
+  double duration;       ///< of the longest log [s]
+  double amplitude;      ///< largest displacement from the middle [m]
+};
+
+LogScales scalesOf(const std::vector<Measurement>& measurements);
+
+/// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; the
+/// last column of the basis is the constant 1, the force offset.
+class ForceModel {
+ public:
+  /// The elements have to be complete, `held` to name parameters as "type.name".
+  ForceModel(std::vector<element::ElementDescription> elements, const std::vector<Measurement>& measurements,
+             const std::vector<std::string>& held);
+
+  const std::vector<Unknown>& nonlinear() const { return nonlinear_; }
+  const std::vector<Unknown>& linear() const { return linear_; }
+  /// For each column of the basis, whether its coefficient may be negative.
+  const std::vector<bool>& signedColumns() const { return signed_columns_; }
+  const std::vector<element::ElementDescription>& elements() const { return elements_; }
+  Eigen::Index size() const { return size_; }
+
+  /// Simulate for these values in search coordinates; parts whose unknowns did not change are not simulated again.
+  void evaluate(const Eigen::VectorXd& search);
+  /// Derivative of the force by one of the search coordinates for these coefficients of the basis, by central
+  /// differences; only what depends on that unknown is simulated.
+  Eigen::VectorXd derivative(const Eigen::VectorXd& search, Eigen::Index unknown,
+                             const Eigen::VectorXd& coefficients) const;
+  const Eigen::MatrixXd& basis() const { return basis_; }
+  const Eigen::VectorXd& rest() const { return rest_; }
+
+ private:
+  // Elements that are simulated together, for one column or as a share of the rest.
+  struct Part {
+    std::vector<element::ElementDescription> elements;
+    std::vector<std::size_t> positions;  // of these elements in elements_
+    std::vector<std::size_t> unknowns;   // nonlinear ones that it depends on
+    Eigen::Index column = -1;            // -1: rest
+    std::vector<double> values;          // of its unknowns when last simulated
+    Eigen::VectorXd force;
+  };
+
+  bool isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const;
+  void addWhole();
+  void addElement(std::size_t position);
+  void addNonlinear(Part& part, std::size_t position, const element::ParameterInfo& parameter);
+  void addColumn(Part part, std::size_t position, const element::ParameterInfo& parameter);
+  std::vector<double> valuesOf(const Part& part, const Eigen::VectorXd& search) const;
+  Eigen::VectorXd simulate(const Part& part, const std::vector<double>& values) const;
+  bool simulateIfChanged(Part& part, const Eigen::VectorXd& search) const;
+  Eigen::VectorXd simulate(const std::vector<element::ElementDescription>& elements) const;
+
+  std::vector<element::ElementDescription> elements_;
+  const std::vector<Measurement>& measurements_;
+  std::vector<std::string> held_;
+  LogScales scales_;
+  Eigen::Index size_ = 0;
+  std::vector<Unknown> nonlinear_;
+  std::vector<Unknown> linear_;
+  std::vector<bool> signed_columns_;
+  std::vector<Part> parts_;
+  Eigen::MatrixXd basis_;
+  Eigen::VectorXd rest_;
+};
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,184 @@
+// Products of columns by blocks of the logs.
+#include "rubber_suspension/fit/normal_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "rubber_suspension/fit/parallel.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
+constexpr double kBlockLength = 1.5;  // [s]
+constexpr int kMostBlocks = 24;
+constexpr int kFewestBlocks = 8;
+
+int blocksOf(const log::Record& record) {
+  const int count = static_cast<int>(std::lround(record.duration() / kBlockLength));
+  return std::clamp(count, kFewestBlocks, kMostBlocks);
+}
+
+// Samples of a log.
+struct Rows {
+  std::size_t record;
+  Eigen::Index first;
+  Eigen::Index last;  // the one after them
+};
+
+// A log's zero, ramp and half cosines.
+void fillTrends(const log::Record& record, const Rows& rows, double weight, Eigen::Ref<Eigen::MatrixXd> columns) {
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(rows.last - rows.first, static_cast<double>(rows.first),
+                                                        static_cast<double>(rows.last - 1)) /
+                              static_cast<double>(record.size() - 1);
+  columns.col(0).setConstant(weight);
+  columns.col(1) = weight * (time - 0.5);
+  for (int k = 2; k < kTrendsPerLog; ++k) {
+    columns.col(k) = weight * (time * M_PI * static_cast<double>(k - 1)).cos();
+  }
+}
+
+std::vector<Rows> cut(const std::vector<log::Record>& records) {
+  std::vector<Rows> blocks;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::Index size = records[r].size();
+    const int count = blocksOf(records[r]);
+    for (int b = 0; b < count; ++b) {
+      blocks.push_back({r, size * b / count, size * (b + 1) / count});
+    }
+  }
+  return blocks;
+}
+
+// Which columns of the whole matrix are not zero in a block: those of the model, the trends of its own log, and last
+// the residual.
+std::vector<Eigen::Index> placesIn(const Rows& rows, const std::vector<ForceColumn>& columns, Eigen::Index trends,
+                                   Eigen::Index width) {
+  std::vector<Eigen::Index> places;
+  const auto modelled = static_cast<Eigen::Index>(columns.size());
+  for (Eigen::Index j = 0; j < modelled; ++j) {
+    if (columns[static_cast<std::size_t>(j)]) {
+      places.push_back(j);
+    }
+  }
+  for (Eigen::Index j = 0; j < trends; ++j) {
+    places.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
+  }
+  places.push_back(width - 1);
+  return places;
+}
+
+Eigen::MatrixXd products(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+  return gram;
+}
+
+// A small matrix at its places in one of this width.
+Eigen::MatrixXd spreadOut(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& places, Eigen::Index width) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(width, width);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      result(places[i], places[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+// Sums, not differences: what is zero without a fold has to be so to the last bit.
+void BlockGrams::sumUp() {
+  sum = prior;
+  without_fold.assign(kFolds, prior);
+  for (std::size_t b = 0; b < gram.size(); ++b) {
+    sum += gram[b];
+    for (int other = 0; other < kFolds; ++other) {
+      if (other != fold[b]) {
+        without_fold[static_cast<std::size_t>(other)] += gram[b];
+      }
+    }
+  }
+}
+
+BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
+                           const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
+                           bool trends, int threads) {
+  const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
+  const auto logs = static_cast<Eigen::Index>(records.size());
+  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + own_trends * logs + 1;
+  const std::vector<Rows> blocks = cut(records);
+  BlockGrams result;
+  result.gram.resize(blocks.size());
+  parallelFor(blocks.size(), threads, [&](std::size_t b) {
+    const Rows& rows = blocks[b];
+    const log::Record& record = records[rows.record];
+    const double weight = weights[rows.record];
+    const Eigen::Index size = rows.last - rows.first;
+    const std::vector<Eigen::Index> places = placesIn(rows, columns, own_trends, width);
+    const auto count = static_cast<Eigen::Index>(places.size());
+    const Eigen::Index from_model = count - own_trends - 1;
+    Eigen::MatrixXd local(size, count);
+    for (Eigen::Index j = 0; j < from_model; ++j) {
+      const auto& column = *columns[static_cast<std::size_t>(places[static_cast<std::size_t>(j)])];
+      local.col(j) = weight * column[rows.record].segment(rows.first, size);
+    }
+    if (trends) {
+      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
+    }
+    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
+    result.gram[b] = spreadOut(products(local), places, width);
+  });
+  int place = 0;  // among the blocks of its log
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Rows& rows = blocks[b];
+    place = rows.first == 0 ? 0 : place + 1;
+    result.fold.push_back((place + static_cast<int>(rows.record)) % kFolds);
+    result.record.push_back(static_cast<int>(rows.record));
+    result.weight.push_back(static_cast<double>(rows.last - rows.first) /
+                            static_cast<double>(records[rows.record].size() * logs));
+  }
+  return result;
+}
+
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  const Eigen::Index last = blocks.gram[0].rows() - 1;
+  std::vector<double> errors(blocks.gram.size());
+  Eigen::MatrixXd small(count, count);
+  Eigen::VectorXd moment(count);
+  for (int fold = 0; fold < kFolds; ++fold) {
+    const Eigen::MatrixXd& total = blocks.without_fold[static_cast<std::size_t>(fold)];
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto row = columns[static_cast<std::size_t>(i)];
+      moment[i] = total(row, last);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        small(i, j) = total(row, columns[static_cast<std::size_t>(j)]);
+      }
+    }
+    const Eigen::VectorXd x = boundedLeastSquares(small, moment, lower, upper);
+    for (std::size_t b = 0; b < blocks.gram.size(); ++b) {
+      if (blocks.fold[b] != fold) {
+        continue;
+      }
+      const Eigen::MatrixXd& gram = blocks.gram[b];
+      double error = gram(last, last);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = columns[static_cast<std::size_t>(i)];
+        error -= 2.0 * x[i] * gram(row, last);
+        for (Eigen::Index j = 0; j < count; ++j) {
+          error += x[i] * x[j] * gram(row, columns[static_cast<std::size_t>(j)]);
+        }
+      }
+      errors[b] =
+          std::isfinite(error) ? std::max(error, 0.0) / blocks.weight[b] : std::numeric_limits<double>::infinity();
+    }
+  }
+  return errors;
+}
+
+}  // namespace rubber_suspension::fit

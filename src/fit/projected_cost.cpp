@@ -1,0 +1,228 @@
+// Variable projection on products of columns.
+#include "fit/projected_cost.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fit/fit_method.h"
+#include "fit/linear_least_squares.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+// Square of the part of a column across the others, relative to its length, above which coefficients are unique.
+constexpr double kIndependent = 1e-10;
+
+struct LawName {
+  const char* type;
+  const char* parameter;  // that its force is not linear in
+  const char* scale;      // that its force is proportional to
+};
+constexpr LawName kMaxwellName{"maxwell", "break_frequency", "stiffness"};
+constexpr LawName kFrictionName{"friction", "displacement", "maximum_force"};
+
+std::vector<const element::ElementDescription*> ofType(const ForceModel& model, const std::string& type) {
+  std::vector<const element::ElementDescription*> elements;
+  for (const element::ElementDescription& element : model.elements()) {
+    if (element.type == type) {
+      elements.push_back(&element);
+    }
+  }
+  return elements;
+}
+
+std::vector<double> deadBands(const ForceModel& model) {
+  std::vector<double> dead_bands;
+  for (const element::ElementDescription* friction : ofType(model, kFrictionName.type)) {
+    dead_bands.push_back(friction->value("dead_band"));
+  }
+  return dead_bands;
+}
+
+// Of the unknown that belongs to an element; unknowns.size() where there is none.
+std::size_t find(const std::vector<Unknown>& unknowns, std::size_t element) {
+  const auto at =
+      std::find_if(unknowns.begin(), unknowns.end(), [&](const Unknown& u) { return u.element == element; });
+  return static_cast<std::size_t>(at - unknowns.begin());
+}
+
+// Products of columns scaled to length 1, and the scales.
+struct Scaled {
+  Eigen::MatrixXd products;
+  Eigen::VectorXd scale;
+
+  explicit Scaled(const Eigen::MatrixXd& of) {
+    scale = of.diagonal().cwiseSqrt().unaryExpr([](double length) { return length > 0.0 ? 1.0 / length : 0.0; });
+    products = scale.asDiagonal() * of * scale.asDiagonal();
+  }
+};
+
+// Where the columns are independent and no coefficient meets its bound, the plain solution is the bounded one.
+Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& moments, double length,
+                      const std::vector<bool>& signed_columns) {
+  const Scaled scaled(products);
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled.products);
+  if (cholesky.info() == Eigen::Success && cholesky.matrixLLT().diagonal().array().square().minCoeff() > kIndependent) {
+    Eigen::VectorXd x = scaled.scale.asDiagonal() * cholesky.solve(scaled.scale.asDiagonal() * moments);
+    bool inside = true;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      inside = inside && (signed_columns[static_cast<std::size_t>(i)] || x[i] > 0.0);
+    }
+    if (inside) {
+      return x;
+    }
+  }
+  return solveNormalEquations(products, moments, length, signed_columns);
+}
+
+}  // namespace
+
+bool ProjectedCost::appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements) {
+  return !model.nonlinear().empty() && UnitColumns::steady(measurements) &&
+         std::all_of(model.elements().begin(), model.elements().end(), [](const element::ElementDescription& element) {
+           return element.type == "spring" || (element.type == "dashpot" && element.value("order") == 1.0) ||
+                  element.type == kMaxwellName.type || element.type == kFrictionName.type;
+         });
+}
+
+ProjectedCost::ProjectedCost(const ForceModel& model, const std::vector<Measurement>& measurements)
+    : columns_(measurements, ofType(model, kMaxwellName.type).size(), deadBands(model)),
+      signed_columns_(model.signedColumns()),
+      owner_(model.nonlinear().size(), kNone) {
+  const auto basis = static_cast<Eigen::Index>(signed_columns_.size());
+  combination_ = Eigen::MatrixXd::Zero(columns_.count(), 1 + basis + static_cast<Eigen::Index>(owner_.size()));
+  combination_(UnitColumns::kForce, 0) = 1.0;
+  combination_(UnitColumns::kOne, basis) = 1.0;
+  for (const Measurement& measurement : measurements) {
+    unit_ += std::inner_product(measurement.force.begin(), measurement.force.end(), measurement.force.begin(), 0.0);
+  }
+  for (std::size_t i = 0; i < model.elements().size(); ++i) {
+    addElement(model, i);
+  }
+}
+
+void ProjectedCost::addElement(const ForceModel& model, std::size_t position) {
+  const element::ElementDescription& element = model.elements()[position];
+  const auto addLaw = [&](const LawName& name, std::vector<Law>& laws, Eigen::Index unit) {
+    const std::size_t unknown = find(model.nonlinear(), position);
+    const bool held = unknown == model.nonlinear().size();
+    laws.push_back({element.value(name.parameter), held ? kNone : static_cast<Eigen::Index>(unknown)});
+    const double scale = element.value(name.scale);
+    const Eigen::Index column = addColumn(model, position, unit, scale);
+    if (!held) {
+      owner_[unknown] = column;
+      combination_(unit + 1, 1 + static_cast<Eigen::Index>(signed_columns_.size() + unknown)) = scale;
+    }
+  };
+  if (element.type == kMaxwellName.type) {
+    addLaw(kMaxwellName, maxwells_, UnitColumns::maxwell(maxwells_.size()));
+  } else if (element.type == kFrictionName.type) {
+    addLaw(kFrictionName, frictions_, columns_.friction(frictions_.size()));
+  } else if (element.type == "spring") {
+    addColumn(model, position, UnitColumns::kDisplacement, element.value("stiffness"));
+  } else {
+    addColumn(model, position, UnitColumns::kRate, element.value("damping"));
+  }
+}
+
+// The column of the basis that the element has, or kNone and its force as given taken from the measured one.
+Eigen::Index ProjectedCost::addColumn(const ForceModel& model, std::size_t position, Eigen::Index unit, double scale) {
+  const std::size_t linear = find(model.linear(), position);
+  if (linear == model.linear().size()) {
+    combination_(unit, 0) -= scale;
+    return kNone;
+  }
+  combination_(unit, 1 + static_cast<Eigen::Index>(linear)) = scale;
+  return static_cast<Eigen::Index>(linear);
+}
+
+UnitColumnValues ProjectedCost::valuesAt(const Eigen::VectorXd& search) const {
+  const auto values = [&](const std::vector<Law>& laws) {
+    std::vector<double> result;
+    for (const Law& law : laws) {
+      result.push_back(law.unknown == kNone ? law.given : std::exp(search[law.unknown]));
+    }
+    return result;
+  };
+  return {values(maxwells_), values(frictions_)};
+}
+
+// What the basis takes of derivatives, in its coefficients; columns that are held at zero take nothing.
+Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& shared,
+                                            const Eigen::VectorXd& coefficients) const {
+  Scaled scaled(basis);
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+    if (coefficients[i] == 0.0 && !signed_columns_[static_cast<std::size_t>(i)]) {
+      scaled.products.row(i).setZero();
+      scaled.products.col(i).setZero();
+      scaled.scale[i] = 0.0;
+    }
+  }
+  const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
+  return scaled.scale.asDiagonal() * solveLeastNorm(scaled.products, moments);
+}
+
+// By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.
+Eigen::VectorXd ProjectedCost::scales(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd scales(static_cast<Eigen::Index>(owner_.size()));
+  for (Eigen::Index i = 0; i < scales.size(); ++i) {
+    const Eigen::Index owner = owner_[static_cast<std::size_t>(i)];
+    scales[i] = owner == kNone ? 1.0 : coefficients[owner];
+  }
+  return scales;
+}
+
+const Eigen::MatrixXd& ProjectedCost::productsAt(const Eigen::VectorXd& search) {
+  if (last_products_.size() == 0 || last_search_ != search) {
+    last_products_ = columns_.products(valuesAt(search));
+    last_search_ = search;
+  }
+  return last_products_;
+}
+
+ProjectedCost::Value ProjectedCost::at(const Eigen::VectorXd& search) {
+  const auto size = static_cast<Eigen::Index>(signed_columns_.size());
+  const Eigen::MatrixXd products = combination_.transpose() * productsAt(search) * combination_;
+  const Eigen::MatrixXd basis = products.block(1, 1, size, size);
+  const Eigen::VectorXd moments = products.block(1, 0, size, 1);
+  const Eigen::MatrixXd derivatives = products.bottomRightCorner(search.size(), search.size());
+  const Eigen::MatrixXd shared = products.block(1, 1 + size, size, search.size());
+  Value value;
+  value.coefficients = solve(basis, moments, std::sqrt(products(0, 0)), signed_columns_);
+  const Eigen::VectorXd& x = value.coefficients;
+  value.cost = products(0, 0) - 2.0 * x.dot(moments) + x.dot(basis * x);
+  const Eigen::VectorXd scale = scales(x);
+  value.gradient = scale.asDiagonal() * (shared.transpose() * x - products.bottomLeftCorner(search.size(), 1));
+  value.curvature =
+      scale.asDiagonal() * (derivatives - shared.transpose() * takenByBasis(basis, shared, x)) * scale.asDiagonal();
+  return value;
+}
+
+Eigen::VectorXd ProjectedCost::residual(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(combination_.cols());
+  shares[0] = 1.0;
+  shares.segment(1, coefficients.size()) = -coefficients;
+  return columns_.combined(valuesAt(search), combination_ * shares);
+}
+
+// The Jacobian in unit columns.
+Eigen::MatrixXd ProjectedCost::jacobianCombination(const Eigen::VectorXd& coefficients) const {
+  const Eigen::Index nonlinear = combination_.cols() - 1 - coefficients.size();
+  Eigen::MatrixXd combination(combination_.rows(), combination_.cols() - 1);
+  combination << combination_.rightCols(nonlinear) * scales(coefficients).asDiagonal(),
+      combination_.middleCols(1, coefficients.size()) * coefficients.unaryExpr(&relativeUnit).asDiagonal();
+  return combination;
+}
+
+Eigen::MatrixXd ProjectedCost::jacobian(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) const {
+  return columns_.combined(valuesAt(search), jacobianCombination(coefficients));
+}
+
+Eigen::MatrixXd ProjectedCost::jacobianProducts(const Eigen::VectorXd& search, const Eigen::VectorXd& coefficients) {
+  const Eigen::MatrixXd combination = jacobianCombination(coefficients);
+  return combination.transpose() * productsAt(search) * combination;
+}
+
+}  // namespace rubber_suspension::fit

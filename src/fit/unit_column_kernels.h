@@ -1,0 +1,66 @@
+// Columns of unit forces and of their derivatives over a block of samples, and products of columns, for one kind of
+// processor. Sums run over eight lanes on each of them, so that all give the same bits. See instruction_sets.h.
+#include "kernel/lanes.h"
+
+/// Forces of Berg friction of unit maximum and their derivatives by ln(z2), two columns, from sample `first` of the log
+/// on; `branch` is the one that this sample is on, and the last sample's is returned. What is written beyond the last
+/// sample has no meaning.
+inline const FrictionBranch* followBranches(const FrictionBranch* branch, const double* way, std::size_t first,
+                                            std::size_t count, double* columns) {
+  constexpr double kTiny =
+      std::numeric_limits<double>::min();  // keeps 0/0 away at a reference point without force left
+  double* const force = columns;
+  double* const change = columns + kColumnStride;
+  for (std::size_t i = 0; i < count;) {
+    branch += first + i >= branch->end ? 1 : 0;
+    const std::size_t end = branch->end - first < count ? branch->end - first : count;
+    const Lanes left = spread(branch->left);
+    const Lanes reach = spread(branch->reach) + kTiny;
+    const Lanes left_change = spread(branch->left_change);
+    const Lanes reach_pull = spread(branch->left * branch->reach_change);
+    for (; i < end; i += kWidth) {
+      const Lanes distance = load(way + first + i);
+      const Lanes inverse = 1.0 / (reach + distance);
+      const Lanes part = distance * inverse;
+      store(branch->force + part * left, force + i);
+      store(branch->force_change + part * (left_change - reach_pull * inverse), change + i);
+    }
+    i = end;
+  }
+  return branch;
+}
+
+// Products of three columns with three others, added to their sums over eight lanes.
+inline void addTile(const double* const* left, const double* const* right, std::size_t count, double* sums) {
+  for (std::size_t lane = 0; lane < kColumnLanes; lane += kWidth) {
+    Lanes sum[kTile][kTile] = {};
+    for (std::size_t i = lane; i < count; i += kColumnLanes) {
+      const Lanes a[kTile] = {load(left[0] + i), load(left[1] + i), load(left[2] + i)};
+      for (std::size_t k = 0; k < kTile; ++k) {
+        const Lanes b = load(right[k] + i);
+        for (std::size_t j = 0; j < kTile; ++j) {
+          sum[j][k] += a[j] * b;
+        }
+      }
+    }
+    for (std::size_t j = 0; j < kTile; ++j) {
+      for (std::size_t k = 0; k < kTile; ++k) {
+        double* const to = sums + (j * kTile + k) * kColumnLanes + lane;
+        store(load(to) + sum[j][k], to);
+      }
+    }
+  }
+}
+
+/// Adds the products of all columns, three by three, to their sums, but for those among the first three columns, which
+/// are the same in each pass. The number of samples is a multiple of eight.
+inline void addProducts(const double* const* columns, std::size_t tiles, std::size_t count, double* sums) {
+  for (std::size_t row = 0; row < tiles; ++row) {
+    for (std::size_t column = row; column < tiles; ++column) {
+      if (column > 0) {
+        addTile(columns + row * kTile, columns + column * kTile, count, sums);
+      }
+      sums += kTileSums;
+    }
+  }
+}

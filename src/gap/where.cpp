@@ -1,0 +1,198 @@
+// The map of the gap.
+#include "rubber_suspension/gap/where.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <tuple>
+#include <unsupported/Eigen/FFT>
+
+namespace rubber_suspension::gap {
+namespace {
+
+using Spectrum = std::vector<std::complex<double>>;
+
+struct Key {
+  std::size_t log;
+  int frequency_band;  // octave: [2^b, 2^(b+1)) Hz; kWholeBand for mean and drift
+  int amplitude_band;  // half decade: [10^(b/2), 10^((b+1)/2)) m
+  Quantity quantity;
+
+  bool operator<(const Key& other) const {
+    return std::tie(log, frequency_band, amplitude_band, quantity) <
+           std::tie(other.log, other.frequency_band, other.amplitude_band, other.quantity);
+  }
+};
+
+struct Energy {
+  double squared = 0.0;  // of the residual, in units of the force's variance and of the logs' equal weights
+  double lines = 0.0;    // share of the log's spectral lines, for the noise that is expected in the cell
+};
+
+constexpr int kWholeBand = 1 << 20;
+constexpr double kShortestWindow = 2.0;  // [s]
+
+// Filled with zeros to a power of two, which leaves energies as they are and is fast at any length.
+Spectrum transform(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count) {
+  Eigen::FFT<double> fft;
+  std::vector<double> piece(values.data() + first, values.data() + first + count);
+  std::size_t length = 2;
+  while (length < piece.size()) {
+    length *= 2;
+  }
+  piece.resize(length, 0.0);
+  Spectrum spectrum;
+  fft.fwd(spectrum, piece);
+  return spectrum;
+}
+
+// The frequency below which 2 % of the displacement's power lies.
+double slowestMotion(const log::Record& record) {
+  const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
+  const Spectrum spectrum = transform(centred, 0, record.size());
+  double total = 0.0;
+  const std::size_t half = spectrum.size() / 2;
+  for (std::size_t i = 1; i < half; ++i) {
+    total += std::norm(spectrum[i]);
+  }
+  double sum = 0.0;
+  for (std::size_t i = 1; i < half; ++i) {
+    sum += std::norm(spectrum[i]);
+    if (sum > 0.02 * total) {
+      return static_cast<double>(i) / (static_cast<double>(spectrum.size()) * record.dt);
+    }
+  }
+  return 1.0 / record.duration();
+}
+
+class Map {
+ public:
+  Map(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual)
+      : records_(records), residual_(residual) {}
+
+  std::map<Key, Energy> build() {
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+      addLog(r);
+    }
+    return std::move(cells_);
+  }
+
+ private:
+  void addLog(std::size_t r) {
+    const log::Record& record = records_[r];
+    const double mean = residual_[r].mean();
+    const double wanted = std::max(kShortestWindow, 2.0 / slowestMotion(record));
+    const auto windows = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() / wanted));
+    for (Eigen::Index w = 0; w < windows; ++w) {
+      const Eigen::Index first = record.size() * w / windows;
+      addWindow(r, first, record.size() * (w + 1) / windows - first, mean);
+    }
+  }
+
+  void addWindow(std::size_t r, Eigen::Index first, Eigen::Index count, double mean) {
+    const log::Record& record = records_[r];
+    const auto part = record.displacement.segment(first, count);
+    const double amplitude = std::max(1e-12, 0.5 * (part.maxCoeff() - part.minCoeff()));
+    const int amplitude_band = static_cast<int>(std::floor(2.0 * std::log10(amplitude)));
+    // Parseval: sum of squares = (1/count) sum over lines of |R|^2.
+    const double scale = 1.0 / (static_cast<double>(record.size()) * std::pow(record.force_deviation, 2) *
+                                static_cast<double>(records_.size()));
+    const double window_mean = residual_[r].segment(first, count).mean();
+    const double samples = static_cast<double>(count);
+    add({r, kWholeBand, amplitude_band, Quantity::mean}, scale * samples * mean * (2.0 * window_mean - mean), 0.0);
+    add({r, kWholeBand, amplitude_band, Quantity::drift}, scale * samples * std::pow(window_mean - mean, 2), 0.0);
+
+    const Eigen::VectorXd error = residual_[r].segment(first, count).array() - window_mean;
+    const Eigen::VectorXd motion = part.array() - part.mean();
+    const Spectrum residual = transform(error, 0, count);
+    const Spectrum displacement = transform(motion, 0, count);
+    const std::size_t half = residual.size() / 2;
+    const double length = static_cast<double>(residual.size());
+    const double line = 1.0 / (length * record.dt);
+    for (std::size_t i = 1; i <= half;) {
+      const int band = static_cast<int>(std::floor(std::log2(static_cast<double>(i) * line)));
+      std::size_t end = i;
+      while (end <= half && static_cast<int>(std::floor(std::log2(static_cast<double>(end) * line))) == band) {
+        ++end;
+      }
+      addBand({r, band, amplitude_band, Quantity::harmonics}, residual, displacement, i, end, scale / length,
+              samples / (length * static_cast<double>(record.size())));
+      i = end;
+    }
+  }
+
+  void addBand(Key key, const Spectrum& residual, const Spectrum& displacement, std::size_t begin, std::size_t end,
+               double scale, double line_share) {
+    std::complex<double> cross = 0.0;
+    double displacement_power = 0.0;
+    double residual_power = 0.0;
+    double lines = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double twice = 2 * i == residual.size() ? 1.0 : 2.0;  // the mirror line at negative frequency
+      cross += twice * residual[i] * std::conj(displacement[i]);
+      displacement_power += twice * std::norm(displacement[i]);
+      residual_power += twice * std::norm(residual[i]);
+      lines += twice * line_share;
+    }
+    double stiffness = 0.0;
+    double loss = 0.0;
+    if (displacement_power > 0.0) {
+      stiffness = std::pow(cross.real(), 2) / displacement_power;
+      loss = std::pow(cross.imag(), 2) / displacement_power;
+    }
+    key.quantity = Quantity::stiffness;
+    add(key, scale * stiffness, 0.5 * line_share);
+    key.quantity = Quantity::loss;
+    add(key, scale * loss, 0.5 * line_share);
+    key.quantity = Quantity::harmonics;
+    add(key, scale * std::max(0.0, residual_power - stiffness - loss), lines);
+  }
+
+  void add(const Key& key, double squared, double lines) {
+    Energy& energy = cells_[key];
+    energy.squared += squared;
+    energy.lines += lines;
+  }
+
+  const std::vector<log::Record>& records_;
+  const std::vector<Eigen::VectorXd>& residual_;
+  std::map<Key, Energy> cells_;
+};
+
+}  // namespace
+
+std::string toString(Quantity quantity) {
+  static const char* const names[] = {"stiffness", "loss", "harmonics", "mean", "drift"};
+  return names[static_cast<int>(quantity)];
+}
+
+std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual,
+                            const std::vector<double>& noise) {
+  const std::map<Key, Energy> cells = Map(records, residual).build();
+  double total = 0.0;
+  for (const auto& [key, energy] : cells) {
+    total += std::max(0.0, energy.squared);
+  }
+  std::vector<GapCell> result;
+  for (const auto& [key, energy] : cells) {
+    if (!(energy.squared > 0.0)) {
+      continue;
+    }
+    GapCell cell;
+    cell.log = records[key.log].name;
+    const bool whole = key.frequency_band == kWholeBand;
+    cell.frequency = {whole ? 0.0 : std::exp2(key.frequency_band),
+                      whole ? 0.5 / records[key.log].dt : std::exp2(key.frequency_band + 1)};
+    cell.amplitude = {std::pow(10.0, 0.5 * key.amplitude_band), std::pow(10.0, 0.5 * (key.amplitude_band + 1))};
+    cell.quantity = key.quantity;
+    cell.share = energy.squared / total;
+    const double expected = noise[key.log] * noise[key.log] * energy.lines / static_cast<double>(records.size());
+    cell.noise_ratio = expected > 0.0 ? std::sqrt(energy.squared / expected) : 0.0;
+    result.push_back(cell);
+  }
+  std::sort(result.begin(), result.end(), [](const GapCell& a, const GapCell& b) { return a.share > b.share; });
+  return result;
+}
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,36 @@
+// A progress bar on a terminal.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace rubber_suspension::io {
+
+/// Shows on stderr how much of a task is done, if that is a terminal; otherwise does nothing.
+/// advance() may be called from several threads, as often as one likes: it draws only where the percentage changes.
+class Progress {
+ public:
+  Progress(std::string label, std::size_t total);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();  ///< removes the bar, so that what is printed next starts on a clean line
+
+  void advance(std::size_t n = 1);
+
+  /// The bar as text, "label  50 % [=====     ]"; cut to `width` characters.
+  static std::string bar(const std::string& label, int percent, std::size_t width);
+
+ private:
+  void draw(int percent);
+
+  std::string label_;
+  std::size_t total_;
+  bool shown_;
+  std::atomic<std::size_t> done_{0};
+  std::atomic<int> percent_{-1};
+  std::mutex mutex_;
+};
+
+}  // namespace rubber_suspension::io

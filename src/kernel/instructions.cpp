@@ -1,0 +1,33 @@
+// What this processor can do.
+#include "rubber_suspension/kernel/instructions.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace rubber_suspension::kernel {
+namespace {
+
+Instructions widest() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") != 0) {
+    return Instructions::avx512;
+  }
+  if (__builtin_cpu_supports("avx2") != 0) {
+    return Instructions::avx2;
+  }
+#endif
+  return Instructions::any;
+}
+
+std::atomic<Instructions>& inUse() {
+  static std::atomic<Instructions> instructions = widest();
+  return instructions;
+}
+
+}  // namespace
+
+Instructions instructionsInUse() { return inUse().load(std::memory_order_relaxed); }
+
+void useAtMost(Instructions most) { inUse().store(std::min(most, widest()), std::memory_order_relaxed); }
+
+}  // namespace rubber_suspension::kernel

@@ -1,0 +1,56 @@
+// Which columns of a file are time, displacement, force and temperature, and how their numbers become SI.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::log {
+
+/// A column that is read: where it stands and what converts its numbers.
+struct Column {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::size_t index = kNone;
+  std::string name;
+  UnitConversion conversion{"1", "1"};
+  std::string assumed_unit;  ///< of a column whose unit neither its name nor the user told; else empty
+
+  bool found() const { return index != kNone; }
+};
+
+struct Columns {
+  std::size_t count = 0;  ///< of all columns in the header
+  Column time;            ///< missing if the format gives a rate
+  Column displacement;
+  Column force;        ///< may be missing
+  Column temperature;  ///< may be missing
+};
+
+/// Find the columns by the rules of LogFormat. Throws std::runtime_error with name and what is accepted.
+Columns findColumns(const std::vector<std::string>& header, const LogFormat& format);
+
+/// A note for every column, and every unit of the format, that is not used.
+std::vector<std::string> notesOnIgnored(const std::vector<std::string>& header, const Columns& columns,
+                                        const LogFormat& format);
+
+/// The stamp [ns] of a time in the unit of its column. Throws std::runtime_error where it is out of range.
+std::int64_t toStamp(long double time, const Column& column);
+
+/// The stamp [ns] of a sample of a log without time column.
+std::int64_t stampAtRate(std::size_t sample, double rate);
+
+/// Throws std::runtime_error unless the stamp is later than the last one.
+void requireIncrease(const std::vector<std::int64_t>& stamps, std::int64_t next, const Column& column);
+
+/// A stamp [ns] in seconds, exactly.
+std::string formatStamp(std::int64_t stamp);
+
+/// The file's name without folder and extension.
+std::string logName(const std::string& path);
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,264 @@
+// Logs made ready for diagnosis.
+#include "rubber_suspension/log/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <complex>
+#include <random>
+#include <unsupported/Eigen/FFT>
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr Eigen::Index kFewestSamples = 100;
+constexpr double kJitterAllowed = 0.02;  // of the median step; more is resampled
+// The median of an exponentially distributed periodogram line is ln 2 of its mean; averaging over segments brings it
+// closer to one, by about 1 - 1/(3 segments).
+double medianToMean(Eigen::Index segments) {
+  return segments == 1 ? std::log(2.0) : 1.0 - 1.0 / (3.0 * static_cast<double>(segments));
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Eigen::Index segmentLength(Eigen::Index samples) {
+  Eigen::Index length = 64;
+  while (length * 8 <= samples && length < 4096) {
+    length *= 2;
+  }
+  return std::min(length, samples);
+}
+
+double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
+// Even time steps. A log that has them is taken as it is.
+void setTimeBase(const Log& log, Record& record) {
+  const auto count = static_cast<Eigen::Index>(log.size());
+  std::vector<double> steps(log.size() - 1);
+  for (std::size_t i = 0; i + 1 < log.size(); ++i) {
+    steps[i] = static_cast<double>(log.stamp[i + 1] - log.stamp[i]) * 1e-9;
+  }
+  record.dt = median(steps);
+  const double last = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+  const auto worst = std::max_element(steps.begin(), steps.end(), [&](double a, double b) {
+    return std::abs(a - record.dt) < std::abs(b - record.dt);
+  });
+  const Eigen::Map<const Eigen::VectorXd> displacement(log.displacement.data(), count);
+  const Eigen::Map<const Eigen::VectorXd> force(log.force.data(), count);
+  if (std::abs(*worst - record.dt) <= kJitterAllowed * record.dt) {
+    record.dt = last / static_cast<double>(count - 1);
+    record.raw_displacement = displacement;
+    record.force = force;
+    return;
+  }
+  record.notes.push_back(
+      fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", record.dt, *worst));
+  const auto even = static_cast<Eigen::Index>(std::floor(last / record.dt)) + 1;
+  record.raw_displacement.resize(even);
+  record.force.resize(even);
+  std::size_t left = 0;
+  for (Eigen::Index i = 0; i < even; ++i) {
+    const double time = static_cast<double>(i) * record.dt;
+    const auto at = [&](std::size_t k) { return static_cast<double>(log.stamp[k] - log.stamp.front()) * 1e-9; };
+    while (left + 2 < log.size() && at(left + 1) < time) {
+      ++left;
+    }
+    const double share = std::clamp((time - at(left)) / (at(left + 1) - at(left)), 0.0, 1.0);
+    record.raw_displacement[i] = (1.0 - share) * log.displacement[left] + share * log.displacement[left + 1];
+    record.force[i] = (1.0 - share) * log.force[left] + share * log.force[left + 1];
+  }
+}
+
+// Weights of a low-pass filter of zero phase: passes `frequency` and stops kStop times that, by a sinc in a Kaiser
+// window (Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
+constexpr double kStop = 1.6;
+
+Eigen::VectorXd lowPass(double dt, double frequency) {
+  constexpr double kAttenuation = 90.0;  // [dB], so that what is passed is true to 3e-5
+  constexpr double kShape = 0.1102 * (kAttenuation - 8.7);
+  const double width = (kStop - 1.0) * frequency * dt;
+  const double middle = 0.5 * (kStop + 1.0) * frequency * dt;
+  const auto half = static_cast<Eigen::Index>(std::ceil(0.5 * (kAttenuation - 7.95) / (14.36 * width)));
+  Eigen::VectorXd weights(2 * half + 1);
+  for (Eigen::Index k = -half; k <= half; ++k) {
+    const double place = static_cast<double>(k) / static_cast<double>(half);
+    const double angle = 2.0 * M_PI * middle * static_cast<double>(k);
+    const double sinc = k == 0 ? 1.0 : std::sin(angle) / angle;
+    weights[k + half] = sinc * boost::math::cyl_bessel_i(0, kShape * std::sqrt(1.0 - place * place));
+  }
+  return weights / weights.sum();
+}
+
+// Low-pass filtered; ends mirrored about their values.
+Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequency) {
+  const Eigen::VectorXd weights = lowPass(dt, frequency);
+  const Eigen::Index half = weights.size() / 2;
+  const Eigen::Index count = values.size();
+  const auto at = [&](Eigen::Index i) {
+    if (i < 0) {
+      return 2.0 * values[0] - values[std::min(-i, count - 1)];
+    }
+    if (i >= count) {
+      return 2.0 * values[count - 1] - values[std::max<Eigen::Index>(2 * (count - 1) - i, 0)];
+    }
+    return values[i];
+  };
+  Eigen::VectorXd result(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (i >= half && i + half < count) {
+      result[i] = weights.dot(values.segment(i - half, 2 * half + 1));
+      continue;
+    }
+    double sum = 0.0;
+    for (Eigen::Index k = -half; k <= half; ++k) {
+      sum += weights[k + half] * at(i + k);
+    }
+    result[i] = sum;
+  }
+  return result;
+}
+
+// The frequency below which 99.99 % of the displacement's power above the noise lies.
+double excitedUpTo(const Eigen::VectorXd& displacement, double dt, double noise) {
+  const Eigen::Index segment = segmentLength(displacement.size());
+  Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
+  const double floor = noise * noise * 2.0 * dt;
+  density = (density.array() - 2.0 * floor).max(0.0);
+  const double total = density.sum();
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < density.size(); ++i) {
+    sum += density[i];
+    if (sum >= 0.9999 * total) {
+      return static_cast<double>(i + 1) / (static_cast<double>(segment) * dt);
+    }
+  }
+  return 0.5 / dt;
+}
+
+// The highest frequency at which the displacement stands out of the noise: corners of triangles and ends of ramps carry
+// little power, but a mass answers to them.
+double visibleUpTo(const Eigen::VectorXd& displacement, double dt, double noise) {
+  constexpr double kStandsOut = 5.0;  // beyond chance for a mean over 8 segments or more
+  const Eigen::Index segment = segmentLength(displacement.size());
+  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
+  const double floor = noise * noise * 2.0 * dt;
+  Eigen::Index last = density.size() - 1;
+  while (last > 0 && density[last] < kStandsOut * floor) {
+    --last;
+  }
+  return static_cast<double>(last) / (static_cast<double>(segment) * dt);
+}
+
+void smoothDisplacement(Record& record) {
+  const double nyquist = 0.5 / record.dt;
+  record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
+  record.highest_frequency = excitedUpTo(record.raw_displacement, record.dt, record.displacement_noise);
+  const double pass =
+      std::max(record.highest_frequency, visibleUpTo(record.raw_displacement, record.dt, record.displacement_noise));
+  if (record.displacement_noise > 1e-5 * deviation(record.raw_displacement) && kStop * pass < 0.9 * nyquist) {
+    record.passed_frequency = pass;
+    record.displacement = smooth(record.raw_displacement, record.dt, pass);
+    record.notes.push_back(fmt::format("displacement noise {:.2g} m: smoothed above {:.3g} Hz for the fits",
+                                       record.displacement_noise, pass));
+  } else {
+    record.displacement = record.raw_displacement;
+  }
+}
+
+// A sensor that stays at its extreme value for a run of samples is at its stop.
+void noteSaturation(Record& record) {
+  const auto count = [](const Eigen::VectorXd& values, double extreme) { return (values.array() == extreme).count(); };
+  for (const double extreme : {record.force.maxCoeff(), record.force.minCoeff()}) {
+    const auto equal = count(record.force, extreme);
+    if (equal >= 5) {
+      record.notes.push_back(
+          fmt::format("force stays at its extreme {:.4g} N for {} samples: saturated or coarse", extreme, equal));
+    }
+  }
+}
+
+}  // namespace
+
+double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual) {
+  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
+  return std::min(whiteNoiseAbove(residual, record.dt, edge), whiteNoiseAbove(record.force, record.dt, edge)) /
+         record.force_deviation;
+}
+
+Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
+  std::mt19937_64 generator(draw);
+  std::normal_distribution<double> normal(0.0, record.displacement_noise);
+  Eigen::VectorXd noise(record.size());
+  for (double& value : noise) {
+    value = normal(generator);
+  }
+  return record.displacement + noise;
+}
+
+Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment) {
+  Eigen::FFT<double> fft;
+  const Eigen::Index lines = segment / 2 + 1;
+  Eigen::VectorXd density = Eigen::VectorXd::Zero(lines);
+  Eigen::ArrayXd window(segment);
+  for (Eigen::Index i = 0; i < segment; ++i) {
+    window[i] = 0.5 - 0.5 * std::cos(2.0 * M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(segment));
+  }
+  const double scale = 2.0 * dt / window.square().sum();
+  Eigen::Index segments = 0;
+  std::vector<double> piece(static_cast<std::size_t>(segment));
+  std::vector<std::complex<double>> spectrum;
+  for (Eigen::Index start = 0; start + segment <= signal.size(); start += std::max<Eigen::Index>(segment / 2, 1)) {
+    const Eigen::ArrayXd part = signal.segment(start, segment).array();
+    Eigen::Map<Eigen::ArrayXd>(piece.data(), segment) = (part - part.mean()) * window;
+    fft.fwd(spectrum, piece);
+    for (Eigen::Index i = 0; i < lines; ++i) {
+      density[i] += scale * std::norm(spectrum[static_cast<std::size_t>(i)]);
+    }
+    ++segments;
+  }
+  return density / std::max<double>(1.0, static_cast<double>(segments));
+}
+
+double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequency) {
+  const Eigen::Index segment = segmentLength(signal.size());
+  const Eigen::VectorXd density = powerSpectralDensity(signal, dt, segment);
+  const auto first = static_cast<Eigen::Index>(std::ceil(frequency * dt * static_cast<double>(segment)));
+  if (density.size() - 1 - first < 8) {
+    return 0.0;
+  }
+  const std::vector<double> lines(density.data() + first, density.data() + density.size() - 1);
+  const Eigen::Index segments = std::max<Eigen::Index>(1, 2 * (signal.size() / segment) - 1);
+  return std::sqrt(median(lines) / medianToMean(segments) * 0.5 / dt);
+}
+
+Record makeRecord(const Log& log) {
+  if (log.force.empty()) {
+    throw LogError(log.name + ": has no measured force; needed is a column force_<unit>");
+  }
+  if (static_cast<Eigen::Index>(log.size()) < kFewestSamples) {
+    throw LogError(
+        fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(), kFewestSamples));
+  }
+  Record record;
+  record.name = log.name;
+  record.notes = log.notes;
+  setTimeBase(log, record);
+  record.force_deviation = deviation(record.force);
+  const auto changes = [](const Eigen::VectorXd& values) {
+    return deviation(values) > 1e-12 * values.cwiseAbs().maxCoeff();
+  };
+  if (!changes(record.force) || !changes(record.raw_displacement)) {
+    throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
+  }
+  smoothDisplacement(record);
+  noteSaturation(record);
+  return record;
+}
+
+}  // namespace rubber_suspension::log

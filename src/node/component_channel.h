@@ -1,0 +1,94 @@
+// One component of the node: its samples, its counters, its state, safe to use from several threads. Knows no ROS.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "node/gap_monitor.h"
+#include "node/latency_histogram.h"
+#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::node {
+
+/// The state of a component as it is saved, with what is needed to refuse it where it does not belong.
+struct SavedState {
+  std::string component;
+  std::vector<element::ElementDescription> elements;  ///< of the component whose state it is
+  bool started = false;                               ///< false: no sample yet, the rest means nothing
+  std::int64_t stamp = 0;                             ///< [ns] of the last accepted sample
+  double displacement = 0.0;                          ///< [m] at that sample
+  std::vector<double> memory;
+};
+
+/// What a channel did since it was made, and since the last report.
+struct ChannelReport {
+  component::StreamCounters counters;  ///< since the node started, over resets and reloads
+  std::uint64_t disabled = 0;          ///< samples that came while the component was disabled
+  std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
+  bool enabled = true;
+  bool started = false;
+  double last_time = 0.0;     ///< stamp of the last accepted sample [s]
+  double displacement = 0.0;  ///< of the last accepted sample [m]
+  LatencyHistogram latency;   ///< of the samples since the last report
+};
+
+/// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
+/// a file is read, a model is estimated or a message is published.
+class ComponentChannel {
+ public:
+  /// Throws std::invalid_argument where the description has no solution. max_gap in [s].
+  ComponentChannel(const io::ComponentDescription& description, double max_gap);
+
+  const std::string& name() const { return name_; }
+
+  /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
+  bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
+
+  /// Count a served sample: from arrival to publication [ns].
+  void countLatency(std::int64_t nanoseconds);
+
+  /// Count samples that a sender sent and that never arrived.
+  void countLost(std::uint64_t samples);
+
+  /// Back to a new specimen at rest.
+  void reset();
+
+  /// While disabled no sample is answered; the state stays as it is.
+  void setEnabled(bool enabled);
+
+  SavedState save() const;
+
+  /// Throws std::invalid_argument if the state is not one of this component; then nothing has changed.
+  void checkState(const SavedState& state) const;
+  void load(const SavedState& state);
+
+  /// A model made ready for exchange(), outside of any lock.
+  class Model;
+  static std::shared_ptr<Model> makeModel(const io::ComponentDescription& description, double max_gap);
+
+  /// Go on with another model. One of the same elements takes the state over; any other starts as a new specimen.
+  void exchange(const std::shared_ptr<Model>& model);
+
+  /// Measured forces go here; what is accepted and answered is already there.
+  GapMonitor& gap() { return gap_; }
+
+  /// What happened so far; starts a new interval of the latency.
+  ChannelReport report();
+
+ private:
+  std::string name_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<Model> model_;
+  component::StreamCounters earlier_;  // of the models before a reload
+  std::uint64_t disabled_ = 0;
+  std::uint64_t lost_ = 0;
+  bool enabled_ = true;
+  LatencyHistogram latency_;
+  GapMonitor gap_;  // has a lock of its own
+};
+
+}  // namespace rubber_suspension::node

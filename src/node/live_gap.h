@@ -1,0 +1,63 @@
+// The live gap: how large it is against noise, where it lies, whether it grows. Knows no ROS.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "node/gap_monitor.h"
+#include "rubber_suspension/gap/where.h"
+
+namespace rubber_suspension::node {
+
+struct GapSettings {
+  double window = 10.0;  ///< length of the sliding window [s]
+  double warn = 0.1;     ///< gap beyond noise from which on diagnostics warn [-]
+  double error = 0.3;    ///< and from which on they report an error [-]
+};
+
+enum class GapLevel { unknown, ok, warn, error };
+
+/// A gap as of now. Gaps are RMS of measured minus simulated force over the standard deviation of the measured force.
+struct LiveGap {
+  bool known = false;      ///< false: too few samples, or nothing moves; the rest means nothing then
+  std::string reason;      ///< why it is not known
+  std::int64_t stamp = 0;  ///< of the newest sample [ns]
+  double window = 0.0;     ///< time that the samples cover [s]
+  std::size_t samples = 0;
+  double gap = 0.0;                 ///< [-]
+  double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
+  double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
+  double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
+  std::array<double, 5> share{};    ///< of the squared gap, by Quantity; they add up to 1
+  std::vector<gap::GapCell> cells;  ///< by frequency, amplitude and quantity, largest first
+
+  GapLevel level(const GapSettings& settings) const;
+};
+
+/// The gap of one window of matched samples, split as the diagnosis splits it; without trend.
+LiveGap measureGap(const std::vector<MatchedSample>& samples, const GapSettings& settings);
+
+/// Follows the gap from report to report.
+class GapTracker {
+ public:
+  explicit GapTracker(const GapSettings& settings) : settings_(settings) {}
+
+  /// Measure the gap of the monitor's window and its trend.
+  LiveGap update(const GapMonitor& monitor);
+
+ private:
+  struct Point {
+    double time;  // [s]
+    double gap;
+  };
+
+  double trend() const;
+
+  GapSettings settings_;
+  std::deque<Point> history_;
+};
+
+}  // namespace rubber_suspension::node

@@ -1,0 +1,27 @@
+// Command lines of programs that are ROS nodes: what ROS takes (name:=value) and what the program's own parser gets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::ros_interface {
+
+/// Splits a command line without contact to a master, so that --help and --version work anywhere.
+class RosCommandLine {
+ public:
+  RosCommandLine(int argc, char** argv);
+
+  /// The arguments that are left for the program, its name first.
+  int argc() const { return static_cast<int>(pointers_.size()); }
+  char** argv() { return pointers_.data(); }
+
+  /// Initialise ROS with the arguments meant for it. Throws std::runtime_error where they are malformed.
+  void initialise(const std::string& node_name);
+
+ private:
+  std::vector<std::string> all_;
+  std::vector<std::string> own_;
+  std::vector<char*> pointers_;
+};
+
+}  // namespace rubber_suspension::ros_interface

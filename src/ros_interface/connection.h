@@ -1,0 +1,19 @@
+// Whether a topic is connected for certain, so that the very first message is not lost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::ros_interface {
+
+/// The nodes that advertise a topic, by the master. Empty where the master does not answer.
+std::vector<std::string> publishersOf(const std::string& resolved_topic);
+
+/// True if this publisher already sends to this process: asked of the publisher itself (slave API, getBusInfo), because
+/// what the subscriber's side counts are connections that may still be in the making.
+bool sendsToThisNode(const std::string& publisher, const std::string& resolved_topic);
+
+/// Wait until the topic has a publisher and every one of them sends to this node. False after `timeout` [s].
+bool waitForPublishers(const std::string& resolved_topic, double timeout);
+
+}  // namespace rubber_suspension::ros_interface

@@ -1,0 +1,51 @@
+// Checks the forces of a bench: a log goes in over the topics, its forces are compared with a reference.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ros_interface/log_player.h"
+#include "ros_interface/test_report.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/io/figure.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::ros_interface {
+
+/// How far forces are from a reference.
+struct ForceDifference {
+  double gap;           ///< RMS of the difference over the standard deviation of the reference [-]
+  double largest;       ///< largest difference [N]
+  double largest_time;  ///< where that is, from the start of the log [s]
+};
+
+/// Compare forces with a reference, both one per sample of the log and in [N], leaving out the first `skip` seconds of
+/// the log. Throws std::invalid_argument where nothing is left or the reference is constant there.
+ForceDifference compareForces(const log::Log& log, const std::vector<double>& reference,
+                              const std::vector<double>& force, double skip);
+
+/// What the reference is, for messages: "the force measured in track.csv".
+struct ForceReference {
+  std::string name;
+  std::vector<double> force;  ///< [N], one per sample
+};
+
+/// The force that the log has measured. Throws std::invalid_argument where it has none.
+ForceReference measuredReference(const log::Log& log);
+
+/// The force that a component file gives for the log, offline; a new specimen. Throws as simulateLog does.
+ForceReference simulatedReference(const component::Component& component, const log::Log& log,
+                                  const std::string& config);
+
+/// Whether every sample of the log had exactly one force.
+TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
+
+/// Whether the gap to the reference is no larger than `tolerance`. A force that is missing or not finite fails.
+TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result, double tolerance,
+                     double skip);
+
+/// Forces of bench and reference over time and displacement, and their difference. Every sample has to have its force.
+io::Figure forceFigure(const std::string& component, const log::Log& log, const ForceReference& reference,
+                       const PlayResult& result);
+
+}  // namespace rubber_suspension::ros_interface

@@ -1,0 +1,51 @@
+// Messages that are allocated once and used again, so that publishing costs no allocation of ours.
+#pragma once
+
+#include <boost/make_shared.hpp>
+#include <boost/shared_ptr.hpp>
+#include <cstddef>
+#include <vector>
+
+namespace rubber_suspension::ros_interface {
+
+/// Hands out messages that nobody else holds any more. A subscriber in the same process (nodelet) gets the message
+/// itself and may keep it: it is used again only once it was let go. For one thread.
+template <class Message>
+class MessagePool {
+ public:
+  using Pointer = boost::shared_ptr<Message>;
+
+  /// `prototype` is what every message starts as: its strings and vectors at the size that they will need.
+  explicit MessagePool(const Message& prototype = Message(), std::size_t size = 16) : prototype_(prototype) {
+    for (std::size_t i = 0; i < size; ++i) {
+      messages_.push_back(boost::make_shared<Message>(prototype_));
+    }
+  }
+
+  /// A message free to be written. Where subscribers hold all of them, a new one; up to kMaximum of these are kept.
+  Pointer take() {
+    for (std::size_t tried = 0; tried < kTries && tried < messages_.size(); ++tried) {
+      next_ = next_ + 1 < messages_.size() ? next_ + 1 : 0;
+      if (messages_[next_].use_count() == 1) {
+        return messages_[next_];
+      }
+    }
+    Pointer fresh = boost::make_shared<Message>(prototype_);
+    if (messages_.size() < kMaximum) {
+      messages_.push_back(fresh);
+    }
+    return fresh;
+  }
+
+  std::size_t size() const { return messages_.size(); }
+
+ private:
+  static constexpr std::size_t kTries = 16;  // bounds the time of a call
+  static constexpr std::size_t kMaximum = 1024;
+
+  Message prototype_;
+  std::vector<Pointer> messages_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace rubber_suspension::ros_interface

@@ -1,0 +1,58 @@
+// What a bench may ask of the node besides forces: reset, save and load the state, enable, reload.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "node/component_channel.h"
+#include "ros_interface/node_settings.h"
+
+namespace rubber_suspension::ros_interface {
+
+/// Read the states of `path` and put every channel on its own. All or none: throws StateFileError or
+/// std::invalid_argument where the file is not one of exactly these components, and nothing has changed.
+void loadStates(const std::string& path, const std::vector<node::ComponentChannel*>& channels);
+
+/// Replace the models of all channels by those of the descriptions. All or none: throws std::invalid_argument where the
+/// components are not those of the channels or one has no solution. A component whose elements are the same goes on;
+/// another one starts as a new specimen.
+void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
+                    const std::vector<node::ComponentChannel*>& channels);
+
+/// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
+/// components, `COMPONENT/reset` and `COMPONENT/set_enabled` for one. They read and write nothing but the files that
+/// the node's own parameters name: whoever calls a service names no path.
+class NodeServices {
+ public:
+  /// The channels must outlive the object.
+  NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
+               const std::vector<node::ComponentChannel*>& channels);
+
+  /// Resolved names of all services.
+  std::vector<std::string> names() const;
+
+ private:
+  using Trigger = std_srvs::Trigger;
+  using SetBool = std_srvs::SetBool;
+
+  /// A Trigger service; `action` returns the message of success, its exceptions become that of failure.
+  void advertise(ros::NodeHandle& handle, const std::string& name, std::function<std::string()> action);
+  void advertiseSwitch(ros::NodeHandle& handle, const std::string& name,
+                       const std::vector<node::ComponentChannel*>& channels);
+
+  std::string save() const;
+  std::string load() const;
+  std::string reload() const;
+
+  ros::NodeHandle private_handle_;
+  NodeSettings settings_;
+  std::vector<node::ComponentChannel*> channels_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace rubber_suspension::ros_interface

@@ -1,0 +1,37 @@
+// What a user may set on the node besides its components: one table of private parameters, checked strictly.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "node/live_gap.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::ros_interface {
+
+/// The node's private parameters with their defaults.
+struct NodeSettings {
+  double max_gap = 0.5;       ///< longest time between two samples that is not reported [s]
+  int queue_size = 10000;     ///< samples that wait per topic, in and out, before the oldest is lost
+  int threads = 1;            ///< serving threads; components are dealt out to them in turn
+  int realtime_priority = 0;  ///< SCHED_FIFO priority of the serving threads, 0 for none
+  bool lock_memory = false;   ///< keep all memory of the process resident (mlockall)
+  std::string state_file;     ///< where ~save_state and ~load_state keep the state; empty: services refuse
+  bool load_state = false;    ///< go on from state_file at the start, if the file is there
+  node::GapSettings gap;      ///< window and thresholds of the live gap
+};
+
+/// Read and check all private parameters but those of the components. Throws std::invalid_argument: parameter, value
+/// and what would be accepted; an unknown parameter is refused too.
+NodeSettings readNodeSettings(const ros::NodeHandle& private_handle);
+
+/// The components from the file that ~config_file names or from the parameters under ~components, of which exactly one
+/// must be given. Throws std::invalid_argument or ComponentFileError.
+std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle);
+
+/// The table above as text for --help.
+std::string describeNodeSettings();
+
+}  // namespace rubber_suspension::ros_interface

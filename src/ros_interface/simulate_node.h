@@ -1,0 +1,51 @@
+// The node: components, their topics, services and diagnostics, put together for a process of its own or a nodelet.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <vector>
+
+#include "node/component_channel.h"
+#include "ros_interface/bundle_server.h"
+#include "ros_interface/node_diagnostics.h"
+#include "ros_interface/node_services.h"
+#include "ros_interface/node_settings.h"
+#include "ros_interface/registration_keeper.h"
+#include "ros_interface/sample_server.h"
+#include "ros_interface/serving_thread.h"
+
+namespace rubber_suspension::ros_interface {
+
+/// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
+class SimulateNode {
+ public:
+  /// Throws std::exception with one line that says what is wrong; then nothing was advertised.
+  SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  ~SimulateNode();
+  SimulateNode(const SimulateNode&) = delete;
+  SimulateNode& operator=(const SimulateNode&) = delete;
+
+ private:
+  void makeChannels();
+  static void keepToLoopback();
+  void setUpRealTime();
+  void startServing();
+  void startThreads();
+  void advertiseServices();
+
+  std::vector<node::ComponentChannel*> channels() const;
+
+  ros::NodeHandle handle_;
+  ros::NodeHandle private_handle_;
+  NodeSettings settings_;
+  std::vector<std::unique_ptr<node::ComponentChannel>> channels_;
+  std::vector<std::unique_ptr<ServingThread>> threads_;
+  std::vector<std::unique_ptr<SampleServer>> servers_;
+  std::unique_ptr<BundleServer> bundle_;
+  std::unique_ptr<NodeDiagnostics> diagnostics_;
+  std::unique_ptr<NodeServices> services_;
+  std::unique_ptr<RegistrationKeeper> registration_;
+};
+
+}  // namespace rubber_suspension::ros_interface

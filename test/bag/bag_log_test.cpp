@@ -1,0 +1,193 @@
+// Bags as logs: there and back bit by bit, parts without force, several components, damaged and misleading files.
+#include "bag/bag_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/Force.h>
+
+#include <fstream>
+
+#include "io/temporary_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+
+class BagLog : public testing::Test {
+ protected:
+  static log::Log log() {
+    log::Log result;
+    result.name = "log";
+    result.stamp = {0, 1000000, 2500000, 1000000007};
+    result.displacement = {0.1, 1.0 / 3.0, -2e-300, 5e-324};
+    result.force = {1.0, -1.0 / 7.0, 1e300, 0.0};
+    return result;
+  }
+
+  std::string path(const std::string& name) const { return folder_.folder() + "/" + name; }
+
+  std::string refusal(const std::string& file, const std::string& component = "") const {
+    try {
+      bag::readBagLog(file, component);
+    } catch (const log::LogError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << file << " was not refused";
+    return {};
+  }
+
+  TemporaryFile folder_{"keep", ""};
+};
+
+TEST_F(BagLog, ReadsBackBitByBit) {
+  bag::writeBagLog(path("a.bag"), "bush", log());
+  const log::Log read = bag::readBagLog(path("a.bag"), "bush");
+  EXPECT_EQ(read.name, "a");
+  EXPECT_EQ(read.stamp, log().stamp);
+  EXPECT_EQ(read.displacement, log().displacement);
+  EXPECT_EQ(read.force, log().force);
+  EXPECT_TRUE(read.notes.empty());
+  EXPECT_EQ(bag::readAnyLog(path("a.bag")).displacement, log().displacement);
+}
+
+TEST_F(BagLog, ForceIsOptional) {
+  log::Log plain = log();
+  plain.force.clear();
+  bag::writeBagLog(path("a.bag"), "bush", plain);
+  EXPECT_TRUE(bag::readBagLog(path("a.bag")).force.empty());
+}
+
+TEST_F(BagLog, StampsThatNoHeaderHoldsAreShifted) {
+  log::Log early = log();
+  for (std::int64_t& stamp : early.stamp) {
+    stamp -= 5000000000;
+  }
+  bag::writeBagLog(path("a.bag"), "bush", early);
+  const log::Log read = bag::readBagLog(path("a.bag"));
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read.stamp[i] - read.stamp[0], log().stamp[i] - log().stamp[0]);
+  }
+}
+
+TEST_F(BagLog, KeepsTheLongestStretchWithForce) {
+  const log::Log all = log();
+  bag::BagWriter writer(path("a.bag"), "bush");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    writer.writeDisplacement(all.stamp[i], all.displacement[i]);
+    if (i >= 1 && i <= 2) {
+      writer.writeMeasuredForce(all.stamp[i], all.force[i]);
+    }
+  }
+  writer.close();
+  const log::Log read = bag::readBagLog(path("a.bag"));
+  EXPECT_EQ(read.stamp, (std::vector<std::int64_t>{all.stamp[1], all.stamp[2]}));
+  EXPECT_EQ(read.force, (std::vector<double>{all.force[1], all.force[2]}));
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_THAT(read.notes[0], HasSubstr("samples 2 to 3 of 4"));
+}
+
+// Forces at stamps of their own, 100 ppm fast and at another rate; a straight line is interpolated exactly.
+TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
+  constexpr int kSamples = 200;
+  constexpr std::int64_t kInterval = 1000000;
+  const auto line = [](std::int64_t stamp) { return 3.0 + 2e-6 * static_cast<double>(stamp); };
+  bag::BagWriter writer(path("a.bag"), "bush");
+  for (std::int64_t i = 0; i < kSamples; ++i) {
+    writer.writeDisplacement((i + 1) * kInterval, 1e-3);
+    const std::int64_t stamp = 700003 + i * 800080;
+    if (i < 100 || i > 103) {  // between these the samples are too far apart
+      writer.writeMeasuredForce(stamp, line(stamp));
+    }
+  }
+  writer.close();
+  const log::Log read = bag::readBagLog(path("a.bag"));
+  ASSERT_EQ(read.notes.size(), 2U);
+  EXPECT_THAT(read.notes[0], HasSubstr("interpolated linearly"));
+  EXPECT_THAT(read.notes[1], HasSubstr("a force around their stamp"));
+  ASSERT_EQ(read.force.size(), read.size());
+  EXPECT_EQ(read.stamp.front(), kInterval);
+  EXPECT_EQ(read.stamp.back(), 79 * kInterval);  // the last before 700003 + 99 * 800080 ns
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
+  }
+}
+
+TEST_F(BagLog, SeveralComponentsNeedAName) {
+  rosbag::Bag bag(path("a.bag"), rosbag::bagmode::Write);
+  for (const char* topic : {"/bench/left/displacement", "/bench/right/displacement"}) {
+    for (int i = 1; i <= 3; ++i) {
+      Displacement message;
+      message.header.stamp = ros::Time(i);
+      message.displacement = i;
+      bag.write(topic, message.header.stamp, message);
+    }
+  }
+  bag.close();
+  EXPECT_THAT(refusal(path("a.bag")), HasSubstr("/bench/left/displacement, /bench/right/displacement"));
+  EXPECT_THAT(refusal(path("a.bag"), "middle"), HasSubstr("/middle/displacement"));
+  EXPECT_THAT(refusal(path("a.bag"), "eft"), HasSubstr("/eft/displacement"));
+  EXPECT_EQ(bag::readBagLog(path("a.bag"), "left").size(), 3U);
+}
+
+TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
+  bag::BagWriter writer(path("a.bag"), "bush");
+  writer.writeDisplacement(2000, 0.0);
+  writer.writeDisplacement(1000, 0.0);
+  writer.writeDisplacement(3000, 0.0);
+  writer.close();
+  // A bag is read in the order of its recording, here that of the stamps; so it takes two equal ones to go wrong.
+  EXPECT_EQ(bag::readBagLog(path("a.bag")).size(), 3U);
+  bag::BagWriter twice(path("b.bag"), "bush");
+  twice.writeDisplacement(1000, 0.0);
+  twice.writeDisplacement(1000, 1.0);
+  twice.close();
+  EXPECT_THAT(refusal(path("b.bag")), HasSubstr("message 2 on /bush/displacement"));
+}
+
+TEST_F(BagLog, RefusesATopicOfAnotherType) {
+  rosbag::Bag bag(path("a.bag"), rosbag::bagmode::Write);
+  Force message;
+  message.header.stamp = ros::Time(1);
+  bag.write("/bush/displacement", message.header.stamp, message);
+  bag.close();
+  EXPECT_THAT(refusal(path("a.bag")), HasSubstr("rubber_suspension/Displacement"));
+}
+
+TEST_F(BagLog, RefusesWhatIsNoBag) {
+  EXPECT_THAT(refusal(path("none.bag")), HasSubstr(path("none.bag")));
+  std::ofstream(path("text.bag")) << "time_s,displacement_m\n0,0\n";
+  EXPECT_THAT(refusal(path("text.bag")), HasSubstr(path("text.bag")));
+  std::ofstream(path("empty.bag")).flush();
+  EXPECT_THAT(refusal(path("empty.bag")), HasSubstr(path("empty.bag")));
+}
+
+// Truncated anywhere, or with a byte changed anywhere in what rosbag trusts, a bag is read or refused, never worse.
+TEST_F(BagLog, SurvivesDamage) {
+  bag::writeBagLog(path("a.bag"), "bush", log());
+  std::ifstream file(path("a.bag"), std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto attempt = [&](const std::string& bytes) {
+    std::ofstream(path("damaged.bag"), std::ios::binary) << bytes;
+    try {
+      bag::readBagLog(path("damaged.bag"));
+    } catch (const log::LogError&) {  // refused with its reason, which is what damage deserves
+    }
+  };
+  for (std::size_t size = 0; size < whole.size(); size += 197) {
+    attempt(whole.substr(0, size));
+  }
+  const std::size_t index = whole.find("op=\x04");  // behind the only chunk
+  ASSERT_NE(index, std::string::npos);
+  for (const char mask : {'\x01', '\x55', '\x80'}) {
+    for (std::size_t place = 0; place < whole.size(); place += place < index - 100 ? 211 : 1) {
+      std::string bytes = whole;
+      bytes[place] = static_cast<char>(bytes[place] ^ mask);
+      attempt(bytes);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension

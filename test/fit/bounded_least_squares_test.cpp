@@ -1,0 +1,65 @@
+// Bounded least squares: conditions of optimality over random problems, bounds, collinear columns.
+#include "rubber_suspension/fit/bounded_least_squares.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace rubber_suspension {
+namespace {
+
+Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, std::mt19937& generator) {
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
+}
+
+TEST(BoundedLeastSquares, MeetsTheConditionsOfOptimality) {
+  std::mt19937 generator(7);
+  for (int problem = 0; problem < 200; ++problem) {
+    const Eigen::Index unknowns = 2 + problem % 12;
+    const Eigen::MatrixXd a = randomMatrix(3 * unknowns, unknowns, generator);
+    const Eigen::VectorXd y = randomMatrix(3 * unknowns, 1, generator);
+    const Eigen::MatrixXd gram = a.transpose() * a;
+    const Eigen::VectorXd moment = a.transpose() * y;
+    const Eigen::VectorXd lower = Eigen::VectorXd::Constant(unknowns, -0.1);
+    const Eigen::VectorXd upper = Eigen::VectorXd::Constant(unknowns, 0.15);
+    const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, lower, upper);
+    const Eigen::VectorXd descent = moment - gram * x;
+    // The ridge of 1e-9 of the diagonal shifts the gradient by no more than that times the bound.
+    const double tolerance = 1e-8 * gram.diagonal().maxCoeff();
+    for (Eigen::Index i = 0; i < unknowns; ++i) {
+      ASSERT_GE(x[i], lower[i]);
+      ASSERT_LE(x[i], upper[i]);
+      if (x[i] > lower[i]) {
+        EXPECT_GE(descent[i], -tolerance) << "problem " << problem;
+      }
+      if (x[i] < upper[i]) {
+        EXPECT_LE(descent[i], tolerance) << "problem " << problem;
+      }
+    }
+  }
+}
+
+TEST(BoundedLeastSquares, LeavesAnEmptyColumnAtNothing) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Identity(3, 3);
+  gram(1, 1) = 0.0;
+  const Eigen::Vector3d moment(1.0, 0.0, -2.0);
+  const Eigen::Vector3d infinite = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, -infinite, infinite);
+  EXPECT_NEAR(x[0], 1.0, 1e-8);
+  EXPECT_EQ(x[1], 0.0);
+  EXPECT_NEAR(x[2], -2.0, 1e-8);
+}
+
+TEST(BoundedLeastSquares, SplitsBetweenEqualColumnsWithoutBlowingUp) {
+  const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(2, 2, 4.0);
+  const Eigen::Vector2d moment(4.0, 4.0);
+  const Eigen::Vector2d infinite = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, Eigen::Vector2d::Zero(), infinite);
+  EXPECT_NEAR(x.sum(), 1.0, 1e-6);
+  EXPECT_LE(x.maxCoeff(), 1.0 + 1e-6);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

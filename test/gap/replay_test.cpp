@@ -1,0 +1,112 @@
+// Offline simulation of a log: the stream's own numbers, the gap, the summary and the figure.
+#include "rubber_suspension/gap/replay.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "io/progress.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+log::Log sineLog(int samples) {
+  log::Log log;
+  log.name = "sine";
+  for (int i = 0; i < samples; ++i) {
+    log.stamp.push_back(7 + i * 1234567LL);
+    log.displacement.push_back(0.003 * std::sin(0.01 * i));
+  }
+  return log;
+}
+
+component::Component component() {
+  return component::Component({{"spring", {{"stiffness", {3e6}}}},
+                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
+                               {"friction", {{"maximum_force", {1500.0}}, {"displacement", {0.0005}}}}});
+}
+
+TEST(SimulateLog, GivesTheForcesOfAStreamToTheLastBit) {
+  const log::Log log = sineLog(5000);
+  const component::Component specimen = component();
+  const std::vector<double> force = gap::simulateLog(specimen, log);
+  component::SampleStream stream(specimen);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    ASSERT_EQ(force[i], stream.push(log.stamp[i], log.displacement[i]).force.total) << i;
+  }
+}
+
+TEST(SimulateLog, RefusesABadLog) {
+  log::Log log = sineLog(10);
+  log.stamp[5] = log.stamp[4];
+  EXPECT_THROW(gap::simulateLog(component(), log), log::LogError);
+}
+
+TEST(SimulateLog, NamesTheSampleWhoseForceIsNotFinite) {
+  log::Log log = sineLog(3);
+  log.displacement[2] = 1e305;  // times 3e6 N/m is beyond a double
+  try {
+    gap::simulateLog(component(), log);
+    FAIL() << "simulated it";
+  } catch (const log::LogError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sine: sample 3: displacement 1e+305 m"));
+  }
+}
+
+TEST(Replay, CountsGapsInTime) {
+  log::Log log = sineLog(10);
+  for (std::size_t i = 6; i < log.size(); ++i) {
+    log.stamp[i] += 2000000000LL;
+  }
+  EXPECT_EQ(gap::replay(component(), log).bridged, 1u);
+  EXPECT_EQ(gap::replay(component(), sineLog(10)).bridged, 0u);
+}
+
+TEST(RelativeGap, IsTheRmsOverTheStandardDeviation) {
+  // Deviation of (1, -1, 1, -1) is 1; the errors are 0.5 throughout.
+  EXPECT_DOUBLE_EQ(gap::relativeGap({1.0, -1.0, 1.0, -1.0}, {1.5, -0.5, 0.5, -1.5}), 0.5);
+  EXPECT_EQ(gap::relativeGap({1.0, 2.0}, {1.0, 2.0}), 0.0);
+  EXPECT_THROW(gap::relativeGap({1.0, 1.0}, {1.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(gap::relativeGap({1.0, 2.0}, {1.0}), std::invalid_argument);
+  EXPECT_THROW(gap::relativeGap({}, {}), std::invalid_argument);
+}
+
+TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
+  log::Log log = sineLog(100);
+  gap::Replay result = gap::replay(component(), log);
+  EXPECT_THAT(gap::summary("bush", log, result), HasSubstr("bush: 100 samples, 0.122222 s"));
+  EXPECT_THAT(gap::summary("bush", log, result), Not(HasSubstr("gap")));
+  log.force = result.force;
+  EXPECT_THAT(gap::summary("bush", log, result), HasSubstr("gap to the measured force 0.0000"));
+}
+
+TEST(ReplayFigure, ThinsLongLogs) {
+  log::Log log = sineLog(120001);
+  log.force.assign(log.size(), 1.0);
+  const io::Figure figure = gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
+  ASSERT_EQ(figure.axes.size(), 4u);
+  EXPECT_EQ(figure.axes[1].curves.size(), 2u);
+  for (const io::Axes& axes : figure.axes) {
+    for (const io::Curve& curve : axes.curves) {
+      EXPECT_EQ(curve.x.size(), 40001u);  // every third
+      EXPECT_EQ(curve.x.size(), curve.y.size());
+    }
+  }
+  EXPECT_EQ(figure.axes[2].curves[1].y[0], 2.0);  // [kN]
+  EXPECT_EQ(figure.axes[3].curves[0].y[0], -1.999);
+  log.force.clear();
+  EXPECT_EQ(gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0)).axes.size(), 4u);
+}
+
+TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {
+  EXPECT_EQ(io::Progress::bar("x", 0, 80), "x   0 % [" + std::string(40, ' ') + "]");
+  EXPECT_EQ(io::Progress::bar("x", 50, 80), "x  50 % [" + std::string(20, '=') + std::string(20, ' ') + "]");
+  EXPECT_EQ(io::Progress::bar("x", 100, 80), "x 100 % [" + std::string(40, '=') + "]");
+  EXPECT_EQ(io::Progress::bar("x", 100, 10).size(), 10u);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+"""Holds the pages written by hand to the files, commands and launch files that they name.
+
+Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+"""
+
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+LARGEST_PICTURE = 150_000  # bytes: every clone carries all pictures, and all their versions
+# Words that this package used to invent, and what the field says.
+FOREIGN = {
+    "specimen": "component, or test piece", "own parameter": "model parameter", "yardstick": "baseline, or reference",
+    "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
+    "bear out": "confirm", "goes on": "continues",
+}
+WRITTEN = {"augmented.yaml", "components.yaml"}  # by a diagnosis, by a user
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+
+
+def pages(root):
+    """The Markdown pages of the package, by their paths; installed copies and builds are not among them."""
+    found = [*root.glob("*.md"), *root.glob("docs/*.md"), *root.glob("config/**/*.md"), *root.glob("test/*/*.md")]
+    return {path: path.read_text(encoding="utf-8") for path in sorted(found)}
+
+
+def anchors(text):
+    """The anchors that GitHub makes of the headings."""
+    titles = re.findall(r"^#+ (.*)$", FENCE.sub("", text), re.M)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def link_violations(root, path, text):
+    for target in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", text)):
+        if re.match(r"\w+:", target):
+            continue
+        name, _, anchor = target.partition("#")
+        file = path.parent / name if name else path
+        if not file.exists():
+            yield f"link to {target}, which does not exist"
+        elif anchor and anchor not in anchors(file.read_text(encoding="utf-8")):
+            yield f"link to {target}, but {file.relative_to(root)} has no such heading"
+
+
+def options(root):
+    """The options of each command, from the page that is compared with what the commands print."""
+    sections = re.split(r"^## (\w+)$", (root / "docs/commands.md").read_text(encoding="utf-8"), flags=re.M)[1:]
+    return {name: set(re.findall(r"--[\w-]+", text)) for name, text in zip(sections[::2], sections[1::2])}
+
+
+def command_violations(text, known):
+    """Options and arguments of the command lines in a page: in fenced blocks, and in the text."""
+    inline = re.findall(r"`(ros(?:run|launch)[^`]+)`", FENCE.sub("", text))
+    lines = [line for _, block in FENCE.findall(text) for line in block.replace("\\\n", " ").splitlines()]
+    for line in [*lines, *inline]:
+        run = re.search(r"rosrun rubber_suspension (\w+)(.*)", line)
+        if run and run[1] in known["options"]:
+            for option in re.findall(r"(?<!\S)--[\w-]+", run[2].split(" #")[0]):
+                if option not in known["options"][run[1]]:
+                    yield f"{run[1]} has no option {option}"
+        launch = re.search(r"roslaunch .*?rubber_suspension (\w+\.launch)(.*)", line)
+        if launch and launch[1] not in known["arguments"]:
+            yield f"there is no {launch[1]}"
+        elif launch:
+            for argument in re.findall(r"(\w+):=", launch[2]):
+                if argument not in known["arguments"][launch[1]]:
+                    yield f"{launch[1]} has no argument {argument}"
+    every_argument = set().union(*known["arguments"].values())
+    for argument in re.findall(r"`(\w+):=", FENCE.sub("", text)):
+        if argument not in every_argument:
+            yield f"no launch file has an argument {argument}"
+
+
+def sources(root):
+    """All files of the folders that a page may name files of."""
+    folders = ("src", "include", "test", "launch", "msg", "config", "scripts")
+    return ["/" + str(path.relative_to(root)) for folder in folders for path in (root / folder).rglob("*.*")]
+
+
+def source_violations(text, known):
+    """Names of files in the text, with or without their folders."""
+    for name in re.findall(r"`([\w/]+\.(?:cpp|h|py|launch|msg|yaml))`", FENCE.sub("", text)):
+        placeholder = re.match(r"(?:.*/)?(?:x[._]|[A-Z])", name)
+        if not placeholder and name not in WRITTEN and not any(file.endswith("/" + name) for file in known["sources"]):
+            yield f"names {name}, which does not exist"
+
+
+def word_violations(text):
+    for word, instead in FOREIGN.items():
+        if re.search(rf"\b{word}", text, re.I):
+            yield f"says '{word}'; the field says: {instead}"
+
+
+def main(root):
+    known = {"options": options(root), "sources": sources(root),
+             "arguments": {path.name: {arg.get("name") for arg in ElementTree.parse(path).getroot().findall("arg")}
+                           for path in (root / "launch").glob("*.launch")}}
+    found = []
+    for path, text in pages(root).items():
+        for violation in (*link_violations(root, path, text), *command_violations(text, known),
+                          *source_violations(text, known), *word_violations(text)):
+            found.append(f"{path.relative_to(root)}: {violation}")
+    for path in [*(root / "launch").glob("*.launch"), *(root / "config").rglob("*.yaml"), root / "CHANGELOG.rst"]:
+        found += [f"{path.relative_to(root)}: {v}" for v in word_violations(path.read_text(encoding="utf-8"))]
+    for path in (root / "docs/images").iterdir():
+        if path.stat().st_size > LARGEST_PICTURE:
+            size = path.stat().st_size
+            found.append(f"{path.relative_to(root)}: {size} bytes, more than {LARGEST_PICTURE}; try pngquant")
+    if not known["options"] or not known["arguments"]:
+        found.append("no commands or no launch files found")
+    print("\n".join(found), end="\n" if found else "")
+    return found
+
+
+if __name__ == "__main__":
+    sys.exit(1 if main(pathlib.Path(sys.argv[1]).resolve()) else 0)

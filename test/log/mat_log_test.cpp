@@ -1,0 +1,69 @@
+// Logs from MATLAB files of all levels. The files in mat_logs/ were written by SciPy, that of level 7.3 by libmatio;
+// the good ones all hold time 0, 0.5, 1, 1.5, 2 s, displacement 0, 1, 2, 1, 0 mm and force 0, 3, 6.5, 2.5, -0.5 kN.
+#include <gmock/gmock.h>
+
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+log::Log read(const std::string& name, const log::LogFormat& format = {}) {
+  return log::readLog(TEST_DIR "/io/mat_logs/" + name + ".mat", format);
+}
+
+std::string errorOf(const std::string& name, const log::LogFormat& format = {}) {
+  try {
+    read(name, format);
+  } catch (const log::LogError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class MatLogOfLevel : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MatLogOfLevel, HasTheColumnsOfACsvLog) {
+  const log::Log log = read(GetParam());
+  EXPECT_EQ(log.name, GetParam());
+  EXPECT_THAT(log.stamp, ElementsAre(0, 500000000, 1000000000, 1500000000, 2000000000));
+  EXPECT_THAT(log.displacement, ElementsAre(0.0, 0.001, 0.002, 0.001, 0.0));
+  EXPECT_THAT(log.force, ElementsAre(0.0, 3000.0, 6500.0, 2500.0, -500.0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, MatLogOfLevel, ::testing::Values("level4", "columns", "level73"));
+
+TEST(MatLog, NotesWhatItIgnores) {
+  EXPECT_THAT(read("columns").notes, ElementsAre("column 'gain' is ignored"));  // text is no column
+}
+
+// Single precision displacement [cm] and time [s] as whole numbers in the fields of the file's only struct.
+TEST(MatLog, FieldsOfAStructWithMapping) {
+  const log::LogFormat format = log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "cm,N", 0.0);
+  const log::Log log = read("struct", format);
+  EXPECT_THAT(log.stamp, ElementsAre(0, 1000000000, 2000000000, 3000000000, 4000000000));
+  EXPECT_THAT(log.displacement, ElementsAre(0.0, 0.01, 0.02, 0.01, 0.0));
+  EXPECT_THAT(log.force, ElementsAre(0.0, 3.0, 6.5, 2.5, -0.5));
+}
+
+TEST(MatLog, ARateStandsForTime) {
+  EXPECT_THAT(read("no_time", log::makeLogFormat({}, "", 1000.0)).stamp,
+              ElementsAre(0, 1000000, 2000000, 3000000, 4000000));
+}
+
+TEST(MatLog, RefusesWhatCannotBeUsed) {
+  EXPECT_THAT(errorOf("not_finite"), HasSubstr("displacement_mm: element 2: nan is not finite"));
+  EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
+  EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: 1.000000000 after 1.000000000"));
+  EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("displacement has 4 values; accepted: 5, one per stamp"));
+  EXPECT_THAT(errorOf("matrix"), HasSubstr("no column of displacement, the header has 'time_s'"));
+  EXPECT_THAT(errorOf("no_time"), HasSubstr("no column 'time_s'"));
+  EXPECT_THAT(errorOf("cut_off"), HasSubstr("cut_off.mat: "));
+  EXPECT_THAT(errorOf("text"), HasSubstr("cannot be read as a MATLAB file"));
+  EXPECT_THAT(errorOf("not_there"), HasSubstr("cannot be read as a MATLAB file"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,141 @@
+// Matching of measured to simulated forces: late, early, twice, never, over restarts, from two threads.
+#include "node/gap_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "support/allocation_counter.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr std::int64_t kMillisecond = 1000000;
+constexpr double kLong = 1e6;  // a window longer than any test [s]
+
+// A monitor that already knows that forces are measured.
+void wake(node::GapMonitor& monitor) { monitor.addMeasured(-1, std::numeric_limits<double>::quiet_NaN()); }
+
+TEST(GapMonitor, KeepsNothingUntilForcesAreMeasured) {
+  node::GapMonitor monitor;
+  monitor.addSimulated(1, 0.0, 1.0);
+  EXPECT_TRUE(monitor.window(kLong).empty());
+  EXPECT_EQ(monitor.counters().matched, 0U);
+}
+
+TEST(GapMonitor, MatchesLateAndEarlyForces) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  monitor.addMeasured(3 * kMillisecond, 30.0);  // before its sample
+  for (int i = 1; i <= 4; ++i) {
+    monitor.addSimulated(i * kMillisecond, i, 10.0 * i + 1.0);
+  }
+  monitor.addMeasured(1 * kMillisecond, 10.0);  // after later samples
+  const auto samples = monitor.window(kLong);
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[0].stamp, 1 * kMillisecond);
+  EXPECT_EQ(samples[0].measured, 10.0);
+  EXPECT_EQ(samples[0].simulated, 11.0);
+  EXPECT_EQ(samples[1].stamp, 3 * kMillisecond);
+  EXPECT_EQ(samples[1].measured, 30.0);
+  EXPECT_EQ(samples[1].displacement, 3.0);
+}
+
+TEST(GapMonitor, CountsWhatFindsNoSample) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  EXPECT_EQ(monitor.counters().not_finite, 1U);
+  monitor.addSimulated(2 * kMillisecond, 0.0, 0.0);
+  monitor.addSimulated(4 * kMillisecond, 0.0, 0.0);
+  monitor.addMeasured(3 * kMillisecond, 1.0);  // between two samples
+  monitor.addMeasured(1 * kMillisecond, 1.0);  // before the first
+  monitor.addMeasured(2 * kMillisecond, 1.0);
+  monitor.addMeasured(2 * kMillisecond, 2.0);  // a second time
+  monitor.addMeasured(5 * kMillisecond, 1.0);  // waits, and is overtaken
+  monitor.addSimulated(6 * kMillisecond, 0.0, 0.0);
+  EXPECT_EQ(monitor.counters().matched, 1U);
+  EXPECT_EQ(monitor.counters().unmatched, 4U);
+  EXPECT_EQ(monitor.window(kLong).at(0).measured, 1.0);
+}
+
+TEST(GapMonitor, WindowEndsAtTheNewestSample) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  for (int i = 0; i < 1000; ++i) {
+    monitor.addSimulated(i * kMillisecond, 0.0, 0.0);
+    monitor.addMeasured(i * kMillisecond, 1.0);
+  }
+  const auto samples = monitor.window(0.1);
+  ASSERT_EQ(samples.size(), 101U);
+  EXPECT_EQ(samples.front().stamp, 899 * kMillisecond);
+  EXPECT_EQ(samples.back().stamp, 999 * kMillisecond);
+}
+
+TEST(GapMonitor, AStepBackIsANewReplay) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  monitor.addSimulated(5000 * kMillisecond, 0.0, 0.0);
+  monitor.addMeasured(5000 * kMillisecond, 1.0);
+  monitor.addSimulated(0, 0.0, 0.0);
+  EXPECT_TRUE(monitor.window(kLong).empty());
+  monitor.addMeasured(0, 2.0);
+  ASSERT_EQ(monitor.window(kLong).size(), 1U);
+  monitor.clear();
+  EXPECT_TRUE(monitor.window(kLong).empty());
+}
+
+TEST(GapMonitor, ForgetsTheOldestAndAllocatesNothing) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  const test::AllocationCounter allocations;
+  constexpr int kSamples = 3 * static_cast<int>(node::GapMonitor::kCapacity);
+  for (int i = 0; i < kSamples; ++i) {
+    monitor.addMeasured(i * kMillisecond, i);
+    monitor.addSimulated(i * kMillisecond, 0.0, 0.0);
+  }
+  EXPECT_EQ(allocations.count(), 0U);
+  const auto samples = monitor.window(kLong);
+  ASSERT_EQ(samples.size(), node::GapMonitor::kCapacity);
+  EXPECT_EQ(samples.back().measured, kSamples - 1);
+  EXPECT_EQ(samples.front().measured, kSamples - static_cast<int>(node::GapMonitor::kCapacity));
+}
+
+TEST(GapMonitor, ForcesThatRunFarAheadAreBounded) {
+  node::GapMonitor monitor;
+  for (int i = 0; i < 10000; ++i) {
+    monitor.addMeasured((1000 + i) * kMillisecond, 1.0);
+  }
+  EXPECT_EQ(monitor.counters().unmatched, 10000U - node::GapMonitor::kWaiting);
+}
+
+TEST(GapMonitor, TakesSamplesForcesAndLooksFromThreeThreads) {
+  node::GapMonitor monitor;
+  wake(monitor);
+  constexpr int kSamples = 20000;
+  std::thread simulated([&] {
+    for (int i = 0; i < kSamples; ++i) {
+      monitor.addSimulated(i * kMillisecond, i, i);
+    }
+  });
+  std::thread measured([&] {
+    for (int i = 0; i < kSamples; ++i) {
+      monitor.addMeasured(i * kMillisecond, i);
+    }
+  });
+  for (int i = 0; i < 20; ++i) {
+    for (const node::MatchedSample& sample : monitor.window(1.0)) {
+      ASSERT_EQ(sample.simulated, sample.measured);
+    }
+  }
+  simulated.join();
+  measured.join();
+  // Every force was matched, or waited where there was no more room, or came when its sample was forgotten.
+  const node::MatchCounters counters = monitor.counters();
+  EXPECT_LE(counters.matched + counters.unmatched, static_cast<std::uint64_t>(kSamples));
+  EXPECT_GT(counters.matched, 0U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,54 @@
+// The latency histogram: percentiles against sorted samples.
+#include "node/latency_histogram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace rubber_suspension {
+namespace {
+
+TEST(LatencyHistogram, IsZeroWithoutSamples) {
+  const node::LatencyHistogram histogram;
+  EXPECT_EQ(histogram.percentile(0.5), 0.0);
+  EXPECT_EQ(histogram.mean(), 0.0);
+  EXPECT_EQ(histogram.maximum(), 0.0);
+}
+
+TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
+  std::mt19937 random(7);
+  std::lognormal_distribution<double> latency(std::log(1e5), 2.0);  // around 100 us, over some decades
+  node::LatencyHistogram histogram;
+  std::vector<double> samples;
+  for (int i = 0; i < 100000; ++i) {
+    const auto nanoseconds = static_cast<std::int64_t>(latency(random));
+    histogram.add(nanoseconds);
+    samples.push_back(1e-9 * static_cast<double>(nanoseconds));
+  }
+  std::sort(samples.begin(), samples.end());
+  for (const double fraction : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999}) {
+    const double exact = samples[static_cast<std::size_t>(fraction * 1e5) - 1];
+    // The upper edge of a bucket that is an eighth of an octave's lower edge wide; and it never flatters.
+    EXPECT_GE(histogram.percentile(fraction), exact);
+    EXPECT_LE(histogram.percentile(fraction), exact * 1.125 + 1e-9);
+  }
+  EXPECT_EQ(histogram.maximum(), samples.back());
+  EXPECT_EQ(histogram.count(), samples.size());
+}
+
+TEST(LatencyHistogram, TakesAnyNumber) {
+  node::LatencyHistogram histogram;
+  for (const std::int64_t nanoseconds : {std::int64_t{-5}, std::int64_t{0}, std::int64_t{7}, std::int64_t{8},
+                                         std::numeric_limits<std::int64_t>::max() / 4}) {
+    histogram.add(nanoseconds);
+  }
+  EXPECT_EQ(histogram.count(), 5U);
+  histogram.clear();
+  EXPECT_EQ(histogram.count(), 0U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
