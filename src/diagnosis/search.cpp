@@ -1,7 +1,6 @@
 // The search over candidate effects.
 #include "rubber_suspension/diagnosis/search.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "fit/linear_least_squares.h"
 #include "rubber_suspension/diagnosis/excess.h"
 #include "rubber_suspension/diagnosis/friction_noise.h"
 #include "rubber_suspension/fit/parallel.h"
@@ -236,7 +236,7 @@ class Screen {
     constexpr double kVisible = 0.05;
     constexpr double kOverNoise = 0.2;
     const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
-    const auto base = total.topLeftCorner(own_, own_).completeOrthogonalDecomposition();
+    const fit::LeastNorm base(total.topLeftCorner(own_, own_));
     for (const auto& columns : columns_of_) {
       double share = 0.0;
       bool testable = false;

@@ -2,7 +2,6 @@
 #include "fit/linear_least_squares.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
@@ -43,7 +42,7 @@ Eigen::VectorXd solvePassive(const ScaledProblem& problem, const std::vector<boo
       gram(i, j) = problem.gram(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
     }
   }
-  const Eigen::VectorXd part = solveLeastNorm(gram, moment);
+  const Eigen::VectorXd part = LeastNorm(gram).solve(moment);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.moment.size());
   for (Eigen::Index i = 0; i < size; ++i) {
     x[rows[static_cast<std::size_t>(i)]] = part[i];
@@ -77,13 +76,11 @@ bool walk(Eigen::VectorXd& x, const Eigen::VectorXd& target, const std::vector<b
 
 }  // namespace
 
-Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-  return a.completeOrthogonalDecomposition().solve(b);
-}
+LeastNorm::LeastNorm(const Eigen::MatrixXd& a) : decomposition_(a) {}
 
-Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  return a.completeOrthogonalDecomposition().solve(b);
-}
+Eigen::VectorXd LeastNorm::solve(const Eigen::VectorXd& b) const { return decomposition_.solve(b); }
+
+Eigen::MatrixXd LeastNorm::solve(const Eigen::MatrixXd& b) const { return decomposition_.solve(b); }
 
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                   const std::vector<bool>& signed_unknown) {

@@ -2,14 +2,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <vector>
 
 namespace rubber_suspension::fit {
 
 /// Of the x with least |A x - b| the one of least norm, so that collinear columns share. Eigen's rank-revealing
 /// decomposition takes ten seconds to compile wherever it is used: this is the one place.
-Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+class LeastNorm {
+ public:
+  explicit LeastNorm(const Eigen::MatrixXd& a);
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+
+ private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;
+};
 
 /// x of least |A x - b| with x_i >= 0 where signed_unknown[i] is false; by an active set on the normal equations with
 /// columns scaled to length 1 (C. L. Lawson and R. J. Hanson, Solving Least Squares Problems, 1974, ch. 23).
