@@ -38,7 +38,7 @@ struct ReplayBench {
   void simulate() {
     component::ComponentState state = component.makeState();
     library.resize(log.size());
-    library[0] = component.rest(state, log.displacement[0]).total;
+    library[0] = component.initialise(state, log.displacement[0]).total;
     component.simulate(state, kStep, log.displacement.data() + 1, log.size() - 1, library.data() + 1);
   }
 };
@@ -200,7 +200,7 @@ struct CandidateBench {
 
   void runTogether() {
     kernel::ComponentFleet fleet(components);
-    fleet.rest(displacement[0]);
+    fleet.initialise(displacement[0]);
     std::fill(library.begin(), library.end(), 0.0);
     for (std::size_t first = 1; first < displacement.size(); first += kBlock) {
       const std::size_t size = std::min(kBlock, displacement.size() - first);

@@ -51,7 +51,7 @@ ComponentFleet::ComponentFleet(const std::vector<component::Component>& componen
   turn_together_ = std::all_of(laws_.begin(), laws_.end(), [this](const Laws& laws) {
     return laws.bergs.empty() || laws.bergs.front().deadBand() == laws_.front().bergs.front().deadBand();
   });
-  rest(0.0);
+  initialise(0.0);
 }
 
 ComponentFleet::Laws ComponentFleet::lawsOf(const component::Component& component) {
@@ -84,7 +84,7 @@ LaneRow* ComponentFleet::group(std::size_t first_lane) { return numbers_.data() 
 
 double& ComponentFleet::number(std::size_t lane, std::size_t row) { return group(lane)[row].lane[lane % kLanes]; }
 
-void ComponentFleet::rest(double displacement) {
+void ComponentFleet::initialise(double displacement) {
   std::fill(numbers_.begin(), numbers_.end(), LaneRow{});
   for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
     number(lane, kDisplacement) = displacement;
@@ -94,7 +94,7 @@ void ComponentFleet::rest(double displacement) {
       number(lane, kCompliance) = berg.compliance();
       number(lane, kDeadBand) = berg.deadBand();
       std::array<double, element::BergFriction::kMemorySize> memory{};
-      berg.rest(displacement, memory.data());
+      berg.initialise(displacement, memory.data());
       for (std::size_t k = 0; k < memory.size(); ++k) {
         number(lane, kReferenceDisplacement + k) = memory[k];
       }

@@ -75,11 +75,11 @@ struct LogBlock {
     Stretch* next = stretch;
     for (std::size_t i = 0; i < size;) {
       const double turning_point = memory[element::BergFriction::kExtremum];
-      std::size_t end = i + berg.followUntilTurn(displacement + i, size - i, memory.data());
+      std::size_t end = i + berg.followUntilReversal(displacement + i, size - i, memory.data());
       const bool turns = end == i;
       if (turns) {
         berg.advance(displacement[i], memory.data());
-        end = i + 1 + berg.followUntilTurn(displacement + i + 1, size - i - 1, memory.data());
+        end = i + 1 + berg.followUntilReversal(displacement + i + 1, size - i - 1, memory.data());
       }
       bool begins = turns;
       while (i < end) {

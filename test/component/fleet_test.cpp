@@ -50,11 +50,11 @@ void expectSameBits(std::mt19937& random, const std::vector<component::Component
   std::normal_distribution<double> noise(0.0, 1.0);
   const std::size_t size = components.size();
   kernel::ComponentFleet fleet(components);
-  fleet.rest(1e-4);
+  fleet.initialise(1e-4);
   std::vector<component::ComponentState> states;
   for (const component::Component& component : components) {
     states.push_back(component.makeState());
-    component.rest(states.back(), 1e-4);
+    component.initialise(states.back(), 1e-4);
   }
   std::vector<double> displacement(size, 1e-4);
   std::vector<double> force(size);
@@ -142,7 +142,7 @@ void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<comp
   const std::vector<double> log = randomLog(random, 1500);
   const std::size_t size = components.size();
   kernel::ComponentFleet fleet(components);
-  fleet.rest(log[0]);
+  fleet.initialise(log[0]);
   std::vector<double> force(log.size() * size);
   std::vector<double> dt;
   while (dt.size() < log.size()) {
@@ -153,7 +153,7 @@ void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<comp
   }
   for (std::size_t k = 0; k < size; ++k) {
     component::ComponentState state = components[k].makeState();
-    components[k].rest(state, log[0]);
+    components[k].initialise(state, log[0]);
     for (std::size_t i = 0; i < log.size(); ++i) {
       ASSERT_EQ(force[i * size + k], components[k].step(state, dt[i], log[i]).total) << "sample " << i << ", " << k;
     }

@@ -31,7 +31,7 @@ class ComponentFleet {
   std::size_t size() const { return size_; }
 
   /// All at rest at a displacement [m], relaxed since long.
-  void rest(double displacement);
+  void initialise(double displacement);
 
   /// Advance all by dt > 0 [s], each to its displacement [m], linear in between; their total forces [N] go to `force`.
   /// Both have size() numbers and do not overlap. Allocates nothing.
