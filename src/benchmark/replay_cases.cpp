@@ -101,7 +101,7 @@ struct FleetBench {
   BareLanes bare_lanes;
   std::vector<component::Component> components;
   std::vector<component::ComponentState> states;
-  kernel::ComponentFleet fleet;
+  component::ComponentFleet fleet;
   std::vector<double> displacement;
   std::vector<double> own_displacement;
   std::vector<double> bare;
@@ -199,7 +199,7 @@ struct CandidateBench {
   }
 
   void runTogether() {
-    kernel::ComponentFleet fleet(components);
+    component::ComponentFleet fleet(components);
     fleet.rest(displacement[0]);
     std::fill(library.begin(), library.end(), 0.0);
     for (std::size_t first = 1; first < displacement.size(); first += kBlock) {

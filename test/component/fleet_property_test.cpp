@@ -47,7 +47,7 @@ RC_GTEST_PROP(AnyLogForAFleet, HasTheBitsOfEachComponentAlone, ()) {
   kernel::useAtMost(
       *rc::gen::element(kernel::Instructions::any, kernel::Instructions::avx2, kernel::Instructions::avx512));
   const std::vector<component::Component> components = fleetOf(maxwells, dead_band);
-  kernel::ComponentFleet fleet(components);
+  component::ComponentFleet fleet(components);
   std::vector<double> force(path.size() * components.size());
   fleet.simulate(1e-3, path.data(), path.size(), force.data());
   kernel::useAtMost(kernel::Instructions::avx512);

@@ -49,7 +49,7 @@ std::vector<component::Component> randomFleet(std::mt19937& random, std::size_t 
 void expectSameBits(std::mt19937& random, const std::vector<component::Component>& components) {
   std::normal_distribution<double> noise(0.0, 1.0);
   const std::size_t size = components.size();
-  kernel::ComponentFleet fleet(components);
+  component::ComponentFleet fleet(components);
   fleet.rest(1e-4);
   std::vector<component::ComponentState> states;
   for (const component::Component& component : components) {
@@ -95,8 +95,8 @@ TEST_P(Fleet, HasTheBitsOfEachComponentAlone) {
 TEST_P(Fleet, OfOneDisplacementIsTheFleetOfEqualOnes) {
   std::mt19937 random(2);
   const std::vector<component::Component> components = randomFleet(random, 19, 3, true);
-  kernel::ComponentFleet one(components);
-  kernel::ComponentFleet own(components);
+  component::ComponentFleet one(components);
+  component::ComponentFleet own(components);
   std::vector<double> of_one(19);
   std::vector<double> of_own(19);
   for (int tick = 0; tick < 500; ++tick) {
@@ -141,7 +141,7 @@ std::vector<double> randomLog(std::mt19937& random, std::size_t samples) {
 void expectLogHasTheBitsOfEachAlone(std::mt19937& random, const std::vector<component::Component>& components) {
   const std::vector<double> log = randomLog(random, 1500);
   const std::size_t size = components.size();
-  kernel::ComponentFleet fleet(components);
+  component::ComponentFleet fleet(components);
   fleet.rest(log[0]);
   std::vector<double> force(log.size() * size);
   std::vector<double> dt;
@@ -176,8 +176,8 @@ TEST_P(Fleet, OnOneLogGoesOnFromWhereTheComponentsAre) {
   std::mt19937 random(6);
   const std::vector<component::Component> components = fleetThatTurnsTogether(random, 11, 3, 0.0);
   const std::vector<double> log = randomLog(random, 200);
-  kernel::ComponentFleet at_once(components);
-  kernel::ComponentFleet one_by_one(components);
+  component::ComponentFleet at_once(components);
+  component::ComponentFleet one_by_one(components);
   std::vector<double> force(log.size() * 11);
   std::vector<double> expected(11);
   for (int turn = 0; turn < 3; ++turn) {
@@ -197,7 +197,7 @@ TEST_P(Fleet, OnOneLogGoesOnFromWhereTheComponentsAre) {
 
 TEST_P(Fleet, AllocatesNothing) {
   std::mt19937 random(4);
-  kernel::ComponentFleet fleet(randomFleet(random, 20, 5, true));
+  component::ComponentFleet fleet(randomFleet(random, 20, 5, true));
   std::vector<double> force(20);
   const std::vector<double> log(10, 1e-3);
   std::vector<double> forces(200);
@@ -211,14 +211,14 @@ TEST_P(Fleet, AllocatesNothing) {
 }
 
 TEST_P(Fleet, OfNobodyHasNothingToDo) {
-  kernel::ComponentFleet fleet({});
+  component::ComponentFleet fleet({});
   fleet.step(1e-3, 1e-3, nullptr);
   EXPECT_EQ(fleet.size(), 0U);
 }
 
 std::string refusalOf(const std::vector<component::Component>& components) {
   try {
-    const kernel::ComponentFleet fleet(components);
+    const component::ComponentFleet fleet(components);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
