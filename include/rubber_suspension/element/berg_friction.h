@@ -66,6 +66,10 @@ class BergFriction final : public ParallelElement {
   double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
   Part part() const override { return Part::friction; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.frictions.push_back({maximum_force_, displacement_, dead_band_});
+    return true;
+  }
 
   /// Start on the settled loop of this amplitude at its lower turning point: z = centre - amplitude, F = -F_f0.
   double startSettled(double amplitude, double centre, double* memory) const;
