@@ -75,8 +75,6 @@ class BasicLawsKernel {
   /// Force of friction [N] if the displacement became this one [m]; the memory stays.
   double frictionAt(double displacement, const double* memory) const;
 
-  std::size_t frictionCount() const { return frictions_.size(); }
-
   /// Displacement z [m] at the end of a step, where slope z + offset + compliance friction(z) = 0, by the closed form
   /// for a single friction that keeps its direction; nothing where friction does otherwise.
   std::optional<double> balance(double slope, double offset, double compliance, const double* memory) const;
@@ -102,7 +100,7 @@ class BasicLawsKernel {
     double friction = 0.0;
     if (!frictions_.empty()) {
       frictionMemory(memory)[element::BergFriction::kExtremum] = motion.displacement;
-      friction = prepared.branch.follow(motion.displacement);
+      friction = prepared.branch.continueTo(motion.displacement);
     }
     return sum(motion.displacement, viscousStep(motion.increment, memory, prepared), friction);
   }
