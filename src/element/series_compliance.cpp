@@ -1,4 +1,4 @@
-// Mount that yields in series with the specimen.
+// Series compliance.
 #include "rubber_suspension/element/series_compliance.h"
 
 #include <cmath>

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "rubber_suspension/element/basic_laws.h"
+
 namespace rubber_suspension::element {
 
 /// How the displacement moved since the previous sample; it is taken as linear in between.
@@ -49,14 +51,18 @@ class ParallelElement : public Element {
   virtual Part part() const = 0;
 
   /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on
-  /// the specimen's force pass it by.
+  /// the force of the test piece pass it by.
   virtual bool onRig() const { return false; }
+
+  /// Add the law to a sum of basic laws where it is one: then a component steps it with all others of them at once.
+  /// False for any other law, and nothing has happened.
+  virtual bool addTo(BasicLaws& /*sum*/) const { return false; }
 
   /// K*(omega) [N/m] at angular frequency omega [rad/s] of a linear law; nothing for a nonlinear one.
   virtual std::optional<std::complex<double>> complexStiffness(double /*omega*/) const { return std::nullopt; }
 };
 
-/// A law between the actuator and the specimen that changes the displacement: delay, free play.
+/// A law between the actuator and the test piece that changes the displacement: delay, free play.
 class DisplacementEffect : public Element {
  public:
   /// As ParallelElement::initialise; returns the displacement behind the effect [m].
@@ -65,14 +71,17 @@ class DisplacementEffect : public Element {
   /// Advance over one step and return the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
+  /// True for what a sensor does (delay): it comes before all that is between actuator and test piece.
+  virtual bool ofSensor() const { return false; }
+
   /// Factor on the displacement under a sine, of a linear law; nothing for a nonlinear one.
   virtual std::optional<std::complex<double>> transfer(double /*omega*/) const { return std::nullopt; }
 };
 
-/// A law that scales the specimen's force by its history: stress softening, self-heating.
+/// A law that scales the force of the test piece by its history: stress softening, self-heating.
 class ForceEffect : public Element {
  public:
-  /// Initialise the memory for a new specimen at rest at this displacement [m]; the factor is then 1.
+  /// Initialise the memory for a new test piece at rest at this displacement [m]; the factor is then 1.
   virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
@@ -82,11 +91,11 @@ class ForceEffect : public Element {
     return 1.0;
   }
 
-  /// Advance over one step; returns the factor on the specimen's force, `force` being that without the effect.
+  /// Advance over one step; returns the factor on the force of the test piece, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 };
 
-/// An elastic law in series with the whole specimen: bracket, mount, joint or rig that yields.
+/// Series compliance: an elastic law in series with the whole test piece, as a bracket or rig that yields.
 class SeriesElement : public Element {
  public:
   /// Deflection per force [m/N].

@@ -8,6 +8,8 @@
 
 namespace rubber_suspension::element {
 
+#include "rubber_suspension/element/maxwell_force.h"
+
 /// Coefficients of the exact step of a Maxwell element for one step length.
 struct MaxwellStep {
   double decay;  ///< e = exp(-dt/tau) [-]
@@ -34,9 +36,13 @@ class Maxwell final : public ParallelElement {
   double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override {
     const MaxwellStep coefficients(stiffness_, Relaxation::over(motion.dt * rate_));
-    return memory[0] = coefficients.decay * memory[0] + coefficients.gain * motion.increment;
+    return memory[0] = maxwellForce(coefficients.decay, coefficients.gain, memory[0], motion.increment);
   }
   Part part() const override { return Part::viscous; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.maxwells.push_back({stiffness_, rate_});
+    return true;
+  }
   std::optional<std::complex<double>> complexStiffness(double omega) const override {
     const std::complex<double> iwt(0.0, omega * relaxation_time_);
     return stiffness_ * iwt / (1.0 + iwt);
