@@ -8,12 +8,13 @@
 #include <stdexcept>
 
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/notes.h"
 
 namespace rubber_suspension::command {
 namespace {
 
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kDegrees = 180.0 / element::kPi;
 
 // SweepOptions with everything filled in.
 struct Sweeps {
@@ -86,9 +87,9 @@ std::string elementText(const element::ElementDescription& element) {
                         parameter.unit == "1" ? "" : " " + parameter.unit);
   }
   if (element.type == "maxwell") {
-    const double damping = element.value("stiffness") / (2.0 * M_PI * element.value("break_frequency"));
+    const double damping = element.value("stiffness") / (2.0 * element::kPi * element.value("break_frequency"));
     text += fmt::format(" (damping {:.6g} N s/m, relaxation time {:.6g} s)", damping,
-                        1.0 / (2.0 * M_PI * element.value("break_frequency")));
+                        1.0 / (2.0 * element::kPi * element.value("break_frequency")));
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell_bank.h"
 #include "rubber_suspension/element/spring.h"
@@ -498,7 +499,7 @@ std::optional<std::complex<double>> Component::specimenStiffness(double omega) c
 }
 
 std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
-  const double omega = 2.0 * M_PI * frequency;
+  const double omega = 2.0 * element::kPi * frequency;
   const auto specimen = specimenStiffness(omega);
   if (!specimen || !mount_is_linear_) {
     return std::nullopt;

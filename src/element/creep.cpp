@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::element {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<Maxwell> creepBank(double stiffness_per_decade, double shortest_time
   std::vector<Maxwell> elements;
   for (int i = 0; i < count; ++i) {
     const double relaxation_time = shortest_time * std::pow(10.0, band * (i + 0.5));
-    elements.emplace_back(stiffness_per_decade * band, 1.0 / (2.0 * M_PI * relaxation_time));
+    elements.emplace_back(stiffness_per_decade * band, 1.0 / (2.0 * kPi * relaxation_time));
   }
   return elements;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::element {
 namespace {
 
@@ -33,7 +35,7 @@ double Inertia::step(const Motion& motion, double* memory) const {
   return mass_ * extrapolated;
 }
 
-SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * M_PI * bandwidth) {}
+SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * kPi * bandwidth) {}
 
 double SmoothedInertia::rest(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + kLags, 0.0);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "estimation/models.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -125,7 +126,7 @@ double angleAt(const Specification& specification, double frequency) {
     if (element.type == "spring") {
       sum += element.value("stiffness");
     } else if (element.type == "dashpot") {
-      sum += std::complex<double>(0.0, 2.0 * M_PI * frequency * element.value("damping"));
+      sum += std::complex<double>(0.0, 2.0 * element::kPi * frequency * element.value("damping"));
     } else {
       const std::complex<double> ratio(0.0, frequency / element.value("break_frequency"));
       sum += element.value("stiffness") * ratio / (1.0 + ratio);
@@ -233,7 +234,7 @@ const std::vector<element::ParameterInfo>& dataSheetParameters() {
       {"layers", "1", element::Range::closed(1.0, 100.0), 1.0, "layers in series"},
       {"dynamic_to_static_ratio", "1", {1.0, 10.0, true, false}, std::nullopt, "K_n/K_st at the nominal frequency"},
       {"second_frequency", "Hz", element::Range::positive(), std::nullopt, "frequency of the second loss angle"},
-      {"second_loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle there"},
+      {"second_loss_angle", "rad", element::Range::open(0.0, 0.5 * element::kPi), std::nullopt, "loss angle there"},
   };
   return table;
 }

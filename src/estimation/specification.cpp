@@ -10,6 +10,7 @@
 
 #include "estimation/models.h"
 #include "estimation/solvability.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -238,7 +239,8 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
        {0.0, 1.0, true, false},
        std::nullopt,
        "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
-      {"loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle at the nominal frequency"},
+      {"loss_angle", "rad", element::Range::open(0.0, 0.5 * element::kPi), std::nullopt,
+       "loss angle at the nominal frequency"},
       {"relative_damping",
        "1",
        {0.0, 1.0, true, false},

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <complex>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::fit {
 namespace {
 
@@ -125,7 +127,7 @@ double& OwnParameters::coordinate(Relaxation& relaxation, const std::string& key
 // The specification of a point: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
 void OwnParameters::applyRelaxation(const Relaxation& relaxation, io::ComponentDescription& result) const {
   estimation::Specification& specification = result.specification;
-  const double omega = 2.0 * M_PI * specification.at("nominal_frequency");
+  const double omega = 2.0 * element::kPi * specification.at("nominal_frequency");
   double weights = 0.0;
   double weight = 1.0;
   for (std::size_t i = 0; i < relaxation.elements; ++i, weight *= relaxation.alpha) {
@@ -135,7 +137,7 @@ void OwnParameters::applyRelaxation(const Relaxation& relaxation, io::ComponentD
   double frequency = relaxation.break_frequency;
   weight = 1.0;  // of the fastest element, i = n_M
   for (std::size_t i = 0; i < relaxation.elements; ++i) {
-    const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * frequency));
+    const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * frequency));
     dynamic += relaxation.relaxing_stiffness * weight / weights * iwt / (1.0 + iwt);
     weight *= relaxation.alpha;
     frequency /= relaxation.band_ratio;

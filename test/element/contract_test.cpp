@@ -7,6 +7,7 @@
 #include <set>
 
 #include "element/typical_elements.h"
+#include "rubber_suspension/element/constants.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -61,7 +62,8 @@ double largest(const std::vector<double>& values) {
 
 /// Smooth from rest on, so that inertia starts without a kink.
 double smoothMotion(double t) {
-  return kAmplitude * (std::pow(std::sin(2.0 * M_PI * 1.3 * t), 3) + 0.4 * std::pow(std::sin(2.0 * M_PI * 5.1 * t), 3));
+  return kAmplitude * (std::pow(std::sin(2.0 * element::kPi * 1.3 * t), 3) +
+                       0.4 * std::pow(std::sin(2.0 * element::kPi * 5.1 * t), 3));
 }
 
 /// Forces under smoothMotion at multiples of 4 ms for a step of 4 ms / refinement.
@@ -96,7 +98,7 @@ std::complex<double> simulatedStiffness(const component::Component& component, d
   component::ComponentState state = component.makeState();
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= settling + samples_per_cycle; ++i) {
-    const double phase = 2.0 * M_PI * (i % samples_per_cycle) / samples_per_cycle;
+    const double phase = 2.0 * element::kPi * (i % samples_per_cycle) / samples_per_cycle;
     const double force = component.step(state, dt, kAmplitude * std::sin(phase)).total;
     if (i > settling) {
       sum += force * std::polar(1.0, -phase);
@@ -116,7 +118,7 @@ std::complex<double> sampledStiffness(const component::Component& component, dou
   const double limit = component.complexStiffness(kInfinite)->real();
   const auto term = [&](int k) {
     const double alias = frequency + k * sampling;
-    const double argument = M_PI * alias / sampling;
+    const double argument = element::kPi * alias / sampling;
     const double share = std::pow(std::sin(argument) / argument, 2);
     const std::complex<double> stiffness = *component.complexStiffness(std::abs(alias));
     return share * ((alias < 0.0 ? std::conj(stiffness) : stiffness) - limit);
@@ -252,7 +254,7 @@ TEST_P(PassiveContract, ClosedSettledCycleDissipates) {
   double peak = 0.0;
   element::ComponentForce before = component_.rest(state_, 0.0);
   for (int i = 1; i <= kCycles * kSamples; ++i) {
-    const double z = kAmplitude * std::sin(2.0 * M_PI * (i % kSamples) / kSamples);
+    const double z = kAmplitude * std::sin(2.0 * element::kPi * (i % kSamples) / kSamples);
     const double increment = z - state_.displacement();
     const element::ComponentForce force = component_.step(state_, 0.5 / kSamples, z);
     peak = std::max(peak, std::abs(force.total));

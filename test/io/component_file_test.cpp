@@ -8,6 +8,7 @@
 #include <random>
 
 #include "io/temporary_file.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -72,7 +73,7 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
     model: kelvin_voigt
     specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4, relative_damping: 5 %}
 )");
-  EXPECT_DOUBLE_EQ(components[0].specification.at("loss_angle"), 5.7 * M_PI / 180.0);
+  EXPECT_DOUBLE_EQ(components[0].specification.at("loss_angle"), 5.7 * element::kPi / 180.0);
   EXPECT_DOUBLE_EQ(components[1].specification.at("relative_damping"), 0.05);
 }
 
