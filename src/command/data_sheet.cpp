@@ -18,10 +18,8 @@ constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some 
 
 const element::ParameterInfo* findParameter(const std::string& name) {
   for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
-    for (const element::ParameterInfo& row : *table) {
-      if (row.name == name) {
-        return &row;
-      }
+    if (const element::ParameterInfo* row = element::findParameter(*table, name)) {
+      return row;
     }
   }
   return nullptr;

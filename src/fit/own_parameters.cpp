@@ -3,21 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
 namespace {
-
-bool isChoice(const std::string& key) {
-  static const std::vector<std::string> choices = {
-      "nominal_frequency", "nominal_amplitude",   "maxwell_elements", "viscous_share", "dead_band", "sliders", "side",
-      "exponent",          "reference_frequency", "reference_depth",  "order"};
-  return std::find(choices.begin(), choices.end(), key) != choices.end();
-}
 
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
   io::ComponentDescription result;
@@ -90,7 +83,7 @@ void OwnParameters::addRelaxation() {
 void OwnParameters::addSpecification() {
   for (const auto& [key, value] : description_.specification.values()) {
     const bool unused = description_.model == estimation::Model::kelvin_voigt && key == "static_stiffness";
-    if (!isChoice(key) && !unused && value != 0.0) {
+    if (!unused && element::isFree(*element::findParameter(estimation::specificationParameters(), key), {value})) {
       add({Slot::specification, 0, key, 0}, key);
     }
   }
@@ -98,11 +91,11 @@ void OwnParameters::addSpecification() {
 
 void OwnParameters::addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where) {
   for (std::size_t entry = 0; entry < elements.size(); ++entry) {
-    for (const auto& [key, values] : elements[entry].values) {
-      for (std::size_t position = 0; position < values.size(); ++position) {
-        if (!isChoice(key) && values[position] != 0.0) {
-          add({where, entry, key, position}, fmt::format("{}[{}].{}", elements[entry].type, entry, key));
-        }
+    const element::ElementDescription completed = element::complete(elements[entry]);
+    const auto& table = element::findElementType(completed.type)->parameters;
+    for (const auto& [key, values] : completed.values) {
+      if (element::isFree(*element::findParameter(table, key), values)) {
+        add({where, entry, key, values.front()}, fmt::format("{}[{}].{}", completed.type, entry, key));
       }
     }
   }
@@ -180,7 +173,7 @@ io::ComponentDescription OwnParameters::apply(const Eigen::VectorXd& logarithms)
       result.specification.set(slot.key, result.specification.at(slot.key) * factor);
     } else {
       auto& entries = slot.where == Slot::element ? result.elements : result.add;
-      entries[slot.entry].values[slot.key][slot.position] *= factor;
+      entries[slot.entry].values[slot.key] = {slot.configured * factor};
     }
   }
   if (relaxes) {

@@ -46,12 +46,6 @@ std::vector<std::string> elementTypeNames() {
   return names;
 }
 
-const element::ParameterInfo* findRow(const std::vector<element::ParameterInfo>& table, const std::string& name) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const element::ParameterInfo& parameter) { return parameter.name == name; });
-  return found == table.end() ? nullptr : &*found;
-}
-
 std::string accepted(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
@@ -289,10 +283,11 @@ class Loader {
     estimation::Specification specification;
     for (const auto& entry : node) {
       const std::string& key = entry.first.Scalar();
-      specification.set(key, loadNumber(entry.second, child("specification", key), *findRow(table, key)));
+      specification.set(key,
+                        loadNumber(entry.second, child("specification", key), *element::findParameter(table, key)));
     }
     for (const std::string& key : estimation::modelInfo(model).required) {
-      require(node, "specification", key, accepted(*findRow(table, key)));
+      require(node, "specification", key, accepted(*element::findParameter(table, key)));
     }
     try {
       estimation::checkSpecification(model, specification);

@@ -50,7 +50,7 @@ class OwnParameters {
     enum Where { relaxation, specification, element, added } where;
     std::size_t entry;
     std::string key;
-    std::size_t position;
+    double configured;  // of an element: the value, given or by default
   };
 
   /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
