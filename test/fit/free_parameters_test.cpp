@@ -42,14 +42,8 @@ std::set<std::string> freeInEstimate(const std::vector<element::ElementDescripti
   return names;
 }
 
-io::ComponentDescription described(const std::vector<element::ElementDescription>& elements) {
-  io::ComponentDescription description;
-  description.elements = elements;
-  return description;
-}
-
 std::set<std::string> freeInDiagnosis(const std::vector<element::ElementDescription>& elements) {
-  const fit::OwnParameters own(described(elements), fit::Level::elements);
+  const fit::OwnParameters own(io::ComponentDescription("component", elements), fit::Level::elements);
   return {own.names().begin(), own.names().end()};
 }
 
@@ -79,10 +73,11 @@ TEST(FreeParameters, OfCreepIsTheFallPerDecade) {
 
 // A default counts as a given value, and moving it writes it down.
 TEST(FreeParameters, IncludeDefaults) {
-  const fit::OwnParameters own(described({{"stress_softening", {{"reduction", {0.3}}}}}), fit::Level::elements);
+  const fit::OwnParameters own(io::ComponentDescription("component", {{"stress_softening", {{"reduction", {0.3}}}}}),
+                               fit::Level::elements);
   ASSERT_THAT(own.names(), ElementsAre("stress_softening[0].reduction", "stress_softening[0].width"));
-  EXPECT_EQ(own.apply(Eigen::Vector2d(0.0, 0.0)).elements.at(0).values.count("width"), 0U);
-  EXPECT_DOUBLE_EQ(own.apply(Eigen::Vector2d(0.0, 0.1)).elements.at(0).value("width"), 0.5 * std::exp(0.1));
+  EXPECT_EQ(own.apply(Eigen::Vector2d(0.0, 0.0)).elements().at(0).values.count("width"), 0U);
+  EXPECT_DOUBLE_EQ(own.apply(Eigen::Vector2d(0.0, 0.1)).elements().at(0).value("width"), 0.5 * std::exp(0.1));
 }
 
 TEST(IsFree, KeepsEndsOfRangesListsChoicesAndReferences) {

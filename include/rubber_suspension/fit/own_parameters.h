@@ -68,7 +68,7 @@ class OwnParameters {
   void addSpecification();
   void addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where);
   void add(Slot slot, const std::string& name);
-  void applyRelaxation(const Relaxation& relaxation, io::ComponentDescription& result) const;
+  estimation::Specification specificationOf(const Relaxation& relaxation) const;
   static double& coordinate(Relaxation& relaxation, const std::string& key);
 
   io::ComponentDescription description_;
