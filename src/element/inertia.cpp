@@ -13,7 +13,7 @@ enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
 }  // namespace
 
-double Inertia::rest(double /*displacement*/, double* memory) const {
+double Inertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + memorySize(), 0.0);
   return 0.0;
 }
@@ -37,7 +37,7 @@ double Inertia::step(const Motion& motion, double* memory) const {
 
 SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * kPi * bandwidth) {}
 
-double SmoothedInertia::rest(double /*displacement*/, double* memory) const {
+double SmoothedInertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + kLags, 0.0);
   return 0.0;
 }
