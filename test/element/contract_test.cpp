@@ -306,14 +306,16 @@ TEST_P(BoundedContract, NeverGivesMoreEnergyThanItGot) {
   }
 }
 
-/// The forces of a walk whose displacements are multiplied by a factor.
-Eigen::VectorXd scaledWalk(const component::Component& component, double factor) {
+/// The forces of a walk whose displacements are a weighted sum of two.
+Eigen::VectorXd walkOfBoth(const component::Component& component, double first, double second) {
   component::ComponentState state = component.makeState();
   RandomMoves moves(10);
+  RandomMoves others(11);
   Eigen::VectorXd forces(200);
   for (double& force : forces) {
     const double dt = moves.dt();
-    force = component.step(state, dt, factor * moves.displacement()).total;
+    const double displacement = first * moves.displacement();
+    force = component.step(state, dt, displacement + second * others.displacement()).total;
   }
   return forces;
 }
@@ -322,11 +324,12 @@ Eigen::VectorXd scaledWalk(const component::Component& component, double factor)
 // compliance, stay below 1e-9 of the force; the least nonlinearity of the typical laws is far above 1e-4.
 TEST_P(Contract, SuperposesWhereTheLawSaysSo) {
   const component::Component component = linearSubject(GetParam());
-  const Eigen::VectorXd none = scaledWalk(component, 0.0);
-  const Eigen::VectorXd once = scaledWalk(component, 1.0) - none;
-  const Eigen::VectorXd twice = scaledWalk(component, 2.0) - none;
-  const double difference = (twice - 2.0 * once).cwiseAbs().maxCoeff();
-  const double largest = std::max(once.cwiseAbs().maxCoeff(), none.cwiseAbs().maxCoeff());
+  const Eigen::VectorXd none = walkOfBoth(component, 0.0, 0.0);
+  const Eigen::VectorXd first = walkOfBoth(component, 1.0, 0.0) - none;
+  const Eigen::VectorXd second = walkOfBoth(component, 0.0, 1.0) - none;
+  const Eigen::VectorXd both = walkOfBoth(component, 1.0, 1.0) - none;
+  const double difference = (both - first - second).cwiseAbs().maxCoeff();
+  const double largest = std::max(both.cwiseAbs().maxCoeff(), none.cwiseAbs().maxCoeff());
   if (element::lawOf(element::makeElement(GetParam())).linear()) {
     EXPECT_LE(difference, 1e-9 * largest);
   } else {
@@ -345,7 +348,7 @@ element::ElementDescription multiplied(element::ElementDescription law, const st
   return law;
 }
 
-Eigen::VectorXd walkOf(const element::ElementDescription& law) { return scaledWalk(subject(law), 1.0); }
+Eigen::VectorXd walkOf(const element::ElementDescription& law) { return walkOfBoth(subject(law), 1.0, 0.0); }
 
 /// Parameters of a role that have a value which may change: given, and not at the end of its range.
 std::vector<std::string> parametersOf(const element::ElementDescription& law, element::Role role) {
