@@ -51,7 +51,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   const auto components = parse(kExample);
   ASSERT_EQ(components.size(), 2u);
   EXPECT_EQ(components[0].name, "left_secondary");
-  EXPECT_EQ(components[0].model, estimation::Model::multi_maxwell);
+  EXPECT_EQ(components[0].model(), estimation::Model::multi_maxwell);
   EXPECT_EQ(components[0].specification().at("static_stiffness"), 3.0e6);
   EXPECT_DOUBLE_EQ(components[0].specification().at("dynamic_stiffness"), 4.2e6);
   EXPECT_DOUBLE_EQ(components[0].specification().at("maximum_stiffness"), 4.9e6);
@@ -59,7 +59,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   EXPECT_EQ(components[0].add[0].type, "friction");
   EXPECT_EQ(components[0].add[0].value("maximum_force"), 6000.0);
   EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
-  EXPECT_EQ(components[1].model, estimation::Model::elements);
+  EXPECT_EQ(components[1].model(), estimation::Model::elements);
   EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
   // Spring, five Maxwell elements and the friction added.
   EXPECT_EQ(components[0].allElements().size(), 7u);
@@ -81,7 +81,7 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
 // A parameter server hands on "3.0e6" as text: YAML 1.1 wants a sign in the exponent.
 TEST(ComponentFile, ANumberAsTextIsInSiUnits) {
   const auto components = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: '3.0e6'}]}}");
-  EXPECT_EQ(components[0].elements[0].value("stiffness"), 3.0e6);
+  EXPECT_EQ(components[0].elements()[0].value("stiffness"), 3.0e6);
 }
 
 TEST(ComponentFile, AnAliasIsAPlainCopy) {
@@ -94,7 +94,7 @@ TEST(ComponentFile, AnAliasIsAPlainCopy) {
     model: elements
     elements: *bush
 )");
-  EXPECT_EQ(components[1].elements[0].value("stiffness"), 1e6);
+  EXPECT_EQ(components[1].elements()[0].value("stiffness"), 1e6);
 }
 
 TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {

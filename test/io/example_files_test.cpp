@@ -39,7 +39,7 @@ TEST(ExampleFiles, TheExampleHasEveryModelAndEveryKey) {
   std::set<std::string> keys;
   bool added = false;
   for (const io::ComponentDescription& component : io::loadComponentFile(kFolder + "/example.yaml")) {
-    models.insert(estimation::toString(component.model));
+    models.insert(estimation::toString(component.model()));
     added = added || !component.add.empty();
     for (const auto& value : component.specification().values()) {
       keys.insert(value.first);
