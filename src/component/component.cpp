@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "component/series_root.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::component {
 namespace {
@@ -315,7 +316,7 @@ std::optional<std::complex<double>> Component::testPieceStiffness(double omega) 
 }
 
 std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
-  const double omega = 2.0 * M_PI * frequency;
+  const double omega = 2.0 * element::kPi * frequency;
   const auto test_piece = testPieceStiffness(omega);
   if (!test_piece || !series_.linear()) {
     return std::nullopt;

@@ -17,6 +17,7 @@
 #include "rubber_suspension/diagnosis/experiment.h"
 #include "rubber_suspension/diagnosis/friction_noise.h"
 #include "rubber_suspension/diagnosis/verdict.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/bounded_least_squares.h"
 #include "rubber_suspension/fit/parallel.h"
 
@@ -189,7 +190,7 @@ double meanFrequency(const log::Record& record) {
                                 static_cast<double>(steps)) /
                       record.dt;
   const double deviation = std::sqrt((record.displacement.array() - record.displacement.mean()).square().mean());
-  return rate / (2.0 * M_PI * deviation);
+  return rate / (2.0 * element::kPi * deviation);
 }
 
 // What each log alone would make of the model's own parameters, by one Gauss-Newton step from the joint fit. Directions

@@ -70,10 +70,10 @@ double BergFriction::settledLoss(double amplitude) const {
 ElementType bergFrictionType() {
   return {"friction",
           "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
-          {{"maximum_force", "N", Range::positive(), std::nullopt, "force F_max that friction tends to"},
-           {"displacement", "m", Range::positive(), std::nullopt,
+          {{"maximum_force", "N", Role::scale, Range::positive(), std::nullopt, "force F_max that friction tends to"},
+           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
             "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"dead_band", "m", Range::nonNegative(), 0.0,
+           {"dead_band", "m", Role::choice, Range::nonNegative(), 0.0,
             "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const BergFriction>(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/bounded_least_squares.h"
 #include "rubber_suspension/fit/parallel.h"
 
@@ -36,7 +37,7 @@ void fillTrends(const log::Record& record, const Rows& rows, double weight, Eige
   columns.col(0).setConstant(weight);
   columns.col(1) = weight * (time - 0.5);
   for (int k = 2; k < kTrendsPerLog; ++k) {
-    columns.col(k) = weight * (time * M_PI * static_cast<double>(k - 1)).cos();
+    columns.col(k) = weight * (time * element::kPi * static_cast<double>(k - 1)).cos();
   }
 }
 

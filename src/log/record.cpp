@@ -10,6 +10,8 @@
 #include <random>
 #include <unsupported/Eigen/FFT>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::log {
 namespace {
 
@@ -88,7 +90,7 @@ Eigen::VectorXd lowPass(double dt, double frequency) {
   Eigen::VectorXd weights(2 * half + 1);
   for (Eigen::Index k = -half; k <= half; ++k) {
     const double place = static_cast<double>(k) / static_cast<double>(half);
-    const double angle = 2.0 * M_PI * middle * static_cast<double>(k);
+    const double angle = 2.0 * element::kPi * middle * static_cast<double>(k);
     const double sinc = k == 0 ? 1.0 : std::sin(angle) / angle;
     weights[k + half] = sinc * boost::math::cyl_bessel_i(0, kShape * std::sqrt(1.0 - place * place));
   }
@@ -207,7 +209,8 @@ Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, E
   Eigen::VectorXd density = Eigen::VectorXd::Zero(lines);
   Eigen::ArrayXd window(segment);
   for (Eigen::Index i = 0; i < segment; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(2.0 * M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(segment));
+    window[i] =
+        0.5 - 0.5 * std::cos(2.0 * element::kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(segment));
   }
   const double scale = 2.0 * dt / window.square().sum();
   Eigen::Index segments = 0;

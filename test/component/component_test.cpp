@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "element/typical_elements.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/free_play.h"
 #include "rubber_suspension/element/time_delay.h"
 #include "support/allocation_counter.h"
@@ -36,7 +37,7 @@ std::vector<element::ElementDescription> everything() {
 }
 
 double sineAt(int i, int samples, double amplitude) {
-  return amplitude * std::sin(2.0 * M_PI * (i % samples) / samples);
+  return amplitude * std::sin(2.0 * element::kPi * (i % samples) / samples);
 }
 
 /// First harmonic of the settled force over a sampled sine [N/m].
@@ -48,7 +49,7 @@ std::complex<double> simulatedStiffness(const component::Component& component, d
   for (int i = 1; i <= cycles * samples; ++i) {
     const double force = component.step(state, 1.0 / (frequency * samples), sineAt(i, samples, kAmplitude)).total;
     if (i > (cycles - 1) * samples) {
-      sum += force * std::polar(1.0, -2.0 * M_PI * i / samples);
+      sum += force * std::polar(1.0, -2.0 * element::kPi * i / samples);
     }
   }
   return sum * std::complex<double>(0.0, 2.0 / (kAmplitude * samples));
@@ -57,8 +58,8 @@ std::complex<double> simulatedStiffness(const component::Component& component, d
 /// What exact steps give under a sampled sine, in closed form: for a Maxwell element the difference equation
 /// F+ = e F + g (z+ - z) has the response g (1 - q)/(1 - e q), q = exp(-i w dt).
 std::complex<double> sampledMaxwell(double stiffness, double break_frequency, double frequency, int samples) {
-  const std::complex<double> q = std::polar(1.0, -2.0 * M_PI / samples);
-  const double ratio = 2.0 * M_PI * break_frequency / (frequency * samples);
+  const std::complex<double> q = std::polar(1.0, -2.0 * element::kPi / samples);
+  const double ratio = 2.0 * element::kPi * break_frequency / (frequency * samples);
   const double decay = std::exp(-ratio);
   return stiffness * (1.0 - decay) / ratio * (1.0 - q) / (1.0 - decay * q);
 }
@@ -88,8 +89,8 @@ TEST(Component, LinearElementsMeetTheirSampledStiffnessExactly) {
 
 TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
   const component::Component component({kSpring, kDashpot, kMaxwell});
-  const double omega = 2.0 * M_PI * 4.0;
-  const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * 1.43));
+  const double omega = 2.0 * element::kPi * 4.0;
+  const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * 1.43));
   const std::complex<double> expected = 3e6 + std::complex<double>(0.0, 1e4 * omega) + 1.3e6 * iwt / (1.0 + iwt);
   EXPECT_TRUE(component.linear());
   EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-15);
@@ -101,7 +102,7 @@ TEST(Component, MeetsThePapersExample) {
       {kSpring, {"maxwell", {{"stiffness", {1.3295e6}}, {"break_frequency", {1.43}}}}});
   const std::complex<double> k = *component.complexStiffness(4.0);
   EXPECT_NEAR(std::abs(k), 4.2e6, 1e3);
-  EXPECT_NEAR(std::arg(k) * 180.0 / M_PI, 5.76, 0.01);
+  EXPECT_NEAR(std::arg(k) * 180.0 / element::kPi, 5.76, 0.01);
 }
 
 TEST(Component, NonlinearElementsHaveNoComplexStiffness) {
@@ -367,7 +368,7 @@ TEST(Delay, ShiftsTheForceOfASpring) {
     EXPECT_NEAR(component.step(state, 1e-3, motion(1e-3 * i)).total, 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
   }
   const std::complex<double> k = *component.complexStiffness(10.0);
-  EXPECT_NEAR(std::arg(k), -2.0 * M_PI * 10.0 * kDelay, 1e-12);
+  EXPECT_NEAR(std::arg(k), -2.0 * element::kPi * 10.0 * kDelay, 1e-12);
   EXPECT_NEAR(std::abs(k), 3e6, 1e-6);
 }
 
@@ -393,7 +394,7 @@ TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
   const component::Component component(
       {kSpring, kSeriesCompliance, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
   const std::complex<double> specimen = 3e6 / (1.0 + 0.1);
-  const double omega = 2.0 * M_PI * 20.0;
+  const double omega = 2.0 * element::kPi * 20.0;
   const component::Component linear({kSpring, kSeriesCompliance, inertia, offset});
   EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
   component::ComponentState state = component.makeState();
@@ -511,7 +512,7 @@ TEST(Tangent, OfLinearElementsInClosedForm) {
   component::ComponentState state = component.makeState();
   component::ComponentState trial = component.makeState();
   walk(component, state, 8, 20);
-  const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * M_PI * 1.43));
+  const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * element::kPi * 1.43));
   const component::Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
   // 1e-16 of some kN over 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
@@ -26,7 +27,7 @@ struct MaxwellStep {
 class Maxwell final : public ParallelElement {
  public:
   Maxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */)
-      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * M_PI * break_frequency)), rate_(1.0 / relaxation_time_) {}
+      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * kPi * break_frequency)), rate_(1.0 / relaxation_time_) {}
 
   double stiffness() const { return stiffness_; }
   double relaxationTime() const { return relaxation_time_; }  ///< tau [s]

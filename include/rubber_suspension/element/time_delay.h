@@ -34,6 +34,7 @@ class TimeDelay final : public DisplacementEffect {
 
   /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
   std::optional<std::complex<double>> transfer(double omega) const override;
+  bool passive() const override { return false; }
 
  private:
   void store(double time, double displacement, double* memory) const;

@@ -1,5 +1,6 @@
 // Candidate effect: mass that moves with the displacement.
 #include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/hypothesis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -46,7 +47,7 @@ double massBandwidth(const std::vector<log::Record>& records, double highest_fre
 }
 
 fit::Candidate inertiaCandidate(const fit::Excitation& excitation) {
-  const double omega = 6.28 * excitation.highest_frequency;
+  const double omega = 2.0 * element::kPi * excitation.highest_frequency;
   fit::Atom mass = fit::additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
                                      {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
