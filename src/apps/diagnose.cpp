@@ -9,8 +9,8 @@
 #include "apps/log_options.h"
 #include "apps/plot_option.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
-#include "rubber_suspension/fit/parallel.h"
+#include "diagnosis/report/overview_figure.h"
+#include "fit/parallel.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "apps/command.h"
 #include "ros_interface/command_reference.h"
 #include "ros_interface/node_interface.h"
-#include "rubber_suspension/diagnosis/effect_reference.h"
+#include "diagnosis/report/effect_reference.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Bounded least squares by an active set.
-#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "fit/bounded_least_squares.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,12 +1,12 @@
 // Products of columns by blocks of the logs.
-#include "rubber_suspension/fit/normal_equations.h"
+#include "fit/normal_equations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "rubber_suspension/fit/bounded_least_squares.h"
-#include "rubber_suspension/fit/parallel.h"
+#include "fit/bounded_least_squares.h"
+#include "fit/parallel.h"
 
 namespace rubber_suspension::fit {
 namespace {

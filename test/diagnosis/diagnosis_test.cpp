@@ -95,7 +95,7 @@ void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
   }
 }
 
-// With a mount in series a linear component is again linear: own parameters far from the configured ones would do as
+// With a mount in series a linear component is again linear: model parameters far from the configured ones would do as
 // well, but a mount does it with them where they are.
 // A log of the rig behind a mount that yields by `deflection` [m] to a force [N].
 log::Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,

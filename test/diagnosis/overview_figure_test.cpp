@@ -1,5 +1,5 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
+#include "diagnosis/report/overview_figure.h"
 
 #include <gtest/gtest.h>
 

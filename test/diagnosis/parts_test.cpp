@@ -1,4 +1,4 @@
-// Own parameters, records, what noise does, and the menu of experiments.
+// Model parameters, records, what noise does, and the menu of experiments.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "rig.h"
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
-#include "rubber_suspension/diagnosis/experiment.h"
-#include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/fit/hypothesis.h"
-#include "rubber_suspension/fit/own_parameters.h"
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/report/experiment.h"
+#include "diagnosis/friction_noise.h"
+#include "fit/fitter.h"
+#include "fit/model_parameters.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension {
@@ -26,9 +26,9 @@ io::ComponentDescription fiveInputs() {
       .front();
 }
 
-TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
+TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   for (const fit::Level level : {fit::Level::specification, fit::Level::elements}) {
-    const fit::OwnParameters own(fiveInputs(), level);
+    const fit::ModelParameters own(fiveInputs(), level);
     const auto elements = own.elements(Eigen::VectorXd::Zero(own.size()));
     ASSERT_TRUE(elements);
     const auto configured = fiveInputs().allElements();
@@ -40,8 +40,8 @@ TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
 }
 
 // Every point within the bounds has a model: that is what the coordinates are for.
-TEST(OwnParameters, HaveAModelEverywhere) {
-  const fit::OwnParameters own(fiveInputs(), fit::Level::specification);
+TEST(ModelParameters, HaveAModelEverywhere) {
+  const fit::ModelParameters own(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
@@ -150,8 +150,8 @@ TEST(Record, RefusesALogThatDoesNotMove) {
 // Scales of atoms of a candidate, all others at nothing.
 using Scales = std::map<std::string, std::vector<double>>;
 
-std::vector<fit::Atom> atomsOf(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
-  std::vector<fit::Atom> atoms;
+std::vector<fit::BasisTerm> atomsOf(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
+  std::vector<fit::BasisTerm> atoms;
   for (const fit::Candidate& candidate : candidates) {
     const auto at_work = scales.find(candidate.effect);
     for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
@@ -190,7 +190,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
   const auto nothing = [](double, double, double) { return 0.0; };
   std::vector<log::Record> records = {log::makeRecord(runRig("first", 1, nothing)),
                                       log::makeRecord(runRig("second", 2, nothing))};
-  const fit::OwnParameters own(component, fit::Level::specification);
+  const fit::ModelParameters own(component, fit::Level::specification);
   const fit::Fitter fitter(records, own);
   const std::vector<fit::Candidate> plain = fit::candidates(fit::summarise(records));
   std::vector<fit::Candidate> known = plain;
@@ -201,8 +201,8 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
       {{"stress_softening", {1.0}}, {"self_heating", {1.0, 0.0}}, {"friction", {1.0}}},
       {{"stress_softening", {0.0}}, {"time_delay", {1.0}}, {"friction", {1.0}}, {"force_offset", {1.0}}}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::vector<fit::Atom> simulated = atomsOf(plain, cases[i]);
-    const std::vector<fit::Atom> superposed = atomsOf(known, cases[i]);
+    const std::vector<fit::BasisTerm> simulated = atomsOf(plain, cases[i]);
+    const std::vector<fit::BasisTerm> superposed = atomsOf(known, cases[i]);
     fit::Point point = fitter.configured(simulated.size());
     point.scales = inUnitsOfTypical(plain, cases[i]);
     const auto expected = *fitter.forces(point, simulated);

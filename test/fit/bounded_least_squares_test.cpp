@@ -1,5 +1,5 @@
 // Bounded least squares: conditions of optimality over random problems, bounds, collinear columns.
-#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "fit/bounded_least_squares.h"
 
 #include <gtest/gtest.h>
 

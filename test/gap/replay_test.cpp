@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/progress.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension {
 namespace {

@@ -18,14 +18,10 @@ namespace rubber_suspension::gap {
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);
 
-/// RMS of measured minus simulated force over the standard deviation of the measured force [-].
-/// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
-double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
-
 /// What a simulation of a log gave.
 struct Replay {
   std::vector<double> force;  ///< [N], one per sample
-  std::uint64_t bridged = 0;  ///< gaps in time longer than the stream's max_gap
+  std::uint64_t bridged = 0;  ///< time gaps longer than the stream's max_gap
 };
 
 /// Simulate a log. Throws as simulateLog does.
