@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+
+#include "diagnosis/workings.h"
 
 namespace rubber_suspension {
 namespace {
@@ -22,11 +25,13 @@ diagnosis::Diagnosis madeUp() {
   diagnosis.component = "bush";
   diagnosis.verdict = "named";
   diagnosis.effects = {"friction", "creep"};
-  diagnosis.records = {record};
-  diagnosis.training = 1;
-  diagnosis.force_configured = {record.force.array() + 100.0};
-  diagnosis.force_re_estimated = diagnosis.force_configured;
-  diagnosis.force_augmented = {record.force};
+  auto workings = std::make_shared<diagnosis::Workings>();
+  workings->records = {record};
+  workings->training = 1;
+  workings->force_configured = {record.force.array() + 100.0};
+  workings->force_re_estimated = workings->force_configured;
+  workings->force_augmented = {record.force};
+  diagnosis.workings = workings;
   return diagnosis;
 }
 
