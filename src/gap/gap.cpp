@@ -28,6 +28,10 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
   return std::sqrt(gap / variance);
 }
 
+double standardDeviation(const Eigen::VectorXd& values) {
+  return std::sqrt((values.array() - values.mean()).square().mean());
+}
+
 double relativeGap(const Eigen::VectorXd& residual, double standard_deviation) {
   return std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size())) / standard_deviation;
 }

@@ -12,7 +12,10 @@ namespace rubber_suspension::gap {
 /// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
 
-/// The same of a residual [N], by the standard deviation of the measured force [N].
+/// About the mean, of all values.
+double standardDeviation(const Eigen::VectorXd& values);
+
+/// The gap of a residual [N], by the standard deviation of the measured force [N].
 double relativeGap(const Eigen::VectorXd& residual, double standard_deviation);
 
 /// What a gap is beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.

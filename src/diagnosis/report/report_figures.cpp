@@ -188,7 +188,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// RMS of the residual in stretches of 1 s over the force's deviation; the logs one after the other.
+// The gap of each second; the logs one after the other.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, int colour) {
   io::Curve curve;
