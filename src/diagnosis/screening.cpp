@@ -1,11 +1,11 @@
 // Screening of hypotheses by normal equations.
 #include "diagnosis/screening.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "fit/least_norm.h"
 #include "fit/parallel.h"
 
 namespace rubber_suspension::diagnosis {
@@ -97,14 +97,14 @@ std::vector<Screened> Screening::pairs() const {
 
 void Screening::measureVisibility(double noise, const Criteria& criteria, Search& result) const {
   const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
-  const auto base = total.topLeftCorner(model_size_, model_size_).completeOrthogonalDecomposition();
+  const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
   for (const auto& columns : columns_of_) {
     double share = 0.0;
     bool testable = false;
     for (const Eigen::Index j : columns) {
       const Eigen::VectorXd cross = total.col(j).head(model_size_);
       const double whole = total(j, j);
-      const double rest = std::max(0.0, whole - cross.dot(base.solve(cross)));
+      const double rest = std::max(0.0, whole - cross.dot(fit::solveLeastNorm(base, cross)));
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);
       const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);

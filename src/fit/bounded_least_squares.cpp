@@ -2,11 +2,12 @@
 #include "fit/bounded_least_squares.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "fit/least_norm.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -40,7 +41,7 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
     }
   }
   if (problem.exact) {
-    return gram.completeOrthogonalDecomposition().solve(moment);
+    return solveLeastNorm(gram, moment);
   }
   return gram.ldlt().solve(moment);
 }

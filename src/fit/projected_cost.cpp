@@ -2,13 +2,13 @@
 #include "fit/projected_cost.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "fit/bounded_least_squares.h"
 #include "fit/fit_method.h"
+#include "fit/least_norm.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -161,8 +161,8 @@ Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const 
       scaled.scale[i] = 0.0;
     }
   }
-  const auto decomposition = scaled.products.completeOrthogonalDecomposition();
-  return scaled.scale.asDiagonal() * decomposition.solve(scaled.scale.asDiagonal() * shared);
+  const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
+  return scaled.scale.asDiagonal() * solveLeastNorm(scaled.products, moments);
 }
 
 // By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.
