@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kTail = 0.025;                     // on either side of a 95 % interval
 const double kUndetermined = std::log(2.0) / 1.96;  // standard deviation of ln(value) whose interval is a factor of 2
-constexpr double kDeadBandInDeviations = 6.0;
+constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
 // Share of the force's sum of squares; a cost below is left to the residuals. Products know the gradient to 1e-15 of
@@ -344,20 +344,20 @@ void allowForFewSamples(Covariance& covariance, double independent_samples) {
 void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                   std::vector<std::string>& notes) {
   const double amplitude = scalesOf(logs).amplitude;
-  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInDeviations;
+  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInStandardDeviations;
   double standard_deviation = 0.0;
   for (const log::Log& log : logs) {
     if (noisierThan(log.displacement, negligible)) {
-      standard_deviation = std::max(standard_deviation, noiseDeviation(log.displacement));
+      standard_deviation = std::max(standard_deviation, noiseStandardDeviation(log.displacement));
     }
   }
   for (element::ElementDescription& element : elements) {
     if (element.type == "friction" && element.value("dead_band") == 0.0 && standard_deviation > 0.0) {
-      element.values["dead_band"] = {kDeadBandInDeviations * standard_deviation};
+      element.values["dead_band"] = {kDeadBandInStandardDeviations * standard_deviation};
       notes.push_back(
           fmt::format("friction.dead_band set to {:.3g} m, {:g} standard deviations of the displacement's "
                       "noise",
-                      kDeadBandInDeviations * standard_deviation, kDeadBandInDeviations));
+                      kDeadBandInStandardDeviations * standard_deviation, kDeadBandInStandardDeviations));
     }
   }
 }

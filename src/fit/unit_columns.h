@@ -30,7 +30,7 @@ struct SteadyColumns {
   std::vector<FrictionPath> path;      // of each friction
 };
 
-/// Columns over steady logs, each specimen at rest at its first sample: measured force, displacement, ones,
+/// Columns over steady logs, each component at rest at its first sample: measured force, displacement, ones,
 /// rate of the displacement; then for each Maxwell element the force at unit stiffness and its derivative by ln(f_b);
 /// then for each Berg friction the force at unit maximum and its derivative by ln(z2).
 ///

@@ -240,7 +240,7 @@ TEST(Identification, NoiseOfTheDisplacementSetsTheDeadBand) {
   for (double& displacement : measurement.displacement) {
     displacement += 2e-6 * normal(generator);
   }
-  EXPECT_NEAR(fit::noiseDeviation(measurement.displacement), 2e-6, 0.2e-6);
+  EXPECT_NEAR(fit::noiseStandardDeviation(measurement.displacement), 2e-6, 0.2e-6);
   const fit::Identification result = fit::identify(kTruth, {measurement});
   EXPECT_NEAR(result.elements[1].value("dead_band"), 12e-6, 1.2e-6);
   for (const fit::IdentifiedParameter& parameter : result.parameters) {

@@ -71,6 +71,6 @@ Identification identify(const std::vector<element::ElementDescription>& elements
 
 /// Standard deviation of white noise on a smooth signal, from its differences: those of a signal that is smooth at the
 /// sampling rate fall with every order, scaled differences of noise stay, so the least over orders 1 to 10 is noise.
-double noiseDeviation(const std::vector<double>& signal);
+double noiseStandardDeviation(const std::vector<double>& signal);
 
 }  // namespace rubber_suspension::fit

@@ -12,7 +12,7 @@
 namespace rubber_suspension::gap {
 
 /// The force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last bit.
-/// The specimen is new and at rest at the log's first displacement. Shows progress on a terminal.
+/// The component is new and at rest at the log's first displacement. Shows progress on a terminal.
 /// `counters`, if given, receives what the stream counted. Throws LogError as checkLog does, and where a force is not
 /// finite.
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
