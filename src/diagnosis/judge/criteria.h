@@ -25,11 +25,10 @@ struct Criteria {
   double contributes = 0.67;    ///< an effect without which this part would be more than is left does show
 
   // Whether wrong model parameters explain the gap.
-  double share_left_by_parameters = 0.12;  ///< of the gap as configured: so little is left that it counts as closed
-  double above_noise_by_parameters = 2.5;  ///< times the floor: more must not be left, whatever share of it is closed
-  double share_left_by_elements = 0.3;     ///< of the gap, with every parameter of every element free
-  double share_closed_before_elements =
-      0.4;  ///< of the gap as configured: most was closed by the specification's values
+  double share_left_by_parameters = 0.12;   ///< of the gap as configured: so little is left that it counts as closed
+  double above_noise_by_parameters = 2.5;   ///< times the floor: more must not be left, whatever share of it is closed
+  double share_left_by_elements = 0.3;      ///< of the gap, with every parameter of every element free
+  double share_left_before_elements = 0.4;  ///< of the gap as configured: the specification's values closed most
   // Whether an effect hides behind re-estimated parameters: one number more explains as much, with parameters close to
   // the configured ones, as re-estimation does that has to move several far.
   double changed_far = 0.14;        ///< logarithm of a model parameter: beyond what a specification errs by

@@ -59,7 +59,7 @@ bool Weighing::closedByParameters() const {
   // closed by the values of the specification.
   return left(evidence_.element_level) <
              std::max(criteria_.within_noise * evidence_.noise_floor, criteria_.share_left_by_elements * rest) &&
-         rest < criteria_.share_closed_before_elements * configured;
+         rest < criteria_.share_left_before_elements * configured;
 }
 
 std::optional<int> Weighing::hiddenEffect() const {
