@@ -8,9 +8,9 @@
 #include "apps/command.h"
 #include "apps/log_options.h"
 #include "apps/plot_option.h"
+#include "diagnosis/report/overview_figure.h"
+#include "fit/parallel.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
-#include "rubber_suspension/fit/parallel.h"
 
 namespace {
 

@@ -72,12 +72,12 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
 double Unknown::toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
 double Unknown::toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 
-LogScales scalesOf(const std::vector<Measurement>& measurements) {
+LogScales scalesOf(const std::vector<log::Log>& logs) {
   LogScales scales{0.0, 0.0, 0.0};
-  for (const Measurement& measurement : measurements) {
-    const double duration = static_cast<double>(measurement.stamp.back() - measurement.stamp.front()) * 1e-9;
-    const double rate = static_cast<double>(measurement.stamp.size() - 1) / duration;
-    const auto [low, high] = std::minmax_element(measurement.displacement.begin(), measurement.displacement.end());
+  for (const log::Log& log : logs) {
+    const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+    const double rate = static_cast<double>(log.stamp.size() - 1) / duration;
+    const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
     scales.sampling_rate = std::max(scales.sampling_rate, rate);
     scales.duration = std::max(scales.duration, duration);
     scales.amplitude = std::max(scales.amplitude, 0.5 * (*high - *low));
@@ -85,11 +85,11 @@ LogScales scalesOf(const std::vector<Measurement>& measurements) {
   return scales;
 }
 
-ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<Measurement>& measurements,
+ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
                        const std::vector<std::string>& held)
-    : elements_(std::move(elements)), measurements_(measurements), held_(held), scales_(scalesOf(measurements)) {
-  for (const Measurement& measurement : measurements_) {
-    size_ += static_cast<Eigen::Index>(measurement.stamp.size());
+    : elements_(std::move(elements)), logs_(logs), held_(held), scales_(scalesOf(logs)) {
+  for (const log::Log& log : logs_) {
+    size_ += static_cast<Eigen::Index>(log.stamp.size());
   }
   if (allParallel(elements_)) {
     for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -172,11 +172,11 @@ Eigen::VectorXd ForceModel::simulate(const std::vector<element::ElementDescripti
   const component::Component component(elements);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size_);
   double* first = force.data();
-  for (const Measurement& measurement : measurements_) {
-    const std::size_t size = measurement.stamp.size();
+  for (const log::Log& log : logs_) {
+    const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
-    // A trial without a finite force, and all after it, counts as none at all.
-    stream.pushAll(measurement.stamp.data(), measurement.displacement.data(), size, first);
+    // A sample without a finite force, and all after it, counts as none at all.
+    stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
     first += size;
   }
   return force;

@@ -1,13 +1,13 @@
 // Products of columns by blocks of the logs.
-#include "rubber_suspension/fit/normal_equations.h"
+#include "fit/normal_equations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "fit/bounded_least_squares.h"
+#include "fit/parallel.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/fit/bounded_least_squares.h"
-#include "rubber_suspension/fit/parallel.h"
 
 namespace rubber_suspension::fit {
 namespace {

@@ -187,12 +187,6 @@ void noteSaturation(Record& record) {
 
 }  // namespace
 
-double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual) {
-  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-  return std::min(whiteNoiseAbove(residual, record.dt, edge), whiteNoiseAbove(record.force, record.dt, edge)) /
-         record.force_deviation;
-}
-
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
   std::mt19937_64 generator(draw);
   std::normal_distribution<double> normal(0.0, record.displacement_noise);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension {

@@ -30,11 +30,6 @@ struct Record {
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
 
-/// Noise floor of a log by what a model leaves of its force [N], in units of the force's deviation: white noise above
-/// three times the band of the displacement, but no more than the measured force itself has there (a mass that is
-/// driven by a noisy displacement makes more).
-double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual);
-
 /// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);
 

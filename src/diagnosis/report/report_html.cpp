@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -120,7 +121,7 @@ std::string whereTable(const Diagnosis& d) {
          rows + "</table>\n";
 }
 
-std::string ratiosText(const std::vector<std::pair<std::string, double>>& ratios) {
+std::string ratiosText(const ParameterRatios& ratios) {
   std::string text;
   for (const auto& [name, ratio] : ratios) {
     text += fmt::format("{}{} &times; {:.3f}", text.empty() ? "" : ", ", escape(name), ratio);
@@ -130,7 +131,7 @@ std::string ratiosText(const std::vector<std::pair<std::string, double>>& ratios
 
 std::string parameterTable(const Diagnosis& d) {
   std::string rows =
-      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.own_ratios));
+      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.parameter_ratios));
   for (const ParameterByLog& row : d.by_log) {
     rows += fmt::format("<tr><td>{}</td><td class=n>{:.3g}</td><td class=n>{:.3g}</td><td>{}</td></tr>\n",
                         escape(row.log), 1e3 * row.amplitude, row.frequency, ratiosText(row.ratios));
@@ -147,7 +148,7 @@ std::string errorTable(const Diagnosis& d) {
   };
   return "<table><tr><th>model</th><th class=n>stiffness</th><th class=n>loss angle</th><th class=n>energy per "
          "cycle</th></tr>\n" +
-         row("re-estimated", d.errors_before) + row("augmented", d.errors_after) + "</table>\n";
+         row("re-estimated", d.errors_re_estimated) + row("augmented", d.errors_augmented) + "</table>\n";
 }
 
 std::string admissionTable(const Diagnosis& d) {
@@ -218,7 +219,7 @@ std::string toHtml(const Diagnosis& d) {
           fmt::format(
               "<p>Probability that it is none of these: {:.0f} %. All candidates at once, as a flexible fit without "
               "claim to a cause, would leave a gap of {} on blocks of these logs held out.</p>\n",
-              100.0 * d.probability_none, percent(d.search.surrogate_gap));
+              100.0 * d.probability_none, percent(d.workings->search.surrogate_gap));
   if (!sets.empty()) {
     html += "<p>These logs cannot tell apart:</p><ul>\n" + sets + "</ul>\n";
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -68,27 +69,27 @@ ordered_json errorsJson(const CharacteristicErrors& errors) {
 }
 
 // Every hypothesis that was fitted, with its held-out error.
-ordered_json trialsJson(const Search& search) {
+ordered_json hypothesesJson(const Search& search) {
   ordered_json result = ordered_json::array();
-  const auto add = [&](const Trial& trial) {
+  const auto add = [&](const FittedHypothesis& fitted) {
     ordered_json effects = ordered_json::array();
-    for (const int member : trial.members) {
+    for (const int member : fitted.hypothesis.members) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
     result.push_back({{"effects", effects},
-                      {"held_out", number(trial.fit.held_out)},
-                      {"in_sample", number(trial.fit.gap)},
-                      {"own_moved_by", number(std::exp(trial.fit.point.furthestMove()))},
-                      {"departure", number(trial.fit.departure)}});
+                      {"held_out", number(fitted.fit.held_out)},
+                      {"in_sample", number(fitted.fit.gap)},
+                      {"own_moved_by", number(std::exp(fitted.fit.parameters.largestChange()))},
+                      {"departure", number(fitted.fit.penalty)}});
   };
   add(search.re_estimated);
-  for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {
-    std::for_each(trials->begin(), trials->end(), add);
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    std::for_each(list->begin(), list->end(), add);
   }
   return result;
 }
 
-ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratios) {
+ordered_json ratiosJson(const ParameterRatios& ratios) {
   ordered_json result = ordered_json::object();
   for (const auto& [name, ratio] : ratios) {
     result[name] = number(ratio);
@@ -96,7 +97,7 @@ ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratio
   return result;
 }
 
-ordered_json ownJson(const Diagnosis& diagnosis) {
+ordered_json parametersJson(const Diagnosis& diagnosis) {
   ordered_json by_log = ordered_json::array();
   for (const ParameterByLog& row : diagnosis.by_log) {
     by_log.push_back({{"log", row.log},
@@ -104,7 +105,7 @@ ordered_json ownJson(const Diagnosis& diagnosis) {
                       {"frequency_hz", number(row.frequency)},
                       {"ratios", ratiosJson(row.ratios)}});
   }
-  return {{"ratio_to_configured", ratiosJson(diagnosis.own_ratios)}, {"by_log", by_log}};
+  return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
 template <class T, class Function>
@@ -138,11 +139,12 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"where", list(diagnosis.where, cellJson)},
       {"next_experiment", diagnosis.next_experiment},
       {"errors",
-       {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
-      {"trials", trialsJson(diagnosis.search)},
-      {"surrogate_gap", number(diagnosis.search.surrogate_gap)},
-      {"element_level_gap", number(diagnosis.search.element_level.held_out)},
-      {"own_parameters", ownJson(diagnosis)},
+       {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
+        {"augmented", errorsJson(diagnosis.errors_augmented)}}},
+      {"trials", hypothesesJson(diagnosis.workings->search)},
+      {"surrogate_gap", number(diagnosis.workings->search.surrogate_gap)},
+      {"element_level_gap", number(diagnosis.workings->search.element_level.held_out)},
+      {"own_parameters", parametersJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};
   return report.dump(2) + "\n";
 }

@@ -1,0 +1,15 @@
+// The report's numbers: gaps and intervals, where the gap lies, what each candidate would do. After the judgement,
+// once.
+#pragma once
+
+#include <memory>
+
+#include "diagnosis/workings.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Fills in the records and forces of the workings, which have search and judgement.
+Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const DiagnosisOptions& options);
+
+}  // namespace rubber_suspension::diagnosis
