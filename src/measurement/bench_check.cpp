@@ -259,16 +259,6 @@ const UnitFactor* unitFactorOf(double ratio) {
   return best;
 }
 
-// The stiffness that exchanged columns give, for the units that columns are written in: (force unit/length unit)^2/K.
-bool looksSwapped(double measured, double configured) {
-  for (const double units : {1.0, 1e3, 1e6, 1e9, 1e12}) {
-    if (std::abs(std::log(measured * configured / (units * units))) < std::log(4.0)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 struct Evidence {
   Slope measured;
   Slope configured;
@@ -323,18 +313,43 @@ RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, c
   return sign < swap ? signFinding(record, e) : swapFinding(record, e);
 }
 
-std::optional<RigFinding> stiffnessFinding(const log::Record& record, const Evidence& e) {
-  if (!e.isElastic() || e.configured.stiffness <= 0.0 || e.measured.stiffness <= 0.0) {
+VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
+  component::ComponentState state = component.makeState();
+  VectorXd force(displacement.size());
+  force[0] = component.rest(state, displacement[0]).total;
+  component.simulate(state, dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1), force.data() + 1);
+  return force;
+}
+
+bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
+
+// With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
+// loops do not say otherwise.
+bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
+  if (e.loss > 3.0 * e.loss_deviation) {
+    return false;
+  }
+  for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {  // length unit over force unit, in SI
+    const VectorXd displacement = units * record.force;
+    const VectorXd force = record.displacement / units;
+    const VectorXd simulated = simulate(component, displacement, record.dt);
+    if (simulated.allFinite() &&
+        plausible(slopeOf(displacement, force).stiffness / slopeOf(displacement, simulated).stiffness)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<RigFinding> stiffnessFinding(const component::Component& component, const log::Record& record,
+                                           const Evidence& e) {
+  if (!e.isElastic() || e.configured.stiffness <= 0.0 || e.measured.stiffness <= 0.0 || plausible(e.ratio)) {
     return std::nullopt;
   }
-  if (e.ratio > kSmallestRatio && e.ratio < kLargestRatio) {
-    return std::nullopt;
-  }
-  const UnitFactor* factor = unitFactorOf(e.ratio);
-  if (looksSwapped(e.measured.stiffness, e.configured.stiffness) && (factor == nullptr || e.loss < 0.0)) {
+  if (looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  if (factor != nullptr) {
+  if (const UnitFactor* factor = unitFactorOf(e.ratio)) {
     return fatal(
         record, finding::kUnitFactor, e.ratio,
         fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a wrong "
@@ -363,15 +378,6 @@ std::optional<RigFinding> forceFinding(const log::Record& record, const Evidence
       fmt::format("the measured force goes with the simulated one, but is {:.3g} times as large, as by the factor "
                   "{:.4g} of a wrong unit: {}; or name the units, --unit LENGTH,FORCE",
                   e.force_ratio, factor->factor, factor->correction));
-}
-
-VectorXd simulate(const component::Component& component, const log::Record& record) {
-  component::ComponentState state = component.makeState();
-  VectorXd force(record.size());
-  force[0] = component.rest(state, record.displacement[0]).total;
-  component.simulate(state, record.dt, record.displacement.data() + 1, static_cast<std::size_t>(record.size() - 1),
-                     force.data() + 1);
-  return force;
 }
 
 Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
@@ -413,7 +419,7 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
   if (const auto too_short = lengthFinding(record)) {
     return too_short;
   }
-  const VectorXd simulated = simulate(component, record);
+  const VectorXd simulated = simulate(component, record.displacement, record.dt);
   if (!simulated.allFinite()) {
     return std::nullopt;
   }
@@ -423,7 +429,7 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
     return signFinding(record, e);
   }
   // Columns of exchanged size first: their loops give energy, too.
-  if (const auto stiffness = stiffnessFinding(record, e)) {
+  if (const auto stiffness = stiffnessFinding(component, record, e)) {
     return stiffness;
   }
   if (e.givesEnergy()) {

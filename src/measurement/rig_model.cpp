@@ -81,12 +81,22 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// The log's first quarter, turned about its start, and the log: place and speed go on steadily.
-VectorXd withMotionBefore(const VectorXd& displacement) {
+// What a machine may have done before the log; each leaves another force.
+enum class Before {
+  same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
+  from_above,   // down from the highest displacement
+  from_below,   // up from the lowest
+};
+constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below};
+
+VectorXd withMotionBefore(const VectorXd& displacement, Before kind) {
   const Index before = displacement.size() / 4;
   VectorXd result(before + displacement.size());
+  const double far = kind == Before::from_above ? displacement.maxCoeff() : displacement.minCoeff();
   for (Index i = 0; i < before; ++i) {
-    result[i] = 2.0 * displacement[0] - displacement[before - i];
+    const double share = static_cast<double>(i) / static_cast<double>(before);
+    result[i] = kind == Before::same_motion ? 2.0 * displacement[0] - displacement[before - i]
+                                            : far + (displacement[0] - far) * share;
   }
   result.tail(displacement.size()) = displacement;
   return result;
@@ -261,14 +271,16 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(values, covariance);
 }
 
+// A start matters while it lasts, over the samples that hold its weight; everything else over the whole log.
 bool matters(const RigFit& fit, const std::vector<Index>& columns) {
   VectorXd part = VectorXd::Zero(fit.residual.size());
+  bool start = false;
   for (const Index i : columns) {
     part += fit.values[i] * fit.rig.columns.col(i);
+    start = start || fit.rig.nuisances[static_cast<std::size_t>(i)] == Nuisance::initial_state;
   }
-  // A start matters while it lasts: over the samples that hold its weight.
   const double peak = part.cwiseAbs().maxCoeff();
-  const double lasting = peak > 0.0 ? part.cwiseAbs().sum() / peak : 1.0;
+  const double lasting = start && peak > 0.0 ? part.cwiseAbs().sum() / peak : static_cast<double>(part.size());
   return part.norm() > kMatters * fit.noise.deviation * std::sqrt(lasting);
 }
 
@@ -362,21 +374,26 @@ std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const 
   return simulate(displacements);
 }
 
-std::vector<VectorXd> RigModel::simulateRunning(const Simulate& simulate) const {
-  std::vector<VectorXd> displacements;
-  bool any = false;
-  for (const log::Record& record : records_) {
-    const bool running = startsInMotion(record);
-    any = any || running;
-    displacements.push_back(running ? withMotionBefore(record.displacement) : record.displacement);
+std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& simulate) const {
+  const auto starts = [](const log::Record& record) { return startsInMotion(record); };
+  std::vector<std::vector<VectorXd>> forces;
+  if (std::none_of(records_.begin(), records_.end(), starts)) {
+    return forces;
   }
-  return any ? simulate(displacements) : std::vector<VectorXd>();
+  for (const Before kind : kMotionsBefore) {
+    std::vector<VectorXd> displacements;
+    for (const log::Record& record : records_) {
+      displacements.push_back(starts(record) ? withMotionBefore(record.displacement, kind) : record.displacement);
+    }
+    forces.push_back(simulate(displacements));
+  }
+  return forces;
 }
 
 std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated, const Simulate& simulate,
                                           const std::vector<RigPoint>& points) const {
   std::vector<VectorXd> shifted;
-  std::vector<VectorXd> running;
+  std::vector<std::vector<VectorXd>> running;
   if (simulate) {
     shifted = simulateShifted(simulate, points, kShift);
     running = simulateRunning(simulate);
@@ -398,8 +415,9 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
     if (startsInMotion(record)) {
       addInitialState(record.size(), columns);
       const double scale = prior(Nuisance::initial_state, record);
-      if (!running.empty() && scale > 0.0) {
-        columns.push_back({Nuisance::initial_state, (running[i].tail(record.size()) - simulated[i]) / scale});
+      for (const auto& forces : running) {
+        columns.push_back(
+            {Nuisance::initial_state, (forces[i].tail(record.size()) - simulated[i]) / std::max(scale, 1e-300)});
       }
     }
     result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) { return prior(nuisance, record); }));

@@ -9,6 +9,7 @@
 
 #include "measurement/perturb.h"
 #include "rubber_suspension/measurement/bench_check.h"
+#include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -108,18 +109,36 @@ TEST(RigModel, Probe) {
   rateOf(p, "none", none, 5, "anti-alias");
   p = {}; p.running_start = true;
   rateOf(p, finding::kRunningStart, [](const VirtualLog& l, const RigFinding&) { return l.transient; }, 5, "running");
-  for (const double size : {0.05, 0.2}) {
-    p = {}; p.spikes = size;
-    rateOf(p, finding::kSpikes, [](const VirtualLog&, const RigFinding&) { return 3.0; }, 3, "spikes");
-  }
-  for (const int size : {10, 25, 60}) {
-    p = {}; p.held = size;
-    rateOf(p, finding::kHeldValues, [size](const VirtualLog&, const RigFinding& f) { return std::abs(f.value - 3.0 * size) <= 3 ? f.value : 3.0 * size; }, 3, "held");
-  }
-  for (const double size : {0.02, 0.05, 0.1}) {
-    p = {}; p.clipped = size;
-    rateOf(p, finding::kSaturation, [](const VirtualLog&, const RigFinding& f) { return f.value; }, 3, "clipped");
-  }
+}
+
+TEST(NoiseFloor, Probe) {
+  const auto run = [&](Perturbation p, bool model, const char* label) {
+    std::map<std::string, std::vector<double>> ratios;
+    forAllRigs(4, [&](const VirtualRig& rig) {
+      const VirtualLog log = runRig(rig, p);
+      const Found found = examine(log, elementsOf(rig));
+      const log::Record record = log::makeRecord(repaired(log.log, found.faults));
+      const NoiseFloor floor = noiseFloor(record, model ? found.fit.residual : record.force, model, found.faults.usable(), 0.0);
+      const Mask mask = found.faults.usable();
+      ratios[floor.source].push_back(floor.smoothed / log.noise);
+      ratios["all"].push_back(floor.smoothed / log.noise);
+      const double s = noiseFromSpectrum(record, found.fit.residual, mask), r = noiseFromRepeats(record, mask), st = noiseFromStandstill(record, mask);
+      if (s > 0) ratios["(spectrum)"].push_back(s / log.noise);
+      if (r > 0) ratios["(repeats)"].push_back(r / log.noise);
+      if (st > 0) ratios["(still)"].push_back(st / log.noise);
+    });
+    printf("%s:\n", label);
+    for (auto& [name, v] : ratios) {
+      std::sort(v.begin(), v.end());
+      int in = 0;
+      for (double x : v) in += x < 1.3 && x > 1 / 1.3;
+      printf("   %s n %zu min %.2f med %.2f max %.2f within %d\n", name.c_str(), v.size(), v.front(), v[v.size() / 2], v.back(), in);
+    }
+  };
+  Perturbation p;
+  run(p, true, "white model"); run(p, false, "white no model");
+  p.pink = true; run(p, true, "pink model"); run(p, false, "pink no model");
+  p = {}; p.anti_alias = 0.1; run(p, true, "aa model"); run(p, false, "aa no model");
 }
 
 TEST(BenchCheck, Probe) {

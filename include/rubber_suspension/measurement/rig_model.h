@@ -71,8 +71,9 @@ class RigModel {
   RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
 
   /// Columns and priors of each log about simulated forces. `simulate` is called once with all displacements shifted
-  /// by a hundredth of their stroke (without it, displacement zeros are not free), and once more, where a log starts in
-  /// motion, with the log's own first part, turned about its start, put before it. `points`: where to linearise.
+  /// by a hundredth of their stroke (without it, displacement zeros are not free), and three times more, where a log
+  /// starts in motion, with a motion before it: its own first part, or from its highest or lowest displacement.
+  /// `points`: where to linearise.
   std::vector<RigColumns> columns(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate,
                                   const std::vector<RigPoint>& points = {}) const;
 
@@ -95,7 +96,7 @@ class RigModel {
   double prior(Nuisance nuisance, const log::Record& record) const;
   std::vector<Eigen::VectorXd> simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
                                                double shift) const;
-  std::vector<Eigen::VectorXd> simulateRunning(const Simulate& simulate) const;
+  std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate) const;
 
   std::vector<log::Record> records_;
   std::vector<Mask> masks_;
