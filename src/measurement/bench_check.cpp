@@ -346,10 +346,12 @@ std::optional<RigFinding> stiffnessFinding(const component::Component& component
   if (!e.isElastic() || e.configured.stiffness <= 0.0 || e.measured.stiffness <= 0.0 || plausible(e.ratio)) {
     return std::nullopt;
   }
-  if (looksSwapped(component, record, e)) {
+  // A factor may be both; what gives no energy is the simpler one.
+  const UnitFactor* factor = unitFactorOf(e.ratio);
+  if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  if (const UnitFactor* factor = unitFactorOf(e.ratio)) {
+  if (factor != nullptr) {
     return fatal(
         record, finding::kUnitFactor, e.ratio,
         fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a wrong "

@@ -127,7 +127,7 @@ double unbiased(double square, Index count, Index freedom) {
 
 }  // namespace
 
-double noiseFromRepeats(const log::Record& record, const Mask& mask) {
+double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   const Differences differences = secondDifferences(record, mask);
   const auto count = static_cast<Index>(differences.force.size());
   if (count < kFewestRepeats) {
@@ -139,13 +139,13 @@ double noiseFromRepeats(const log::Record& record, const Mask& mask) {
   const VectorXd force = asVector(differences.force);
   const VectorXd left = force - columns * columns.colPivHouseholderQr().solve(force);
   const double deviation = robustDeviation(left, Mask::Constant(count, true)) / std::sqrt(6.0);
-  const NoiseModel noise = estimateNoise(record.force, mask, motionBand(record));
+  const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
   const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
   return deviation / std::sqrt(kept);
 }
 
 double noiseFromStandstill(const log::Record& record, const Mask& mask) {
-  constexpr double kStill = 1e-4;  // of the stroke, per typical eighth of a cycle: within a sensor's noise
+  constexpr double kStill = 1e-6;  // of the stroke: a force from such a motion is far below any noise
   const VectorXd& z = record.displacement;
   const double still = kStill * rangeOf(z) + 4.0 * record.displacement_noise;
   double square = 0.0;
@@ -156,13 +156,14 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
     while (end < z.size() && mask[end] && std::abs(z[end] - z[begin]) < still) {
       ++end;
     }
-    const Index length = end - begin;
+    // The first third, where the force relaxes fastest, is left out.
+    const Index length = (end - begin) * 2 / 3;
     if (length >= kShortestStop) {
       MatrixXd trend(length, 3);
       trend.col(1) = VectorXd::LinSpaced(length, -1.0, 1.0);
       trend.col(0).setOnes();
       trend.col(2) = trend.col(1).cwiseAbs2();
-      const VectorXd force = record.force.segment(begin, length);
+      const VectorXd force = record.force.segment(end - length, length);
       square += (force - trend * trend.householderQr().solve(force)).squaredNorm();
       count += length;
       freedom += 3;
@@ -181,8 +182,7 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   return estimateNoise(residual, mask, motion).deviation;
 }
 
-NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, bool has_model, const Mask& mask,
-                      double replay_excess) {
+NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {
   NoiseFloor floor;
   const double counted = std::max<double>(1.0, static_cast<double>(mask.count()));
   const double left = std::sqrt((residual.array() * mask.cast<double>()).square().sum() / counted);
@@ -192,10 +192,10 @@ NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, bool 
       floor.source = source;
     }
   };
-  take(noiseFromRepeats(record, mask), "repeats");
+  take(noiseFromRepeats(record, residual, mask), "repeats");
   take(noiseFromSpectrum(record, residual, mask), "spectrum");
   take(noiseFromStandstill(record, mask), "standstill");
-  if (has_model && (floor.smoothed == 0.0 || left < floor.smoothed)) {
+  if (floor.smoothed == 0.0 || left < floor.smoothed) {
     floor.smoothed = left;
     floor.source = "model";
   }

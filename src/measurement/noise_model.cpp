@@ -282,8 +282,8 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
   if (excluded.high > excluded.low) {
     double variance = 0.0;
     for (const SpectrumBand& band : all) {
-      const double known = spectralDensity(model, band.frequency);
-      variance += band.width * (excluded.contains(band.frequency) ? std::min(known, band.density) : band.density);
+      const bool inside = excluded.contains(band.frequency);
+      variance += band.width * (inside ? spectralDensity(model, band.frequency) : band.density);
     }
     model.deviation = std::sqrt(variance);
     return model;

@@ -374,7 +374,8 @@ std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const 
   return simulate(displacements);
 }
 
-std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& simulate) const {
+std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& simulate,
+                                                             const std::vector<RigPoint>& points) const {
   const auto starts = [](const log::Record& record) { return startsInMotion(record); };
   std::vector<std::vector<VectorXd>> forces;
   if (std::none_of(records_.begin(), records_.end(), starts)) {
@@ -382,8 +383,10 @@ std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& sim
   }
   for (const Before kind : kMotionsBefore) {
     std::vector<VectorXd> displacements;
-    for (const log::Record& record : records_) {
-      displacements.push_back(starts(record) ? withMotionBefore(record.displacement, kind) : record.displacement);
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
+      const VectorXd displacement = records_[i].displacement.array() - zero;
+      displacements.push_back(starts(records_[i]) ? withMotionBefore(displacement, kind) : displacement);
     }
     forces.push_back(simulate(displacements));
   }
@@ -396,7 +399,7 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
   std::vector<std::vector<VectorXd>> running;
   if (simulate) {
     shifted = simulateShifted(simulate, points, kShift);
-    running = simulateRunning(simulate);
+    running = simulateRunning(simulate, points);
   }
   std::vector<RigColumns> result;
   for (std::size_t i = 0; i < records_.size(); ++i) {

@@ -58,7 +58,7 @@ struct VirtualLog {
   double displacement_zero = 0.0;  // [m]
   double transient = 0.0;          // force left from before the log, at its start [N]
   double delay = 0.0;              // in the middle of the log [s]
-  double noise = 0.0;              // RMS of the noise added [N]
+  double noise = 0.0;              // standard deviation of the noise added, about its mean [N]
   std::vector<Eigen::Index> spikes;
 };
 
@@ -264,7 +264,7 @@ inline VirtualLog runRig(const VirtualRig& rig, const Perturbation& p = {}, cons
       rig.noise * deviation *
       unitNoise(count, p,
                 rig.seed * 104729u + 31u * static_cast<unsigned>(rig.motion) + 7u * static_cast<unsigned>(rig.law));
-  result.noise = std::sqrt((noise.array() - 0.0).square().mean());
+  result.noise = std::sqrt((noise.array() - noise.mean()).square().mean());
   force = (1.0 + p.gain) * force + noise;
   force.array() += result.force_zero;
   displacement.array() += result.displacement_zero;

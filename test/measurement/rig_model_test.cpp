@@ -118,11 +118,11 @@ TEST(NoiseFloor, Probe) {
       const VirtualLog log = runRig(rig, p);
       const Found found = examine(log, elementsOf(rig));
       const log::Record record = log::makeRecord(repaired(log.log, found.faults));
-      const NoiseFloor floor = noiseFloor(record, model ? found.fit.residual : record.force, model, found.faults.usable(), 0.0);
+      const NoiseFloor floor = noiseFloor(record, found.fit.residual, found.faults.usable(), 0.0);
       const Mask mask = found.faults.usable();
       ratios[floor.source].push_back(floor.smoothed / log.noise);
       ratios["all"].push_back(floor.smoothed / log.noise);
-      const double s = noiseFromSpectrum(record, found.fit.residual, mask), r = noiseFromRepeats(record, mask), st = noiseFromStandstill(record, mask);
+      const double s = noiseFromSpectrum(record, found.fit.residual, mask), r = noiseFromRepeats(record, found.fit.residual, mask), st = noiseFromStandstill(record, mask);
       if (s > 0) ratios["(spectrum)"].push_back(s / log.noise);
       if (r > 0) ratios["(repeats)"].push_back(r / log.noise);
       if (st > 0) ratios["(still)"].push_back(st / log.noise);
@@ -136,9 +136,9 @@ TEST(NoiseFloor, Probe) {
     }
   };
   Perturbation p;
-  run(p, true, "white model"); run(p, false, "white no model");
-  p.pink = true; run(p, true, "pink model"); run(p, false, "pink no model");
-  p = {}; p.anti_alias = 0.1; run(p, true, "aa model"); run(p, false, "aa no model");
+  run(p, true, "white model");
+  p.pink = true; run(p, true, "pink model");
+  p = {}; p.anti_alias = 0.1; run(p, true, "aa model");
 }
 
 TEST(BenchCheck, Probe) {
@@ -164,3 +164,4 @@ TEST(BenchCheck, Probe) {
 
 }  // namespace
 }  // namespace rubber_suspension::measurement
+

@@ -18,23 +18,22 @@ struct NoiseFloor {
 
 /// Standard deviation of the force's noise from repeats of the same cycle: second differences over three cycles, freed
 /// of what displacement and speed differ by. Slow noise, which the differences take out, is put back by the colour of
-/// the spectrum. 0 where fewer than 100 samples repeat.
-double noiseFromRepeats(const log::Record& record, const Mask& mask);
+/// the residual's spectrum. 0 where fewer than 100 samples repeat.
+double noiseFromRepeats(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 /// The same where the displacement stands still, each stop freed of a quadratic trend. 0 where it hardly does.
 double noiseFromStandstill(const log::Record& record, const Mask& mask);
 
-/// From the spectrum of a residual (or of the force) outside of the motion's band, carried on into it. 0 where too
+/// From the spectrum of a residual outside of the motion's band, carried on into it. 0 where too
 /// little of the spectrum lies outside.
 double noiseFromSpectrum(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 /// All of these in one: repeats before spectrum and standstill; never above what a model leaves; never below what the
 /// force's resolution and the length of the log allow.
 ///
-/// `residual`: measured minus simulated force of the best model, the rig's part taken out; the measured force where
-/// there is no model (has_model false). `replay_excess`: RMS by which the model's force over the raw displacement
-/// differs from that over the smoothed one [N].
-NoiseFloor noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, bool has_model, const Mask& mask,
+/// `residual`: measured minus simulated force of the best model, the rig's part taken out. `replay_excess`: RMS by
+/// which the model's force over the raw displacement differs from that over the smoothed one [N].
+NoiseFloor noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                       double replay_excess);
 
 }  // namespace rubber_suspension::measurement

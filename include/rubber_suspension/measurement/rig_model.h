@@ -96,7 +96,8 @@ class RigModel {
   double prior(Nuisance nuisance, const log::Record& record) const;
   std::vector<Eigen::VectorXd> simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
                                                double shift) const;
-  std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate) const;
+  std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate,
+                                                            const std::vector<RigPoint>& points) const;
 
   std::vector<log::Record> records_;
   std::vector<Mask> masks_;
