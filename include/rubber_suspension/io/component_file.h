@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
 
@@ -28,6 +30,7 @@ class ComponentDescription {
 
   std::string name;                              ///< a ROS base name
   std::vector<element::ElementDescription> add;  ///< effects on top
+  std::optional<RigTolerances> rig;              ///< tolerances of the rig that measures it, where given
 
   estimation::Model model() const { return model_; }
 
