@@ -266,17 +266,49 @@ class Loader {
 
   void loadContent(const YAML::Node& node, ComponentDescription& description) {
     if (description.model == estimation::Model::elements) {
-      checkKeys(node, "", {"model", "elements", "add"});
+      checkKeys(node, "", {"model", "elements", "add", "rig"});
       description.elements = loadEntries(require(node, "", "elements", "a list of elements"), "elements");
       if (description.elements.empty()) {
         refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
       }
     } else {
-      checkKeys(node, "", {"model", "specification", "add"});
+      checkKeys(node, "", {"model", "specification", "add", "rig"});
       description.specification = loadSpecification(require(node, "", "specification", "a map"), description.model);
     }
     if (const YAML::Node add = node["add"]) {
       description.add = loadEntries(add, "add");
+    }
+    if (const YAML::Node rig = node["rig"]) {
+      description.rig = loadRig(rig);
+    }
+  }
+
+  RigTolerances loadRig(const YAML::Node& node) {
+    if (!node.IsMap()) {
+      refuse(node, "rig", fmt::format("{}; accepted: a map", kindOf(node)));
+    }
+    std::vector<std::string> names;
+    for (const RigToleranceInfo& row : rigToleranceTable()) {
+      names.push_back(row.name);
+    }
+    checkKeys(node, "rig", names);
+    RigTolerances tolerances;
+    for (const RigToleranceInfo& row : rigToleranceTable()) {
+      if (const YAML::Node value = node[row.name]) {
+        tolerances.*row.member = loadTolerance(value, row.name);
+      }
+    }
+    return tolerances;
+  }
+
+  RigTolerance loadTolerance(const YAML::Node& node, const std::string& key) const {
+    if (!node.IsScalar()) {
+      refuse(node, child("rig", key), fmt::format("{} is not a number; accepted: a number or text", kindOf(node)));
+    }
+    try {
+      return parseRigTolerance(key, node.Scalar());
+    } catch (const std::invalid_argument& error) {
+      refuse(node, "", fmt::format("rig.{}", error.what()));
     }
   }
 
@@ -422,6 +454,14 @@ std::string entriesYaml(const std::string& key, const std::vector<element::Eleme
   return text;
 }
 
+std::string rigYaml(const RigTolerances& tolerances) {
+  std::string text = "    rig:\n";
+  for (const RigToleranceInfo& row : rigToleranceTable()) {
+    text += fmt::format("      {}: {}\n", row.name, toString(row, tolerances.*row.member));
+  }
+  return text;
+}
+
 std::string specificationYaml(const estimation::Specification& specification) {
   std::string text = "    specification:\n";
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
@@ -482,6 +522,7 @@ std::string toYaml(const std::vector<ComponentDescription>& components) {
     text += component.model == estimation::Model::elements ? entriesYaml("elements", component.elements)
                                                            : specificationYaml(component.specification);
     text += entriesYaml("add", component.add);
+    text += component.rig ? rigYaml(*component.rig) : "";
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include "log/text.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
 namespace {
@@ -66,6 +67,16 @@ std::string elementSection(const element::ElementType& type) {
                      parameterTable(type.parameters));
 }
 
+std::string toleranceTable() {
+  std::string text = "| key | unit | % of | default | meaning |\n|---|---|---|---|---|\n";
+  const RigTolerances defaults;
+  for (const RigToleranceInfo& row : rigToleranceTable()) {
+    text += fmt::format("| `{}` | {} | {} | {:g} % | {} |\n", row.name, row.unit == "1" ? "-" : row.unit, row.share_of,
+                        (defaults.*row.member).value * 100.0, row.documentation);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string parameterReference() {
@@ -75,13 +86,18 @@ std::string parameterReference() {
       "Numbers are SI, in the units below; text carries its own unit, as `\"3 kN/mm\"`, `\"5.7 deg\"` or `\"5 %\"`.\n\n"
       "A component has a `model`, a `specification` (or a list of `elements`, for the model of that name), and may "
       "have\n"
-      "effects on top in a list `add`.\n\n"
+      "effects on top in a list `add` and the tolerances of the rig that measures it in a map `rig`.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {
     text += modelRow(static_cast<estimation::Model>(i));
   }
   text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters());
+  text +=
+      "\n## Keys of `rig`, and of the option `--rig KEY=VALUE` of a diagnosis\n\n"
+      "Standard deviations of what a rig may do to a log and is no cause in the component, new in each log; 0: it does "
+      "not do it.\n\n" +
+      toleranceTable();
   text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
 
@@ -18,6 +20,7 @@ struct ComponentDescription {
   estimation::Specification specification;            ///< of every model but `elements`
   std::vector<element::ElementDescription> elements;  ///< of the model `elements` only
   std::vector<element::ElementDescription> add;       ///< effects on top
+  std::optional<RigTolerances> rig;                   ///< tolerances of the rig that measures it, where given
 
   /// All elements: those that the model estimates, or lists, and those added.
   /// Throws std::invalid_argument where the specification has no solution.

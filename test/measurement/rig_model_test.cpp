@@ -1,0 +1,143 @@
+// What rigs do to logs is found, with intervals that hold, and nothing is found where nothing was done.
+#include "rubber_suspension/measurement/rig_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "measurement/perturb.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+struct Found {
+  std::vector<RigFinding> findings;
+  RigFit fit;
+  Faults faults;
+};
+
+Found examine(const VirtualLog& virtual_log, const Elements& elements, const io::RigTolerances& tolerances = {}) {
+  Found found;
+  found.faults = findFaults(virtual_log.log);
+  const log::Record record = log::makeRecord(repaired(virtual_log.log, found.faults));
+  const RigModel model({record}, {found.faults.usable()}, tolerances);
+  const Simulate simulate = [&](const std::vector<Eigen::VectorXd>& displacements) {
+    return simulateAll(elements, {record.dt}, displacements);
+  };
+  found.fit = model.fitAll(simulate({record.displacement}), simulate).front();
+  found.findings = found.faults.findings;
+  const auto of_rig = model.findings(0, found.fit);
+  found.findings.insert(found.findings.end(), of_rig.begin(), of_rig.end());
+  return found;
+}
+
+const RigFinding* named(const Found& found, const std::string& name) {
+  for (const RigFinding& finding : found.findings) {
+    if (finding.finding == name) {
+      return &finding;
+    }
+  }
+  return nullptr;
+}
+
+bool covers(const RigFinding& finding, double value) {
+  return finding.interval_95[0] <= value && value <= finding.interval_95[1];
+}
+
+constexpr Law kLaws[] = {Law::maxwell, Law::friction, Law::progressive};
+constexpr Motion kMotions[] = {Motion::sines, Motion::sweep, Motion::track, Motion::holds};
+
+// All laws and motions, some seeds each.
+template <class Check>
+int forAllRigs(unsigned seeds, Check check) {
+  int rigs = 0;
+  for (const Law law : kLaws) {
+    for (const Motion motion : kMotions) {
+      for (unsigned seed = 1; seed <= seeds; ++seed) {
+        VirtualRig rig;
+        rig.law = law;
+        rig.motion = motion;
+        rig.seed = seed;
+        check(rig);
+        ++rigs;
+      }
+    }
+  }
+  return rigs;
+}
+
+struct Rate {
+  int found = 0;
+  int covered = 0;
+  int others = 0;  // findings of another name
+};
+
+template <class Truth>
+Rate rateOf(const Perturbation& p, const char* finding, Truth truth, unsigned seeds, const char* label) {
+  Rate rate;
+  int wrong_prints = 0;
+  const int rigs = forAllRigs(seeds, [&](const VirtualRig& rig) {
+    const VirtualLog log = runRig(rig, p);
+    const Found found = examine(log, elementsOf(rig));
+    const RigFinding* hit = named(found, finding);
+    rate.found += hit != nullptr ? 1 : 0;
+    rate.covered += hit != nullptr && covers(*hit, truth(log, *hit)) ? 1 : 0;
+    for (const RigFinding& f : found.findings) {
+      rate.others += f.finding != finding ? 1 : 0;
+      if (f.finding != finding && wrong_prints++ < 4) {
+        printf("  law %d motion %d seed %u: %s %g [%g %g] %s\n", (int)rig.law, (int)rig.motion, rig.seed, f.finding.c_str(), f.value, f.interval_95[0], f.interval_95[1], f.text.c_str());
+      }
+    }
+    if (hit != nullptr && !covers(*hit, truth(log, *hit)) && wrong_prints++ < 8) {
+      printf("  miss law %d motion %d seed %u: %g [%g %g] truth %g\n", (int)rig.law, (int)rig.motion, rig.seed, hit->value, hit->interval_95[0], hit->interval_95[1], truth(log, *hit));
+    }
+  });
+  printf("%-28s of %d: found %d, covered %d, others %d\n", label, rigs, rate.found, rate.covered, rate.others);
+  return rate;
+}
+
+TEST(RigModel, Probe) {
+  const auto none = [](const VirtualLog&, const RigFinding&) { return 0.0; };
+  Perturbation p;
+  rateOf(p, "none", none, 5, "clean");
+  p = {}; p.pink = true;
+  rateOf(p, "none", none, 5, "pink");
+  p = {}; p.anti_alias = 0.1;
+  rateOf(p, "none", none, 5, "anti-alias");
+  for (const double size : {0.002, 0.01, 0.03}) {
+    p = {}; p.force_zero = size;
+    rateOf(p, finding::kForceZero, [](const VirtualLog& l, const RigFinding&) { return l.force_zero; }, 3, "force zero");
+    p = {}; p.displacement_zero = size;
+    rateOf(p, finding::kDisplacementZero, [](const VirtualLog& l, const RigFinding&) { return l.displacement_zero; }, 3, "displacement zero");
+  }
+  for (const double size : {0.2, 0.5, 1.0}) {
+    p = {}; p.delay = size;
+    rateOf(p, finding::kDelay, [](const VirtualLog& l, const RigFinding&) { return l.delay; }, 3, "delay");
+  }
+  for (const double size : {0.003, 0.005, 0.01}) {
+    p = {}; p.gain = size;
+    rateOf(p, finding::kSensorGain, [size](const VirtualLog&, const RigFinding&) { return size; }, 3, "gain");
+  }
+  for (const double size : {3e-5, 1e-4, 2e-4}) {
+    p = {}; p.clock = size;
+    rateOf(p, finding::kClock, [size](const VirtualLog&, const RigFinding&) { return size; }, 3, "clock");
+  }
+  p = {}; p.running_start = true;
+  rateOf(p, finding::kRunningStart, [](const VirtualLog& l, const RigFinding&) { return l.transient; }, 5, "running");
+  for (const double size : {0.05, 0.2, 0.5}) {
+    p = {}; p.spikes = size;
+    rateOf(p, finding::kSpikes, [](const VirtualLog&, const RigFinding&) { return 3.0; }, 3, "spikes");
+  }
+  for (const int size : {10, 25, 60}) {
+    p = {}; p.held = size;
+    rateOf(p, finding::kHeldValues, [size](const VirtualLog&, const RigFinding& f) { return std::abs(f.value - 3.0 * size) <= 3 ? f.value : 3.0 * size; }, 3, "held");
+  }
+  for (const double size : {0.02, 0.05, 0.1}) {
+    p = {}; p.clipped = size;
+    rateOf(p, finding::kSaturation, [](const VirtualLog&, const RigFinding& f) { return f.value; }, 3, "clipped");
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension::measurement
