@@ -19,8 +19,27 @@ constexpr Index kLongestSpike = 3;   // samples
 constexpr double kSpikeLimit = 6.0;  // deviations of the prediction; beyond chance in any log, and in 1/f noise
 // More holes than that are the signal's own form, not what happens to a cable.
 constexpr double kMostSpikes = 0.01;
+// A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
+// cannot be told.
+constexpr double kLargestClippedShare = 0.2;
 constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
 constexpr Index kAround = 6;       // samples about a spike that are no other visit
+
+// Share of the samples that equal the one before, extremes and long runs apart.
+constexpr double kFewRepeats = 0.02;
+double repeats(const VectorXd& samples) {
+  constexpr Index kLong = 4;
+  const double high = samples.maxCoeff();
+  const double low = samples.minCoeff();
+  Index equal = 0;
+  Index length = 1;
+  for (Index i = 1; i < samples.size(); ++i) {
+    const bool same = samples[i] == samples[i - 1] && samples[i] != high && samples[i] != low;
+    length = same ? length + 1 : 1;
+    equal += same && length < kLong ? 1 : 0;
+  }
+  return static_cast<double>(equal) / static_cast<double>(samples.size());
+}
 
 // One channel with what its samples scatter by about a prediction from their neighbours.
 struct Channel {
@@ -35,13 +54,22 @@ struct Channel {
   }
 
   const VectorXd& values;
+  double highest;
+  double lowest;
   double range;
   double step;     // smallest step, of a coarse sensor
+  bool noisy;      // its values hardly ever repeat, but at its extremes
   VectorXd scale;  // standard deviation of curvature() about each sample
 };
 
 Channel::Channel(const VectorXd& samples)
-    : values(samples), range(rangeOf(samples)), step(smallestStep(samples)), scale(samples.size()) {
+    : values(samples),
+      highest(samples.maxCoeff()),
+      lowest(samples.minCoeff()),
+      range(highest - lowest),
+      step(smallestStep(samples)),
+      noisy(repeats(samples) < kFewRepeats),
+      scale(samples.size()) {
   const Index count = samples.size();
   std::vector<double> all;
   std::vector<double> blocks;
@@ -126,16 +154,16 @@ bool cornerNear(const Channel& channel, const Hole& hole) {
   return false;
 }
 
-// Whether other visits to the same place of the other channel stand out alike (a bump stop that is hit each cycle), or
-// there are none that would tell.
+// Whether other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
+// cycle), or there are no visits that would tell.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
   const double place = other.values[hole.begin];
   Index visits = 0;
   Index alike = 0;
-  for (Index i = 0; i < channel.values.size(); ++i) {
+  for (Index i = 1; i + 1 < channel.values.size(); ++i) {
     if (std::abs(other.values[i] - place) < 0.01 * other.range && std::abs(i - hole.begin) > kAround) {
       ++visits;
-      alike += (channel.values[i] - hole.prediction) / hole.size > 0.5 ? 1 : 0;
+      alike += channel.corner(i - 1) || channel.corner(i) || channel.corner(i + 1) ? 1 : 0;
     }
   }
   return visits < 3 ? std::abs(hole.size) < 0.5 * channel.range : 5 * alike > visits;
@@ -214,10 +242,13 @@ bool turnsAtEnd(const VectorXd& other, const Run& run) {
   return (other[last + kReach] - other[last]) * (other[last] - other[last - kReach]) <= 0.0;
 }
 
+// A force with noise does not repeat while the displacement moves.
+bool repeatsAgainstNoise(const Channel& force, const Channel& displacement, const Run& run) {
+  const double moved = rangeWithin(displacement.values, run);
+  return force.noisy && moved > 0.005 * displacement.range && moved > kSpikeLimit * displacement.scale[run.begin];
+}
+
 bool isHeld(const Channel& channel, const Channel& other, const Run& run) {
-  if (run.end >= channel.values.size()) {
-    return false;
-  }
   const double jump = std::abs(channel.values[run.end] - channel.values[run.end - 1]);
   const double other_jump = std::abs(other.values[run.end] - other.values[run.end - 1]) / other.range;
   const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
@@ -228,22 +259,33 @@ bool isHeld(const Channel& channel, const Channel& other, const Run& run) {
          rangeWithin(other.values, run) / other.range > 0.25 * jump / channel.range && !turnsAtEnd(other.values, run);
 }
 
-std::vector<Run> findHolds(const Channel& channel, const Channel& other) {
+bool atExtreme(const Channel& channel, const Run& run) {
+  const double value = channel.values[run.begin];
+  return value == channel.highest || value == channel.lowest;
+}
+
+// `mask`: false for spikes, which a run may end at.
+std::vector<Run> findHolds(const Channel& channel, const Channel& other, bool is_force, const Mask& mask) {
   std::vector<Run> held;
   for (const Run& run : equalRuns(channel.values, kShortestHold)) {
-    if (isHeld(channel, other, run)) {
+    if (atExtreme(channel, run) || run.end >= channel.values.size() || !mask[run.end]) {
+      continue;  // at the sensor's stop, perhaps
+    }
+    if (isHeld(channel, other, run) || (is_force && repeatsAgainstNoise(channel, other, run))) {
       held.push_back(run);
     }
   }
   return held;
 }
 
-// How far the other channel bulges outwards over runs at an extreme: its middle against its ends, in units of its
-// range.
-double bulge(const Channel& other, const Run& run, double outward) {
-  const double middle = other.values[(run.begin + run.end - 1) / 2];
-  const double ends = 0.5 * (other.values[run.begin] + other.values[run.end - 1]);
-  return outward * (middle - ends) / other.range;
+// How far the other channel bulges outwards over a run: its middle third against the thirds at the ends. Where it
+// relaxes towards a value, the bulge is inwards.
+double bulge(const VectorXd& other, const Run& run) {
+  const Index length = run.end - run.begin;
+  const Index third = std::max<Index>(1, length / 3);
+  const Index middle = length - 2 * third;
+  const double ends = other.segment(run.begin, third).sum() + other.segment(run.end - third, third).sum();
+  return other.segment(run.begin + third, middle).mean() - ends / static_cast<double>(2 * third);
 }
 
 struct Saturation {
@@ -254,30 +296,36 @@ struct Saturation {
 
 // A channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
 // channel goes further out and comes back.
-std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, double outward) {
-  const double extreme = outward > 0.0 ? channel.values.maxCoeff() : channel.values.minCoeff();
+std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, bool is_force, double outward) {
   Saturation found;
-  found.limit = extreme;
+  found.limit = outward > 0.0 ? channel.highest : channel.lowest;
   double bulging = 0.0;
+  double variance = 0.0;
   for (const Run& run : equalRuns(channel.values, 3)) {
-    if (channel.values[run.begin] == extreme) {
+    if (channel.values[run.begin] == found.limit) {
+      const auto length = static_cast<double>(run.end - run.begin);
       found.runs.push_back(run);
       found.samples += run.end - run.begin;
-      bulging += bulge(other, run, outward) * static_cast<double>(run.end - run.begin);
+      bulging += outward * bulge(other.values, run) * length;
+      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
     }
   }
   const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
   const double width = std::max(3.5 * coarse, 0.005 * channel.range);
-  const auto distance = (outward * (extreme - channel.values.array())).eval();
+  const auto distance = (outward * (found.limit - channel.values.array())).eval();
   const Index near = (distance > 0.0 && distance < width).count();
   // An extremum that is merely rounded leaves as many samples on the three levels below it as on its own.
   if (found.samples < 5 || found.samples <= 2 * near) {
     return std::nullopt;
   }
-  // Turned the other way where force and displacement are of opposite sign; a bulge of noise alone averages out.
+  // Turned the other way where force and displacement are of opposite sign.
   const double slope = (channel.values.array() - channel.values.mean()).matrix().dot(other.values);
   bulging *= slope < 0.0 ? -1.0 : 1.0;
-  return bulging > 1e-3 * static_cast<double>(found.samples) ? std::optional<Saturation>(found) : std::nullopt;
+  // Beyond the scatter, and by what a peak has above a cut at 1 % of the range.
+  const bool bulges =
+      bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
+  // Or its noise is gone there.
+  return bulges || (is_force && channel.noisy) ? std::optional<Saturation>(found) : std::nullopt;
 }
 
 void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
@@ -309,7 +357,7 @@ void addSpikes(const std::string& name, const Channel& channel, const Channel& o
 
 void addHolds(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
               std::vector<RigFinding>& findings) {
-  const std::vector<Run> holds = findHolds(channel, other);
+  const std::vector<Run> holds = findHolds(channel, other, is_force, mask);
   if (holds.empty()) {
     return;
   }
@@ -329,19 +377,20 @@ void addHolds(const std::string& name, const Channel& channel, const Channel& ot
 void addSaturation(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
                    std::vector<RigFinding>& findings) {
   for (const double outward : {1.0, -1.0}) {
-    const std::optional<Saturation> found = findSaturation(channel, other, outward);
+    const std::optional<Saturation> found = findSaturation(channel, other, is_force, outward);
     if (!found) {
       continue;
     }
-    for (const Run& run : found->runs) {
-      exclude(mask, run.begin, run.end);
-    }
+    // What is just below the stop is there because noise did not lift it further: one-sided, so left out, too.
+    mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
+    const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
     findings.push_back(counted(
         name, finding::kSaturation, static_cast<double>(found->samples),
         fmt::format("the {} stays at its {} {:.4g} {} for {} samples while the {} goes further (clipped): left out; "
                     "choose a larger measuring range",
                     nameOf(is_force), outward > 0.0 ? "maximum" : "minimum", found->limit, is_force ? "N" : "m",
                     found->samples, nameOf(!is_force))));
+    findings.back().fatal = share > kLargestClippedShare;
   }
 }
 

@@ -20,6 +20,9 @@ using Eigen::VectorXd;
 constexpr Index kFewestSamples = 32;
 constexpr double kTimeConstantRatio = 4.0;
 constexpr std::size_t kHighestOrder = 20;  // of the filter
+// White noise that is taken to be there below any filter (30 dB lower): what a simulation errs by between samples is
+// not to be weighed by what an anti-aliasing filter leaves of the noise near half of the sampling rate.
+constexpr double kWhiteShare = 1e-3;
 
 // One first-order process of the 1/f part.
 struct SlowPart {
@@ -213,7 +216,7 @@ void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
     if (power <= 0.0) {
       break;
     }
-    const double k = std::clamp(-product / power, -0.999999, 0.999999);
+    const double k = -product / (power * (1.0 + kWhiteShare));
     reflection.push_back(k);
     for (const auto& [begin, end] : runs) {
       for (Index i = end - 1; i >= begin + lag; --i) {

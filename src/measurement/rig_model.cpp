@@ -24,6 +24,8 @@ constexpr double kShift = 0.01;  // of the stroke, for the derivative by the dis
 constexpr double kRelaxationRatio = 4.0;
 constexpr double kChance = 1e-3;  // of a finding where there is nothing to find, for each value of each log
 constexpr double kNormal95 = 1.96;
+// RMS over the log, in units of the noise: what is less makes a gap larger by less than half a per cent of the noise.
+constexpr double kMatters = 0.1;
 
 VectorXd derivative(const VectorXd& values, double dt) {
   const Index count = values.size();
@@ -59,6 +61,37 @@ void addInitialState(Index count, std::vector<Column>& columns) {
   }
 }
 
+// The signal at t - delay - clock (t - middle of the log), by cubic interpolation.
+VectorXd delayed(const VectorXd& values, double delay, double clock) {
+  if (delay == 0.0 && clock == 0.0) {
+    return values;
+  }
+  const Index count = values.size();
+  const double middle = 0.5 * static_cast<double>(count - 1);
+  VectorXd result(count);
+  for (Index i = 0; i < count; ++i) {
+    const auto place = static_cast<double>(i);
+    const double at = place - delay - clock * (place - middle);
+    const Index left = std::clamp(static_cast<Index>(std::floor(at)), Index{1}, count - 3);
+    const double s = std::clamp(at - static_cast<double>(left), -1.0, 2.0);
+    result[i] = -s * (s - 1.0) * (s - 2.0) / 6.0 * values[left - 1] +
+                (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 * values[left] -
+                (s + 1.0) * s * (s - 2.0) / 2.0 * values[left + 1] + (s + 1.0) * s * (s - 1.0) / 6.0 * values[left + 2];
+  }
+  return result;
+}
+
+// The log's first quarter, turned about its start, and the log: place and speed go on steadily.
+VectorXd withMotionBefore(const VectorXd& displacement) {
+  const Index before = displacement.size() / 4;
+  VectorXd result(before + displacement.size());
+  for (Index i = 0; i < before; ++i) {
+    result[i] = 2.0 * displacement[0] - displacement[before - i];
+  }
+  result.tail(displacement.size()) = displacement;
+  return result;
+}
+
 RigColumns assemble(std::vector<Column> columns, const std::function<double(Nuisance)>& prior) {
   columns.erase(std::remove_if(columns.begin(), columns.end(),
                                [&](const Column& c) { return !(prior(c.nuisance) > 0.0) || c.values.norm() == 0.0; }),
@@ -87,6 +120,33 @@ Solution solveWithPriors(const MatrixXd& gram, const VectorXd& moment, const Vec
   const Eigen::LLT<MatrixXd> factor(scaled);
   return {priors.asDiagonal() * factor.solve(priors.asDiagonal() * moment),
           priors.asDiagonal() * factor.solve(MatrixXd::Identity(size, size)) * priors.asDiagonal()};
+}
+
+Index columnOf(const RigColumns& rig, Nuisance nuisance) {
+  const auto found = std::find(rig.nuisances.begin(), rig.nuisances.end(), nuisance);
+  return found == rig.nuisances.end() ? -1 : static_cast<Index>(found - rig.nuisances.begin());
+}
+
+// So that values are those in all, not what is to be added to the point's.
+void setBase(const VectorXd& force, const RigPoint& point, RigColumns& rig) {
+  rig.base = force;
+  const auto subtract = [&](Nuisance nuisance, double value) {
+    const Index i = columnOf(rig, nuisance);
+    if (i >= 0) {
+      rig.base -= value * rig.columns.col(i);
+    }
+  };
+  subtract(Nuisance::displacement_zero, point.displacement_zero);
+  subtract(Nuisance::delay, point.delay);
+  subtract(Nuisance::clock, point.clock);
+}
+
+RigPoint pointOf(const RigFit& fit) {
+  const auto value = [&](Nuisance nuisance) {
+    const Index i = fit.column(nuisance);
+    return i >= 0 ? fit.values[i] : 0.0;
+  };
+  return {value(Nuisance::displacement_zero), value(Nuisance::delay), value(Nuisance::clock)};
 }
 
 // Rounds of weights and solution on whitened columns, and the normal equations of the last.
@@ -201,16 +261,48 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(values, covariance);
 }
 
+bool matters(const RigFit& fit, const std::vector<Index>& columns) {
+  VectorXd part = VectorXd::Zero(fit.residual.size());
+  for (const Index i : columns) {
+    part += fit.values[i] * fit.rig.columns.col(i);
+  }
+  // A start matters while it lasts: over the samples that hold its weight.
+  const double peak = part.cwiseAbs().maxCoeff();
+  const double lasting = peak > 0.0 ? part.cwiseAbs().sum() / peak : 1.0;
+  return part.norm() > kMatters * fit.noise.deviation * std::sqrt(lasting);
+}
+
+std::vector<Index> columnsOf(const RigFit& fit, Nuisance nuisance) {
+  std::vector<Index> columns;
+  for (std::size_t i = 0; i < fit.rig.nuisances.size(); ++i) {
+    if (fit.rig.nuisances[i] == nuisance) {
+      columns.push_back(static_cast<Index>(i));
+    }
+  }
+  return columns;
+}
+
+// The force that is left at the log's first sample.
+RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const std::vector<Index>& columns,
+                               double prior) {
+  double value = 0.0;
+  double variance = 0.0;
+  for (const Index i : columns) {
+    value += fit.rig.columns(0, i) * fit.values[i];
+    for (const Index j : columns) {
+      variance += fit.rig.columns(0, i) * fit.covariance(i, j) * fit.rig.columns(0, j);
+    }
+  }
+  return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
+}
+
 double absolute(const io::RigTolerance& tolerance, double whole) {
   return tolerance.is_share ? tolerance.value * whole : tolerance.value;
 }
 
 }  // namespace
 
-Index RigFit::column(Nuisance nuisance) const {
-  const auto found = std::find(rig.nuisances.begin(), rig.nuisances.end(), nuisance);
-  return found == rig.nuisances.end() ? -1 : static_cast<Index>(found - rig.nuisances.begin());
-}
+Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
 bool startsInMotion(const log::Record& record) {
   constexpr double kCycle = 2.0 * M_PI / 8.0;  // an eighth, of the phase
@@ -260,38 +352,66 @@ double RigModel::prior(Nuisance nuisance, const log::Record& record) const {
   }
 }
 
-std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated, const Simulate& simulate) const {
+std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
+                                                double shift) const {
+  std::vector<VectorXd> displacements;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
+    displacements.emplace_back(records_[i].displacement.array() - zero + shift * rangeOf(records_[i].displacement));
+  }
+  return simulate(displacements);
+}
+
+std::vector<VectorXd> RigModel::simulateRunning(const Simulate& simulate) const {
+  std::vector<VectorXd> displacements;
+  bool any = false;
+  for (const log::Record& record : records_) {
+    const bool running = startsInMotion(record);
+    any = any || running;
+    displacements.push_back(running ? withMotionBefore(record.displacement) : record.displacement);
+  }
+  return any ? simulate(displacements) : std::vector<VectorXd>();
+}
+
+std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated, const Simulate& simulate,
+                                          const std::vector<RigPoint>& points) const {
   std::vector<VectorXd> shifted;
-  if (simulate && tolerances_.displacement_zero.value > 0.0) {
-    std::vector<VectorXd> displacements;
-    for (const log::Record& record : records_) {
-      displacements.emplace_back(record.displacement.array() + kShift * rangeOf(record.displacement));
-    }
-    shifted = simulate(displacements);
+  std::vector<VectorXd> running;
+  if (simulate) {
+    shifted = simulateShifted(simulate, points, kShift);
+    running = simulateRunning(simulate);
   }
   std::vector<RigColumns> result;
   for (std::size_t i = 0; i < records_.size(); ++i) {
+    const RigPoint point = points.empty() ? RigPoint() : points[i];
     const log::Record& record = records_[i];
+    const auto late = [&](const VectorXd& force) { return delayed(force, point.delay / record.dt, point.clock); };
+    const VectorXd base = late(simulated[i]);
     std::vector<Column> columns = {{Nuisance::force_zero, VectorXd::Ones(record.size())}};
     if (!shifted.empty()) {
       // Too high a displacement lets the simulation give too much.
       columns.push_back(
-          {Nuisance::displacement_zero, (simulated[i] - shifted[i]) / (kShift * rangeOf(record.displacement))});
+          {Nuisance::displacement_zero, (base - late(shifted[i])) / (kShift * rangeOf(record.displacement))});
     }
-    addDelays(simulated[i], record.dt, columns);
-    columns.push_back({Nuisance::gain, simulated[i]});
+    addDelays(base, record.dt, columns);
+    columns.push_back({Nuisance::gain, base});
     if (startsInMotion(record)) {
       addInitialState(record.size(), columns);
+      const double scale = prior(Nuisance::initial_state, record);
+      if (!running.empty() && scale > 0.0) {
+        columns.push_back({Nuisance::initial_state, (running[i].tail(record.size()) - simulated[i]) / scale});
+      }
     }
     result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) { return prior(nuisance, record); }));
+    setBase(base, point, result.back());
   }
   return result;
 }
 
-RigFit RigModel::fit(std::size_t log, const RigColumns& columns, const VectorXd& simulated, int iterations) const {
+RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations) const {
   const log::Record& record = records_[log];
   const Mask& mask = masks_[log];
-  const VectorXd residual = record.force - simulated;
+  const VectorXd residual = record.force - columns.base;
   RigFit fit;
   fit.rig = columns;
   fit.values = VectorXd::Zero(columns.priors.size());
@@ -323,10 +443,17 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, const VectorXd&
 }
 
 std::vector<RigFit> RigModel::fitAll(const std::vector<VectorXd>& simulated, const Simulate& simulate) const {
-  const std::vector<RigColumns> rigs = columns(simulated, simulate);
+  const std::vector<RigColumns> first = columns(simulated, simulate);
+  std::vector<RigPoint> points;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    points.push_back(pointOf(fit(i, first[i], 1)));
+  }
+  const std::vector<VectorXd> about = simulate ? simulateShifted(simulate, points, 0.0) : simulated;
+  const std::vector<RigColumns> second = columns(about, simulate, points);
   std::vector<RigFit> fits;
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    fits.push_back(fit(i, rigs[i], simulated[i]));
+    fits.push_back(fit(i, second[i]));
+    fits.back().correction = records_[i].force - simulated[i] - fits.back().residual;
   }
   return fits;
 }
@@ -338,38 +465,26 @@ std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) c
   for (const Nuisance nuisance :
        {Nuisance::force_zero, Nuisance::displacement_zero, Nuisance::delay, Nuisance::clock, Nuisance::gain}) {
     const Index i = fit.column(nuisance);
-    if (i >= 0 && significantAt(fit, {i})) {
+    if (i >= 0 && significantAt(fit, {i}) && matters(fit, {i})) {
       zero_found = zero_found || nuisance == Nuisance::force_zero || nuisance == Nuisance::displacement_zero;
       found.push_back(told(name, nuisance, fit.values[i], std::sqrt(fit.covariance(i, i)), fit.rig.priors[i]));
     }
   }
   const Index force = fit.column(Nuisance::force_zero);
   const Index displacement = fit.column(Nuisance::displacement_zero);
-  if (!zero_found && force >= 0 && displacement >= 0 && significantAt(fit, {force, displacement})) {
+  if (!zero_found && force >= 0 && displacement >= 0 && significantAt(fit, {force, displacement}) &&
+      matters(fit, {force, displacement})) {
     RigFinding zeros =
         told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation, fit.rig.priors[force]);
     zeros.text = fmt::format(
-        "zeros of force and displacement together are too high by {:.3g} N, which one this log "
-        "cannot tell: taken out; zero both before the log",
+        "zeros of force and displacement together are too high by {:.3g} N; how much is each, this log cannot tell: "
+        "taken out; zero both before the log",
         fit.zeros_as_force);
     found.insert(found.begin(), zeros);
   }
-  std::vector<Index> initial;
-  for (std::size_t i = 0; i < fit.rig.nuisances.size(); ++i) {
-    if (fit.rig.nuisances[i] == Nuisance::initial_state) {
-      initial.push_back(static_cast<Index>(i));
-    }
-  }
-  if (!initial.empty() && significantAt(fit, initial)) {
-    double value = 0.0;
-    double variance = 0.0;
-    for (const Index i : initial) {
-      value += fit.values[i];
-      for (const Index j : initial) {
-        variance += fit.covariance(i, j);
-      }
-    }
-    found.push_back(told(name, Nuisance::initial_state, value, std::sqrt(variance), fit.rig.priors[initial.front()]));
+  const std::vector<Index> initial = columnsOf(fit, Nuisance::initial_state);
+  if (!initial.empty() && significantAt(fit, initial) && matters(fit, initial)) {
+    found.push_back(initialStateFinding(name, fit, initial, prior(Nuisance::initial_state, records_[log])));
   }
   return found;
 }

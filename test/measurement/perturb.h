@@ -25,10 +25,10 @@ struct VirtualRig {
   Law law = Law::maxwell;
   Motion motion = Motion::track;
   unsigned seed = 1;
-  double noise = 0.003;        // of the force, share of its standard deviation
-  double sampling = 500.0;     // [Hz]
-  double duration = 20.0;      // [s]
-  double length = 1.0;         // scales
+  double noise = 0.003;     // of the force, share of its standard deviation
+  double sampling = 500.0;  // [Hz]
+  double duration = 20.0;   // [s]
+  double length = 1.0;      // scales
   double force = 1.0;
   double time = 1.0;
 };
@@ -38,14 +38,14 @@ struct Perturbation {
   double force_zero = 0.0;
   double displacement_zero = 0.0;
   bool running_start = false;
-  double spikes = 0.0;     // size; three in each channel
-  int held = 0;            // samples, in three places of the force
-  double clipped = 0.0;    // share of the range that the force's sensor lacks at its top
-  bool pink = false;       // the noise is 1/f
-  double anti_alias = 0.0; // corner of a fourth-order filter of the noise, in cycles per sample
+  double spikes = 0.0;      // size; three in each channel
+  int held = 0;             // samples, in three places of the force
+  double clipped = 0.0;     // share of the range that the force's sensor lacks at its top
+  bool pink = false;        // the noise is 1/f
+  double anti_alias = 0.0;  // corner of a fourth-order filter of the noise, in cycles per sample
   double gain = 0.0;
-  double delay = 0.0;      // samples
-  double clock = 0.0;      // share of the time
+  double delay = 0.0;  // samples
+  double clock = 0.0;  // share of the time
   bool sign = false;
   double factor = 1.0;
   bool swapped = false;
@@ -67,8 +67,7 @@ inline Elements elementsOf(const VirtualRig& rig) {
   Elements elements = {{"spring", {{"stiffness", {stiffness}}}},
                        {"maxwell", {{"stiffness", {0.5 * stiffness}}, {"break_frequency", {3.0 / rig.time}}}}};
   if (rig.law == Law::friction) {
-    elements.push_back(
-        {"friction", {{"maximum_force", {400.0 * rig.force}}, {"displacement", {4e-4 * rig.length}}}});
+    elements.push_back({"friction", {{"maximum_force", {400.0 * rig.force}}, {"displacement", {4e-4 * rig.length}}}});
   }
   if (rig.law == Law::progressive) {
     elements.push_back({"progressive_stiffness", {{"cubic", {1e11 * rig.force / std::pow(rig.length, 3)}}}});
@@ -185,7 +184,8 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
       const double n = 1.0 / (1.0 + t / quality + t * t);
       double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;
       for (double& x : white) {
-        const double y = t * t * n * (x + 2.0 * x1 + x2) - 2.0 * (t * t - 1.0) * n * y1 - (1.0 - t / quality + t * t) * n * y2;
+        const double y =
+            t * t * n * (x + 2.0 * x1 + x2) - 2.0 * (t * t - 1.0) * n * y1 - (1.0 - t / quality + t * t) * n * y2;
         x2 = x1;
         x1 = x;
         y2 = y1;
@@ -196,9 +196,20 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
   }
   const Eigen::VectorXd noise = Eigen::Map<Eigen::VectorXd>(white.data() + (p.pink ? 0 : 200), count);
   if (p.pink || p.anti_alias > 0.0) {
-    return noise / std::sqrt(Eigen::Map<Eigen::VectorXd>(white.data(), static_cast<Eigen::Index>(white.size())).array().square().mean());
+    return noise / std::sqrt(Eigen::Map<Eigen::VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()))
+                                 .array()
+                                 .square()
+                                 .mean());
   }
   return noise;
+}
+
+/// Between two samples, by the cubic through four.
+inline double between(const Eigen::VectorXd& values, double at) {
+  const Eigen::Index left = std::clamp(static_cast<Eigen::Index>(std::floor(at)), Eigen::Index{1}, values.size() - 3);
+  const double s = at - static_cast<double>(left);
+  return -s * (s - 1.0) * (s - 2.0) / 6.0 * values[left - 1] + (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 * values[left] -
+         (s + 1.0) * s * (s - 2.0) / 2.0 * values[left + 1] + (s + 1.0) * s * (s - 1.0) / 6.0 * values[left + 2];
 }
 
 inline double spread(const Eigen::VectorXd& v) { return v.maxCoeff() - v.minCoeff(); }
@@ -214,31 +225,29 @@ inline void addSpikes(Eigen::VectorXd& values, double size, std::mt19937& genera
 
 /// Run the rig and write its log as the bench does.
 inline VirtualLog runRig(const VirtualRig& rig, const Perturbation& p = {}, const std::string& name = "log") {
-  constexpr int kFine = 8;           // simulated steps per sample
-  constexpr double kBefore = 4.3;    // [s] of motion before a log that starts while the machine runs
+  constexpr double kBefore = 4.3;  // [s] of motion before a log that starts while the machine runs
   const double lead = p.running_start ? kBefore : 0.0;
   const auto count = static_cast<Eigen::Index>(rig.duration * rig.sampling);
   const auto before = static_cast<Eigen::Index>(lead * rig.sampling);
   const double dt = 1.0 / rig.sampling;
   // Where the log starts in motion it ends in it, too.
   const Programme programme(rig.motion, rig.seed, rig.duration + 2.0 * lead);
-  const Eigen::Index fine = (before + count + 8) * kFine;
+  const Eigen::Index fine = before + count + 8;
   Eigen::VectorXd z(fine);
   for (Eigen::Index i = 0; i < fine; ++i) {
-    z[i] = 0.002 * rig.length * programme(static_cast<double>(i) * dt / kFine);
+    z[i] = 0.002 * rig.length * programme(static_cast<double>(i) * dt);
   }
-  const Eigen::VectorXd f = simulateAll(elementsOf(rig), {dt * rig.time / kFine}, {z}).front();
+  const Eigen::VectorXd f = simulateAll(elementsOf(rig), {dt * rig.time}, {z}).front();
   Eigen::VectorXd displacement(count);
   Eigen::VectorXd force(count);
   VirtualLog result;
   result.delay = p.delay * dt * rig.time;
   const double middle = 0.5 * static_cast<double>(count - 1);
   for (Eigen::Index i = 0; i < count; ++i) {
-    displacement[i] = z[(before + i) * kFine];
+    displacement[i] = z[before + i];
     const double late = p.delay + p.clock * (static_cast<double>(i) - middle);
-    const double at = std::clamp((static_cast<double>(before + i) - late) * kFine, 0.0, static_cast<double>(fine - 2));
-    const auto low = static_cast<Eigen::Index>(at);
-    force[i] = f[low] + (f[low + 1] - f[low]) * (at - static_cast<double>(low));
+    const double at = std::clamp(static_cast<double>(before + i) - late, 0.0, static_cast<double>(fine - 2));
+    force[i] = between(f, at);
   }
   if (p.running_start) {
     const double rest = simulateAll(elementsOf(rig), {dt * rig.time}, {displacement}).front()[0];
@@ -247,10 +256,14 @@ inline VirtualLog runRig(const VirtualRig& rig, const Perturbation& p = {}, cons
   const double range = spread(force);
   const double stroke = spread(displacement);
   const double deviation = std::sqrt((force.array() - force.mean()).square().mean());
-  std::mt19937 generator(rig.seed * 7919u + 13u);
+  std::mt19937 generator(rig.seed * 7919u + 131u * static_cast<unsigned>(rig.motion) +
+                         17u * static_cast<unsigned>(rig.law));
   result.force_zero = p.force_zero * range;
   result.displacement_zero = p.displacement_zero * stroke;
-  const Eigen::VectorXd noise = rig.noise * deviation * unitNoise(count, p, rig.seed * 104729u + 7u);
+  const Eigen::VectorXd noise =
+      rig.noise * deviation *
+      unitNoise(count, p,
+                rig.seed * 104729u + 31u * static_cast<unsigned>(rig.motion) + 7u * static_cast<unsigned>(rig.law));
   result.noise = std::sqrt((noise.array() - 0.0).square().mean());
   force = (1.0 + p.gain) * force + noise;
   force.array() += result.force_zero;

@@ -25,8 +25,8 @@ struct Faults {
 
 /// Search both channels, sampled evenly or nearly so. All limits are relative to the channel's own scatter about a
 /// prediction from its neighbours, to its range, or to the other channel:
-/// - a spike stands out of both neighbourhoods for at most three samples, in one channel only, and no other visit to
-///   the same displacement has such a force (so that it is no bump stop) (after Hampel's identifier, Davies and
+/// - a spike stands out of both neighbourhoods for at most three samples, in one channel only, and other visits to the
+///   same displacement have no such corner (so that it is no bump stop) (after Hampel's identifier, Davies and
 ///   Gather, JASA 88, 1993);
 /// - a held value repeats bit by bit while the other channel moves on, and ends in a jump that the other does not have;
 /// - a saturated channel piles up at its extreme value while the other one goes further out and returns.
@@ -35,8 +35,8 @@ Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, 
 /// The same of a log as it was read, before makeRecord(): its samples are those of the log.
 Faults findFaults(const log::Log& log);
 
-/// The log with the displacement, and the force where it spikes or holds, bridged by straight lines where they were not
-/// measured: makeRecord() of it neither smooths a spike into its surroundings nor takes one for noise.
+/// The log with both channels bridged by straight lines where they were not measured: makeRecord() of it neither
+/// smooths a spike into its surroundings nor takes one for noise.
 log::Log repaired(const log::Log& log, const Faults& faults);
 
 /// The mask of a log for the record that was made of it, whose samples differ where its time base was uneven: false
