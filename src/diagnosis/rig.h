@@ -24,7 +24,6 @@ bool correctDisplacementZeros(const std::vector<element::ElementDescription>& el
 /// What the rig did to each record, by what a model of these forces leaves.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records,
-                                                 const gap::Forces& simulated);
+                                                 const std::vector<log::Record>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis
