@@ -157,6 +157,25 @@ double visibleUpTo(const Eigen::VectorXd& displacement, double dt, double noise)
   return static_cast<double>(last) / (static_cast<double>(segment) * dt);
 }
 
+// The frequency below which there is next to no power: a ten-thousandth of all.
+double excitedFrom(const Eigen::VectorXd& displacement, double dt) {
+  const Eigen::Index segment = segmentLength(displacement.size());
+  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
+  const double least = 1e-4 * density.sum();
+  double sum = 0.0;
+  Eigen::Index i = 0;
+  while (i + 1 < density.size() && (sum += density[i]) < least) {
+    ++i;
+  }
+  return static_cast<double>(i) / (static_cast<double>(segment) * dt);
+}
+
+double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
+  const Eigen::Index steps = displacement.size() - 1;
+  const double squares = (displacement.tail(steps) - displacement.head(steps)).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(steps)) / dt / (2.0 * M_PI * deviation(displacement));
+}
+
 void smoothDisplacement(Record& record) {
   const double nyquist = 0.5 / record.dt;
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
@@ -186,6 +205,18 @@ void noteSaturation(Record& record) {
 }
 
 }  // namespace
+
+double Record::counted(Eigen::Index first, Eigen::Index count) const {
+  return counts.size() == 0 ? static_cast<double>(count) : counts.segment(first, count).sum();
+}
+
+Eigen::VectorXd Record::withoutRig(const Eigen::VectorXd& column) const {
+  Eigen::VectorXd result = counts.size() == 0 ? column : column.cwiseProduct(counts).eval();
+  if (nuisances.cols() > 0) {
+    result -= nuisances * (nuisances.transpose() * result).eval();
+  }
+  return result;
+}
 
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
   std::mt19937_64 generator(draw);
@@ -254,6 +285,8 @@ Record makeRecord(const Log& log) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
   smoothDisplacement(record);
+  record.lowest_frequency = excitedFrom(record.displacement, record.dt);
+  record.mean_frequency = meanFrequency(record.displacement, record.dt);
   noteSaturation(record);
   return record;
 }

@@ -96,7 +96,8 @@ class CrossSpectrum {
       double energy = 0.0;
       double scale = 0.0;
       for (const Octave& octave : window) {
-        const std::complex<double> turned = octave.cross * std::polar(1.0, 2.0 * element::kPi * octave.frequency * forward);
+        const std::complex<double> turned =
+            octave.cross * std::polar(1.0, 2.0 * element::kPi * octave.frequency * forward);
         energy += octave.frequency * turned.imag();
         scale += octave.frequency * std::abs(octave.cross);
       }
@@ -210,8 +211,9 @@ std::pair<double, double> bestDelay(const std::vector<Octave>& measured, const s
       continue;
     }
     const double delay = share * period;
-    const double distance = phaseDistance(
-        measured, simulated, [&](double phase, double frequency) { return phase - 2.0 * element::kPi * frequency * delay; });
+    const double distance = phaseDistance(measured, simulated, [&](double phase, double frequency) {
+      return phase - 2.0 * element::kPi * frequency * delay;
+    });
     best = distance < best.second ? std::make_pair(delay, distance) : best;
   }
   return best;

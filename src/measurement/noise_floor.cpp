@@ -8,8 +8,8 @@
 
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
-#include "rubber_suspension/measurement/noise_model.h"
 #include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -208,6 +208,10 @@ NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const
   }
   floor.replay = std::hypot(floor.smoothed, replay_excess);
   return floor;
+}
+
+double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {
+  return noiseFloor(record, record.withoutRig(residual), maskOf(record), 0.0).smoothed / record.force_deviation;
 }
 
 }  // namespace rubber_suspension::measurement

@@ -428,7 +428,8 @@ double Whitener::logLikelihood(const VectorXd& residual) const {
     logarithms += std::log(deviation_[gain] * stage_[std::min(known, reflection_.size())]);
     ++known;
   }
-  return -0.5 * white.squaredNorm() - logarithms - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
+  return -0.5 * white.squaredNorm() - logarithms -
+         0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {

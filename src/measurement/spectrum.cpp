@@ -1,10 +1,11 @@
 // Periodogram in bands that are even on a log axis.
 #include "measurement/spectrum.h"
-#include "rubber_suspension/element/constants.h"
 
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
+
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {
