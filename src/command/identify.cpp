@@ -55,7 +55,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
       throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
   }
-  const bool spread = description.model == estimation::Model::multi_maxwell;
+  const bool spread = description.model() == estimation::Model::multi_maxwell;
   if (spread) {
     options.held.emplace_back("maxwell.break_frequency");
   }
@@ -68,11 +68,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
 
 io::ComponentDescription identifiedComponent(const io::ComponentDescription& description,
                                              const fit::Identification& result) {
-  io::ComponentDescription component;
-  component.name = description.name;
-  component.model = estimation::Model::elements;
-  component.elements = result.elements;
-  return component;
+  return {description.name, result.elements};
 }
 
 std::string toText(const std::string& component, const fit::Identification& result) {

@@ -1,23 +1,46 @@
-// The diagnosis from logs to a result: search, judgement, description.
+// The diagnosis from logs to a result: the bench, search, judgement, description.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <memory>
 #include <utility>
 
+#include "diagnosis/augmented.h"
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/report/describe.h"
+#include "diagnosis/rig.h"
 #include "diagnosis/search.h"
 #include "diagnosis/unseen_logs.h"
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
+#include "rubber_suspension/measurement/bench_check.h"
+#include "rubber_suspension/measurement/prepared_log.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-std::vector<log::Record> makeRecords(const std::vector<log::Log>& logs, int threads) {
-  std::vector<log::Record> records(logs.size());
-  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { records[i] = log::makeRecord(logs[i]); });
+using measurement::PreparedLog;
+using measurement::RigFinding;
+
+std::vector<PreparedLog> prepare(const std::vector<log::Log>& logs, int threads) {
+  std::vector<PreparedLog> prepared(logs.size());
+  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { prepared[i] = measurement::prepareLog(logs[i]); });
+  return prepared;
+}
+
+std::vector<log::Record> recordsOf(const std::vector<PreparedLog>& prepared, std::size_t first, std::size_t last) {
+  std::vector<log::Record> records;
+  for (std::size_t i = first; i < last; ++i) {
+    records.push_back(prepared[i].record);
+  }
   return records;
+}
+
+std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
+  std::vector<RigFinding> findings;
+  for (const PreparedLog& log : prepared) {
+    findings.insert(findings.end(), log.findings.begin(), log.findings.end());
+  }
+  return findings;
 }
 
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses.
@@ -34,6 +57,52 @@ Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const 
   return judgement;
 }
 
+// A search and what it comes to.
+struct Judged {
+  std::unique_ptr<PreparedCase> prepared;
+  std::shared_ptr<Workings> workings;
+};
+
+Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log::Record> training,
+                      std::vector<log::Record> held_out, const DiagnosisOptions& options) {
+  const Criteria criteria;
+  Judged judged{std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out)),
+                std::make_shared<Workings>()};
+  judged.workings->search =
+      search(judged.prepared->fitter, judged.prepared->element_fitter, criteria, options.threads, options.progress);
+  judged.workings->judgement = judgeSearch(*judged.prepared, judged.workings->search, criteria);
+  return judged;
+}
+
+// Zeros of the displacement show through laws that are not linear: they are known once these are, and taken out.
+void takeOutDisplacementZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
+                              const DiagnosisOptions& options, Judged& judged) {
+  const FittedHypothesis& model = judged.workings->search.at(judged.workings->judgement.model);
+  const auto elements = augmentedDescription(judged.prepared->model, model).allElements();
+  std::vector<log::Record> training = judged.prepared->training;
+  std::vector<log::Record> held_out = judged.prepared->held_out;
+  const bool any = correctDisplacementZeros(elements, tolerances, training);
+  correctDisplacementZeros(elements, tolerances, held_out);
+  if (any) {
+    judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  }
+}
+
+Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {
+  Diagnosis result;
+  result.component = component.name;
+  result.verdict = toString(Verdict::check_bench);
+  for (const RigFinding& finding : findings) {
+    if (finding.fatal) {
+      result.sentence = "Check the bench: " + finding.log + ": " + finding.text + ".";
+      break;
+    }
+  }
+  result.next_experiment = "Correct the logs, or record them again, and diagnose again.";
+  result.rig_findings = std::move(findings);
+  return result;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
@@ -41,12 +110,26 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   if (logs.empty()) {
     throw log::LogError("no log: a diagnosis needs at least one");
   }
-  const PreparedCase prepared(component, makeRecords(logs, options.threads), makeRecords(hold_out, options.threads));
-  const Criteria criteria;
-  auto workings = std::make_shared<Workings>();
-  workings->search = search(prepared.fitter, prepared.element_fitter, criteria, options.threads, options.progress);
-  workings->judgement = judgeSearch(prepared, workings->search, criteria);
-  return describe(prepared, std::move(workings), options);
+  std::vector<log::Log> all = logs;
+  all.insert(all.end(), hold_out.begin(), hold_out.end());
+  const std::vector<PreparedLog> prepared = prepare(all, options.threads);
+  std::vector<RigFinding> findings = findingsOf(prepared);
+  const auto bench = measurement::checkBench(component.allElements(), recordsOf(prepared, 0, prepared.size()));
+  findings.insert(findings.end(), bench.begin(), bench.end());
+  if (measurement::anyFatal(findings)) {
+    return refused(component, std::move(findings));
+  }
+  std::vector<log::Record> training = recordsOf(prepared, 0, logs.size());
+  std::vector<log::Record> held_out = recordsOf(prepared, logs.size(), prepared.size());
+  const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
+  freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
+  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  takeOutDisplacementZeros(component, tolerances, options, judged);
+  std::vector<log::Record> recorded;
+  for (const log::Log& log : hold_out.empty() ? logs : hold_out) {
+    recorded.push_back(log::makeRecord(log));
+  }
+  return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
 }
 
 }  // namespace rubber_suspension::diagnosis

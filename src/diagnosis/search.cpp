@@ -14,6 +14,7 @@
 #include "diagnosis/screening.h"
 #include "fit/parallel.h"
 #include "gap/simulate.h"
+#include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -117,8 +118,8 @@ double discretisationError(const fit::Fitter& fitter, const FittedHypothesis& mo
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// For each log, the larger one of the white noise of what the best model leaves above the band of the excitation, and
-// of what the noise of the displacement causes.
+// For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
+// what the noise of the displacement causes.
 void estimateNoise(const fit::Fitter& fitter, const FittedHypothesis& best, Search& result) {
   const auto forces = *fitter.forces().at(best.hypothesis, best.fit.parameters);
   const FittedHypothesis& model = result.re_estimated;
@@ -128,15 +129,16 @@ void estimateNoise(const fit::Fitter& fitter, const FittedHypothesis& best, Sear
   bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
     const log::Record& record = fitter.records()[r];
-    const double white = gap::whiteNoiseFloor(record, record.force - forces[r]);
-    by_displacement = by_displacement || caused[r] > white;
-    result.record_noise.push_back(std::max(white, caused[r]));
+    const double left = measurement::relativeFloor(record, record.force - forces[r]);
+    by_displacement = by_displacement || caused[r] > left;
+    result.record_noise.push_back(std::max(left, caused[r]));
     sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());
   }
   result.noise = std::sqrt(sum);
-  result.noise_source = by_displacement ? "spectrum of the residual above the band of the excitation, and noise of the "
-                                          "displacement through the model"
-                                        : "spectrum of the residual above the band of the excitation";
+  result.noise_source = by_displacement
+                            ? "spectrum of the residual outside the band of the excitation, and noise of the "
+                              "displacement through the model"
+                            : "spectrum of the residual outside the band of the excitation";
 }
 
 // Take the best of a screening that are not yet in the list.

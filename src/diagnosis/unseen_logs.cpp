@@ -8,6 +8,7 @@
 #include "diagnosis/augmented.h"
 #include "diagnosis/friction_noise.h"
 #include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -41,7 +42,7 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
                                 const std::vector<log::Record>& records) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    floors[r] = std::max(gap::whiteNoiseFloor(records[r], records[r].force - simulated[r]), floors[r]);
+    floors[r] = std::max(measurement::relativeFloor(records[r], records[r].force - simulated[r]), floors[r]);
   }
   return floors;
 }

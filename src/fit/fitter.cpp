@@ -26,7 +26,7 @@ constexpr double kNothing = 1e-9;     // of the typical scale: a term of this sc
 Fitter::Fitter(std::vector<log::Record> records, const ModelParameters& model) : forces_(std::move(records), model) {
   const auto count = static_cast<double>(this->records().size());
   for (const log::Record& record : this->records()) {
-    weights_.push_back(1.0 / (record.force_deviation * std::sqrt(static_cast<double>(record.size()) * count)));
+    weights_.push_back(1.0 / (record.force_deviation * std::sqrt(record.counted() * count)));
     force_noise_ += std::max(gap::whiteNoiseFloor(record, record.force), kLeastNoise) / count;
   }
 }
@@ -43,7 +43,8 @@ double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parame
   }
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
-    sum += std::pow(weights_[r], 2) * (records()[r].force - (*simulated)[r]).squaredNorm();
+    const log::Record& record = records()[r];
+    sum += std::pow(weights_[r], 2) * record.withoutRig(record.force - (*simulated)[r]).squaredNorm();
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }

@@ -15,42 +15,9 @@ namespace {
 constexpr double kSearchReach = 1e3;  // factor to either side of the given value where the log sets no scale
 constexpr double kStartReach = 10.0;
 
-// Parameters that say what an element is, not how large: kept as given.
-bool isChoice(const std::string& type, const std::string& name) {
-  if (type == "dashpot" && name == "order") {  // of its difference; that of a springpot is a parameter
-    return true;
-  }
-  static const std::vector<std::string> names = {
-      "dead_band",       "sliders",       "side",         "exponent",
-      "reference_depth", "shortest_time", "longest_time", "reference_frequency",
-      "low_frequency",   "high_frequency"};
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Parameters that the element's force is proportional to, the other parameters kept.
-bool isLinear(const std::string& type, const std::string& name) {
-  static const std::vector<std::pair<std::string, std::string>> list = {{"spring", "stiffness"},
-                                                                        {"dashpot", "damping"},
-                                                                        {"maxwell", "stiffness"},
-                                                                        {"springpot", "stiffness"},
-                                                                        {"creep", "stiffness_per_decade"},
-                                                                        {"friction", "maximum_force"},
-                                                                        {"iwan", "maximum_force"},
-                                                                        {"bump_stop", "stiffness"},
-                                                                        {"inertia", "mass"},
-                                                                        {"force_offset", "offset"},
-                                                                        {"force_drift", "rate"},
-                                                                        {"progressive_stiffness", "quadratic"},
-                                                                        {"progressive_stiffness", "cubic"},
-                                                                        {"progressive_stiffness", "quintic"},
-                                                                        {"asymmetric_stiffness", "quadratic"},
-                                                                        {"asymmetric_stiffness", "tension_stiffness"}};
-  return std::find(list.begin(), list.end(), std::make_pair(type, name)) != list.end();
-}
-
 bool allParallel(const std::vector<element::ElementDescription>& elements) {
   return std::all_of(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
-    return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element::makeElement(element));
+    return element::lawOf(element::makeElement(element)).action() == element::Action::adds_force;
   });
 }
 
@@ -135,7 +102,7 @@ ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const 
 }
 
 bool ForceModel::isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const {
-  return parameter.is_list || isChoice(element.type, parameter.name) || element.value(parameter.name) == 0.0 ||
+  return !element::isFree(parameter, element.list(parameter.name)) ||
          std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
 }
 
@@ -173,7 +140,7 @@ void ForceModel::addElement(std::size_t position) {
   std::vector<element::ParameterInfo> scaling;
   bool scaling_held = false;
   for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-    const bool linear = isLinear(element.type, parameter.name);
+    const bool linear = parameter.role == element::Role::scale;
     if (linear && element.value(parameter.name) != 0.0) {
       scaling.push_back(parameter);
       scaling_held = scaling_held || isHeld(element, parameter);

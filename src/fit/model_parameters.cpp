@@ -3,26 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
+
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-bool isChoice(const std::string& key) {
-  static const std::vector<std::string> choices = {
-      "nominal_frequency", "nominal_amplitude",   "maxwell_elements", "viscous_share", "dead_band", "sliders", "side",
-      "exponent",          "reference_frequency", "reference_depth",  "order"};
-  return std::find(choices.begin(), choices.end(), key) != choices.end();
-}
-
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
-  io::ComponentDescription result;
-  result.name = description.name;
-  result.model = estimation::Model::elements;
-  result.elements = description.allElements();
-  return result;
+  return {description.name, description.allElements()};
 }
 
 }  // namespace
@@ -34,14 +25,16 @@ double ModelParameters::bound(Eigen::Index i) const {
 
 ModelParameters::ModelParameters(const io::ComponentDescription& description, Level level)
     : description_(level == Level::elements ? asElements(description) : description) {
-  const estimation::Model model = description_.model;
+  const estimation::Model model = description_.model();
   if (model == estimation::Model::maxwell || model == estimation::Model::maxwell_dashpot ||
       model == estimation::Model::multi_maxwell) {
     addRelaxation();
   } else if (model != estimation::Model::elements) {
     addSpecification();
   }
-  addElements(description_.elements, Slot::element);
+  if (model == estimation::Model::elements) {
+    addElements(description_.elements(), Slot::element);
+  }
   addElements(description_.add, Slot::added);
 }
 
@@ -53,8 +46,7 @@ void ModelParameters::add(Slot slot, const std::string& name) {
 void ModelParameters::addRelaxation() {
   std::vector<double> break_frequencies;
   std::vector<double> stiffnesses;
-  for (const element::ElementDescription& element :
-       estimation::estimate(description_.model, description_.specification)) {
+  for (const element::ElementDescription& element : description_.elements()) {
     if (element.type == "spring") {
       relaxation_.static_stiffness = element.value("stiffness");
     } else if (element.type == "dashpot") {
@@ -77,7 +69,7 @@ void ModelParameters::addRelaxation() {
   if (relaxation_.elements > 1) {
     add({Slot::relaxation, 0, "alpha", 0}, "alpha");
   }
-  if (description_.specification.has("low_frequency")) {
+  if (description_.specification().has("low_frequency")) {
     add({Slot::relaxation, 0, "band_ratio", 0}, "band_ratio");
   }
   if (relaxation_.damping > 0.0) {
@@ -86,9 +78,9 @@ void ModelParameters::addRelaxation() {
 }
 
 void ModelParameters::addSpecification() {
-  for (const auto& [key, value] : description_.specification.values()) {
-    const bool unused = description_.model == estimation::Model::kelvin_voigt && key == "static_stiffness";
-    if (!isChoice(key) && !unused && value != 0.0) {
+  for (const auto& [key, value] : description_.specification().values()) {
+    const bool unused = description_.model() == estimation::Model::kelvin_voigt && key == "static_stiffness";
+    if (!unused && element::isFree(*element::findParameter(estimation::specificationParameters(), key), {value})) {
       add({Slot::specification, 0, key, 0}, key);
     }
   }
@@ -96,11 +88,11 @@ void ModelParameters::addSpecification() {
 
 void ModelParameters::addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where) {
   for (std::size_t entry = 0; entry < elements.size(); ++entry) {
-    for (const auto& [key, values] : elements[entry].values) {
-      for (std::size_t position = 0; position < values.size(); ++position) {
-        if (!isChoice(key) && values[position] != 0.0) {
-          add({where, entry, key, position}, fmt::format("{}[{}].{}", elements[entry].type, entry, key));
-        }
+    const element::ElementDescription completed = element::complete(elements[entry]);
+    const auto& table = element::findElementType(completed.type)->parameters;
+    for (const auto& [key, values] : completed.values) {
+      if (element::isFree(*element::findParameter(table, key), values)) {
+        add({where, entry, key, values.front()}, fmt::format("{}[{}].{}", completed.type, entry, key));
       }
     }
   }
@@ -123,9 +115,9 @@ double& ModelParameters::coordinate(Relaxation& relaxation, const std::string& k
 }
 
 // The specification of a point: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
-void ModelParameters::applyRelaxation(const Relaxation& relaxation, io::ComponentDescription& result) const {
-  estimation::Specification& specification = result.specification;
-  const double omega = 2.0 * M_PI * specification.at("nominal_frequency");
+estimation::Specification ModelParameters::specificationOf(const Relaxation& relaxation) const {
+  estimation::Specification specification = description_.specification();
+  const double omega = 2.0 * element::kPi * specification.at("nominal_frequency");
   double weights = 0.0;
   double weight = 1.0;
   for (std::size_t i = 0; i < relaxation.elements; ++i, weight *= relaxation.alpha) {
@@ -135,7 +127,7 @@ void ModelParameters::applyRelaxation(const Relaxation& relaxation, io::Componen
   double frequency = relaxation.break_frequency;
   weight = 1.0;  // of the fastest element, i = n_M
   for (std::size_t i = 0; i < relaxation.elements; ++i) {
-    const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * frequency));
+    const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * frequency));
     dynamic += relaxation.relaxing_stiffness * weight / weights * iwt / (1.0 + iwt);
     weight *= relaxation.alpha;
     frequency /= relaxation.band_ratio;
@@ -144,7 +136,7 @@ void ModelParameters::applyRelaxation(const Relaxation& relaxation, io::Componen
   specification.set("dynamic_stiffness", std::abs(dynamic));
   specification.erase("relative_damping");
   specification.erase("loss_angle");
-  if (result.model == estimation::Model::multi_maxwell) {
+  if (description_.model() == estimation::Model::multi_maxwell) {
     const double high = 2.0 * relaxation.break_frequency / (1.0 + 1.0 / relaxation.band_ratio);
     specification.set("maximum_stiffness", relaxation.static_stiffness + relaxation.relaxing_stiffness);
     specification.set("high_frequency", high);
@@ -152,21 +144,24 @@ void ModelParameters::applyRelaxation(const Relaxation& relaxation, io::Componen
       specification.set("low_frequency",
                         high / std::pow(relaxation.band_ratio, static_cast<double>(relaxation.elements)));
     }
-    return;
+    return specification;
   }
   specification.erase("maximum_stiffness");
   specification.set("break_frequency", relaxation.break_frequency);
-  if (result.model == estimation::Model::maxwell_dashpot) {
+  if (description_.model() == estimation::Model::maxwell_dashpot) {
     specification.set("loss_angle", std::arg(dynamic));
   }
+  return specification;
 }
 
 io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithms) const {
-  io::ComponentDescription result = description_;
   if (logarithms.isZero(0.0)) {
-    return result;  // as configured, to the last bit
+    return description_;  // as configured, to the last bit
   }
   Relaxation relaxation = relaxation_;
+  estimation::Specification specification = description_.specification();
+  std::vector<element::ElementDescription> elements = description_.elements();
+  std::vector<element::ElementDescription> added = description_.add;
   bool relaxes = false;
   for (Eigen::Index i = 0; i < size(); ++i) {
     const Slot& slot = slots_[static_cast<std::size_t>(i)];
@@ -175,15 +170,18 @@ io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithm
       coordinate(relaxation, slot.key) *= factor;
       relaxes = true;
     } else if (slot.where == Slot::specification) {
-      result.specification.set(slot.key, result.specification.at(slot.key) * factor);
+      specification.set(slot.key, specification.at(slot.key) * factor);
     } else {
-      auto& entries = slot.where == Slot::element ? result.elements : result.add;
-      entries[slot.entry].values[slot.key][slot.position] *= factor;
+      auto& entries = slot.where == Slot::element ? elements : added;
+      entries[slot.entry].values[slot.key] = {slot.configured * factor};
     }
   }
-  if (relaxes) {
-    applyRelaxation(relaxation, result);
-  }
+  io::ComponentDescription result =
+      description_.model() == estimation::Model::elements
+          ? io::ComponentDescription(description_.name, std::move(elements))
+          : io::ComponentDescription(description_.name, description_.model(),
+                                     relaxes ? specificationOf(relaxation) : std::move(specification));
+  result.add = std::move(added);
   return result;
 }
 
@@ -203,9 +201,9 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
 std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
   std::vector<std::pair<std::string, double>> result;
   const io::ComponentDescription moved = apply(logarithms);
-  for (const auto& [key, value] : moved.specification.values()) {
-    if (description_.specification.has(key) && description_.specification.at(key) != value) {
-      result.emplace_back(key, value / description_.specification.at(key));
+  for (const auto& [key, value] : moved.specification().values()) {
+    if (description_.specification().has(key) && description_.specification().at(key) != value) {
+      result.emplace_back(key, value / description_.specification().at(key));
     }
   }
   for (Eigen::Index i = 0; i < size(); ++i) {

@@ -50,7 +50,7 @@ class ModelParameters {
     enum Where { relaxation, specification, element, added } where;
     std::size_t entry;
     std::string key;
-    std::size_t position;
+    double configured;  // of an element: the value, given or by default
   };
 
   /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
@@ -68,7 +68,7 @@ class ModelParameters {
   void addSpecification();
   void addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where);
   void add(Slot slot, const std::string& name);
-  void applyRelaxation(const Relaxation& relaxation, io::ComponentDescription& result) const;
+  estimation::Specification specificationOf(const Relaxation& relaxation) const;
   static double& coordinate(Relaxation& relaxation, const std::string& key);
 
   io::ComponentDescription description_;

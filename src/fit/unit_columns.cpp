@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::fit {
@@ -28,7 +29,7 @@ struct RelaxationStep {
 
   // x = dt/tau is proportional to f_b, and with it d exp(-x)/d ln x = -x exp(-x), d mean/d ln x = exp(-x) - mean.
   RelaxationStep(double dt, double break_frequency) {
-    const double x = dt * 2.0 * M_PI * break_frequency;
+    const double x = dt * 2.0 * element::kPi * break_frequency;
     const element::Relaxation relaxation = element::Relaxation::over(x);
     decay = relaxation.decay;
     gain = relaxation.mean * dt;

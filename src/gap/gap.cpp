@@ -59,12 +59,15 @@ std::vector<PartError> partErrors(const std::vector<log::Record>& records,
   std::vector<PartError> parts;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
+    const Eigen::VectorXd residual = record.withoutRig(record.force - simulated[r]);
     for (Eigen::Index p = 0; p < kParts; ++p) {
       const Eigen::Index first = record.size() * p / kParts;
       const Eigen::Index count = record.size() * (p + 1) / kParts - first;
-      const double squared = (record.force - simulated[r]).segment(first, count).squaredNorm();
-      const double share = static_cast<double>(count) / static_cast<double>(record.size());
-      parts.push_back({squared / (static_cast<double>(count) * std::pow(record.force_deviation, 2)), share});
+      const double counted = record.counted(first, count);
+      if (counted > 0.0) {
+        const double error = residual.segment(first, count).squaredNorm() / counted;
+        parts.push_back({error / std::pow(record.force_deviation, 2), counted / record.counted()});
+      }
     }
   }
   return parts;

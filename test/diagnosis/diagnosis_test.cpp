@@ -44,8 +44,10 @@ TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
 
 TEST(Diagnosis, CallsWrongValuesAParameterError) {
   io::ComponentDescription wrong = rigComponent();
-  wrong.specification.set("static_stiffness", 0.85e6);
-  wrong.specification.set("break_frequency", 4.0);
+  estimation::Specification specification = wrong.specification();
+  specification.set("static_stiffness", 0.85e6);
+  specification.set("break_frequency", 4.0);
+  wrong.specify(specification);
   const diagnosis::Diagnosis result = diagnoseRig(nothing, wrong);
   EXPECT_EQ(result.verdict, "parameter_error");
   EXPECT_TRUE(result.effects.empty());

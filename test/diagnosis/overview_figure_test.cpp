@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "diagnosis/workings.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -17,7 +18,7 @@ diagnosis::Diagnosis madeUp() {
   log::Record record;
   record.name = "sine";
   record.dt = 1e-3;
-  record.displacement = 1e-3 * (2.0 * M_PI * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
+  record.displacement = 1e-3 * (2.0 * element::kPi * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
   record.raw_displacement = record.displacement;
   record.force = 1e6 * record.displacement;
   record.force_deviation = 1e3 / std::sqrt(2.0);

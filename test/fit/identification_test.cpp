@@ -10,6 +10,7 @@
 #include <random>
 
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -33,11 +34,11 @@ log::Log motion(double duration, double rate) {
   const auto count = static_cast<std::size_t>(duration * rate);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / rate;
-    const double swell = 1.0 + 0.8 * std::sin(2.0 * M_PI * 0.11 * t);
+    const double swell = 1.0 + 0.8 * std::sin(2.0 * element::kPi * 0.11 * t);
     measurement.stamp.push_back(std::llround(t * 1e9));
-    measurement.displacement.push_back(1.5e-3 * swell * std::sin(2.0 * M_PI * 0.7 * t) +
-                                       0.6e-3 * std::sin(2.0 * M_PI * 3.3 * t + 1.0) +
-                                       0.1e-3 * std::sin(2.0 * M_PI * 11.0 * t));
+    measurement.displacement.push_back(1.5e-3 * swell * std::sin(2.0 * element::kPi * 0.7 * t) +
+                                       0.6e-3 * std::sin(2.0 * element::kPi * 3.3 * t + 1.0) +
+                                       0.1e-3 * std::sin(2.0 * element::kPi * 11.0 * t));
   }
   measurement.force.assign(count, 0.0);
   return measurement;
@@ -157,7 +158,7 @@ TEST(Identification, SaysWhatALogDoesNotShow) {
   // first instants from rest, which drown in the noise.
   log::Log measurement = motion(4.0, 200.0);
   for (std::size_t i = 0; i < measurement.stamp.size(); ++i) {
-    measurement.displacement[i] = 1e-3 * std::sin(2.0 * M_PI * 4.0 * static_cast<double>(i) / 200.0);
+    measurement.displacement[i] = 1e-3 * std::sin(2.0 * element::kPi * 4.0 * static_cast<double>(i) / 200.0);
   }
   const std::vector<element::ElementDescription> maxwell = {kTruth[0], kTruth[2]};
   simulate(maxwell, measurement);

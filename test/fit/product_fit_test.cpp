@@ -6,6 +6,7 @@
 #include <random>
 
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/kernel/instructions.h"
 
@@ -32,9 +33,9 @@ log::Log motion(std::size_t samples, std::int64_t step, double phase, std::int64
     const std::int64_t stamp = static_cast<std::int64_t>(i) * step + (i < samples / 2 ? 0 : gap);
     measurement.stamp.push_back(stamp / 1000 * 1000);
     const double t = 1e-9 * static_cast<double>(measurement.stamp.back());
-    measurement.displacement.push_back((0.4e-3 + 0.2e-3 * t) * std::sin(2.0 * M_PI * 0.7 * t + phase) +
-                                       0.3e-3 * std::sin(2.0 * M_PI * 5.3 * t) +
-                                       0.05e-3 * std::sin(2.0 * M_PI * 17.0 * t));
+    measurement.displacement.push_back((0.4e-3 + 0.2e-3 * t) * std::sin(2.0 * element::kPi * 0.7 * t + phase) +
+                                       0.3e-3 * std::sin(2.0 * element::kPi * 5.3 * t) +
+                                       0.05e-3 * std::sin(2.0 * element::kPi * 17.0 * t));
   }
   return measurement;
 }

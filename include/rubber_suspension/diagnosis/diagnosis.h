@@ -13,6 +13,7 @@
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -85,10 +86,11 @@ struct Workings;  // what the report draws and lists besides: every hypothesis t
 /// What a diagnosis found.
 struct Diagnosis {
   std::string component;
-  std::string verdict;               ///< none, parameter_error, named, confounded, unknown or partly
+  std::string verdict;               ///< none, parameter_error, named, confounded, unknown, partly or check_bench
   std::string sentence;              ///< the verdict for an engineer
   std::vector<std::string> effects;  ///< named, most important first
-  Gap gap;
+  Gap gap;                           ///< what the rig did to each log taken out
+  Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
   std::string noise_source;
   double closed = 0.0;  ///< fraction of the closable gap
   std::array<double, 2> closed_interval{};
@@ -100,6 +102,8 @@ struct Diagnosis {
   std::string next_experiment;
   io::ComponentDescription re_estimated;
   io::ComponentDescription augmented;  ///< re-estimated, with the effects named
+
+  std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
 
   std::vector<Admission> admission;
   ParameterRatios parameter_ratios;

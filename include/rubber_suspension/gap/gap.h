@@ -37,7 +37,8 @@ struct PartError {
 /// Gap over all parts: the root of the weighted mean of their squares.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Tenths of each record, weighted such that all records count alike.
+/// Tenths of each record, weighted such that all records count alike; what the rig may have added to a record, and
+/// samples of it that do not count, are left out.
 std::vector<PartError> partErrors(const std::vector<log::Record>& records,
                                   const std::vector<Eigen::VectorXd>& simulated);
 

@@ -1,12 +1,13 @@
 // Candidate effect: mass that moves with the displacement.
 #include "diagnosis/candidate/registry.h"
 #include "fit/mass_bandwidth.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 fit::Candidate inertia(const fit::Excitation& excitation) {
-  const double omega = 6.28 * excitation.highest_frequency;
+  const double omega = 2.0 * element::kPi * excitation.highest_frequency;
   fit::BasisTerm mass = fit::additiveTerm("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
                                           {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;

@@ -1,12 +1,13 @@
 // Candidate effect: further relaxation times within the band of the excitation.
 #include "diagnosis/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 // Faster than 5 s, where creep begins, and slower than what a dashpot could not be told from.
 fit::Candidate relaxation(const fit::Excitation& excitation) {
-  constexpr double kSlowest = 1.0 / (2.0 * 3.14159265358979 * 5.0);
+  constexpr double kSlowest = 1.0 / (2.0 * element::kPi * 5.0);
   constexpr double kRatio = 2.2;
   fit::Candidate candidate{
       "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};

@@ -1,11 +1,12 @@
 // Candidate effect: viscous damping, linear or not.
 #include "diagnosis/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 fit::Candidate viscousDamping(const fit::Excitation& excitation) {
-  const double typical = 0.05 * excitation.stiffness / (6.28 * excitation.highest_frequency);
+  const double typical = 0.05 * excitation.stiffness / (2.0 * element::kPi * excitation.highest_frequency);
   fit::Candidate candidate{"viscous_damping",
                            "dashpot: loss force grows with frequency",
                            false,

@@ -146,7 +146,8 @@ class Judge {
 }  // namespace
 
 std::string toString(Verdict verdict) {
-  static const char* const names[] = {"none", "parameter_error", "named", "confounded", "unknown", "partly"};
+  static const char* const names[] = {"none",    "parameter_error", "named",      "confounded",
+                                      "unknown", "partly",          "check_bench"};
   return names[static_cast<int>(verdict)];
 }
 

@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-enum class Verdict { none, parameter_error, named, confounded, unknown, partly };
+enum class Verdict { none, parameter_error, named, confounded, unknown, partly, check_bench };
 
 /// As in reports.
 std::string toString(Verdict verdict);

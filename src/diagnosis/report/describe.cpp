@@ -12,6 +12,7 @@
 #include "diagnosis/report/closed_interval.h"
 #include "diagnosis/report/model_parameters_by_log.h"
 #include "diagnosis/report/sentence.h"
+#include "diagnosis/rig.h"
 #include "diagnosis/unseen_logs.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -21,13 +22,17 @@ namespace {
 
 class Describer {
  public:
-  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const DiagnosisOptions& options)
+  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<log::Record>& recorded,
+            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
       : prepared_(prepared),
+        recorded_(recorded),
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
         judgement_(workings_->judgement),
-        judged_(search_.at(judgement_.model)) {}
+        judged_(search_.at(judgement_.model)) {
+    result_.rig_findings = std::move(findings);
+  }
 
   Diagnosis run() {
     result_.component = prepared_.component.name;
@@ -37,6 +42,7 @@ class Describer {
     simulateAll();
     measureGap();
     mapGap();
+    describeRig();
     describeLogs();
     describeCandidates();
     describeParameters();
@@ -92,8 +98,18 @@ class Describer {
       after_ = judged_.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
+    result_.gap_as_recorded = {asRecorded(prepared_.component), asRecorded(result_.re_estimated),
+                               asRecorded(result_.augmented)};
     result_.closed = closed(result_.gap.augmented);
     result_.closed_interval = interval(after_);
+  }
+
+  // Gap of the logs with all that the rig did to them.
+  double asRecorded(const io::ComponentDescription& description) const {
+    const auto elements = description.allElements();
+    const gap::Forces forces =
+        hasUnseenLogs() ? gap::simulateEach(elements, recorded_) : gap::simulate(elements, recorded_, gap::asRecorded);
+    return gap::gapOfParts(gap::partErrors(recorded_, forces));
   }
 
   double closed(double gap) const {
@@ -115,11 +131,22 @@ class Describer {
         [&] {
           gap::Forces residual;
           for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
-            residual.push_back(prepared_.training[r].force - w.force_configured[r]);
+            const log::Record& record = prepared_.training[r];
+            residual.push_back(record.withoutRig(record.force - w.force_configured[r]));
           }
           result_.where = gap::gapMap(prepared_.training, residual, search_.record_noise);
         }};
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
+  }
+
+  // What the rig did to each log, by what the best model leaves of it.
+  void describeRig() {
+    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
+    const auto elements = result_.augmented.allElements();
+    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
+      const auto found = rigFindings(elements, tolerances, *records, gap::simulate(elements, *records));
+      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+    }
   }
 
   void describeLogs() {
@@ -186,6 +213,7 @@ class Describer {
   }
 
   const PreparedCase& prepared_;
+  const std::vector<log::Record>& recorded_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
@@ -199,8 +227,10 @@ class Describer {
 
 }  // namespace
 
-Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), options).run();
+Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
+                   const std::vector<log::Record>& recorded, std::vector<measurement::RigFinding> findings,
+                   const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 template <class Law>
 Experiment make(const std::string& description, double length, double dt, Law displacement) {
@@ -32,10 +31,10 @@ void addSines(const fit::Excitation& excitation, std::vector<Experiment>& menu) 
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * excitation.highest_frequency;
       const double amplitude =
-          std::min(share * excitation.largest_displacement, excitation.highest_rate / (2.0 * kPi * frequency));
+          std::min(share * excitation.largest_displacement, excitation.highest_rate / (2.0 * element::kPi * frequency));
       menu.push_back(make(fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, 1e3 * amplitude),
                           8.0 / frequency, stepFor(excitation, frequency),
-                          [=](double t) { return amplitude * std::sin(2.0 * kPi * frequency * t); }));
+                          [=](double t) { return amplitude * std::sin(2.0 * element::kPi * frequency * t); }));
     }
   }
 }
@@ -43,7 +42,7 @@ void addSines(const fit::Excitation& excitation, std::vector<Experiment>& menu) 
 // The fastest sine of full stroke that the rig has shown to be able to run.
 double fullStrokeFrequency(const fit::Excitation& excitation) {
   return std::min(excitation.highest_frequency,
-                  excitation.highest_rate / (2.0 * kPi * excitation.largest_displacement));
+                  excitation.highest_rate / (2.0 * element::kPi * excitation.largest_displacement));
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ std::vector<Experiment> experimentMenu(const fit::Excitation& excitation) {
   const double z = excitation.largest_displacement;
   const double frequency = fullStrokeFrequency(excitation);
   const double dt = stepFor(excitation, frequency);
-  const double omega = 2.0 * kPi * frequency;
+  const double omega = 2.0 * element::kPi * frequency;
   std::vector<Experiment> menu;
   addSines(excitation, menu);
   const double rise = 1.0 / frequency;

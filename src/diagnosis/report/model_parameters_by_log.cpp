@@ -7,19 +7,6 @@
 #include "fit/bounded_least_squares.h"
 
 namespace rubber_suspension::diagnosis {
-namespace {
-
-double meanFrequency(const log::Record& record) {
-  const Eigen::Index steps = record.size() - 1;
-  const double rate = std::sqrt((record.displacement.tail(steps) - record.displacement.head(steps)).squaredNorm() /
-                                static_cast<double>(steps)) /
-                      record.dt;
-  const double standard_deviation =
-      std::sqrt((record.displacement.array() - record.displacement.mean()).square().mean());
-  return rate / (2.0 * M_PI * standard_deviation);
-}
-
-}  // namespace
 
 std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit::Fit& joint) {
   constexpr double kPrior = 0.1;  // standard deviation of a logarithm
@@ -43,7 +30,7 @@ std::vector<ParameterByLog> parametersByLog(const fit::Fitter& fitter, const fit
     ParameterByLog row;
     row.log = record.name;
     row.amplitude = std::sqrt(2.0 * (record.displacement.array() - record.displacement.mean()).square().mean());
-    row.frequency = meanFrequency(record);
+    row.frequency = record.mean_frequency;
     row.ratios = fitter.model().ratios(joint.parameters.model + step);
     result.push_back(std::move(row));
   }

@@ -62,6 +62,16 @@ ordered_json admissionJson(const Admission& log) {
           {"notes", log.notes}};
 }
 
+ordered_json findingJson(const measurement::RigFinding& finding) {
+  return {{"log", finding.log},
+          {"finding", finding.finding},
+          {"value", number(finding.value)},
+          {"interval_95", interval(finding.interval_95)},
+          {"unit", finding.unit},
+          {"beyond_tolerance", finding.beyond_tolerance},
+          {"text", finding.text}};
+}
+
 ordered_json errorsJson(const CharacteristicErrors& errors) {
   return {{"stiffness", number(errors.stiffness)},
           {"loss_angle_rad", number(errors.loss_angle)},
@@ -120,7 +130,7 @@ ordered_json list(const std::vector<T>& values, Function convert) {
 }  // namespace
 
 std::string toJson(const Diagnosis& diagnosis) {
-  const ordered_json report = {
+  ordered_json report = {
       {"schema", "rubber_suspension/gap_report/1"},
       {"component", diagnosis.component},
       {"verdict", diagnosis.verdict},
@@ -132,6 +142,11 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"augmented", number(diagnosis.gap.augmented)},
         {"noise_floor", number(diagnosis.gap.noise_floor)},
         {"noise_source", diagnosis.noise_source}}},
+      {"gap_as_recorded",
+       {{"as_configured", number(diagnosis.gap_as_recorded.as_configured)},
+        {"re_estimated", number(diagnosis.gap_as_recorded.re_estimated)},
+        {"augmented", number(diagnosis.gap_as_recorded.augmented)}}},
+      {"rig_findings", list(diagnosis.rig_findings, findingJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
       {"candidates", list(diagnosis.candidates, candidateJson)},
@@ -141,11 +156,13 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
         {"augmented", errorsJson(diagnosis.errors_augmented)}}},
-      {"trials", hypothesesJson(diagnosis.workings->search)},
-      {"surrogate_gap", number(diagnosis.workings->search.surrogate_gap)},
-      {"element_level_gap", number(diagnosis.workings->search.element_level.held_out)},
       {"own_parameters", parametersJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};
+  if (diagnosis.workings) {
+    report["trials"] = hypothesesJson(diagnosis.workings->search);
+    report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
+    report["element_level_gap"] = number(diagnosis.workings->search.element_level.held_out);
+  }
   return report.dump(2) + "\n";
 }
 
