@@ -7,6 +7,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -45,7 +47,7 @@ log::Record noisySine(double noise) {
   log::Record record;
   record.dt = 1e-3;
   record.highest_frequency = 2.0;
-  record.displacement = 1e-3 * (2.0 * M_PI * 2e-3 * Eigen::ArrayXd::LinSpaced(kSize, 0.0, kSize - 1.0)).sin();
+  record.displacement = 1e-3 * (2.0 * element::kPi * 2e-3 * Eigen::ArrayXd::LinSpaced(kSize, 0.0, kSize - 1.0)).sin();
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, noise);
   record.force = 1e6 * record.displacement + Eigen::VectorXd::NullaryExpr(kSize, [&] { return normal(generator); });
