@@ -25,7 +25,7 @@ TEST(Gap, IsTheSameOfResiduals) {
   const std::vector<double> simulated = {2.5, -1.5, 2.0, 6.0};
   const Eigen::Map<const Eigen::VectorXd> force(measured.data(), 4);
   const Eigen::Map<const Eigen::VectorXd> model(simulated.data(), 4);
-  EXPECT_NEAR(gap::relativeGap(force - model, gap::standardDeviation(force)), gap::relativeGap(measured, simulated),
+  EXPECT_NEAR(gap::gapOfResidual(force - model, gap::standardDeviation(force)), gap::relativeGap(measured, simulated),
               1e-15);
 }
 
@@ -61,7 +61,7 @@ TEST(Gap, OfPartsIsThatOfTheWhole) {
   const auto parts = gap::partErrors({record}, {simulated});
   EXPECT_EQ(parts.size(), 10U);
   // Tenths of 8000 samples are of one size: their mean is that of all, up to rounding.
-  EXPECT_NEAR(gap::gapOfParts(parts), gap::relativeGap(record.force - simulated, record.force_deviation), 1e-12);
+  EXPECT_NEAR(gap::gapOfParts(parts), gap::gapOfResidual(record.force - simulated, record.force_deviation), 1e-12);
 }
 
 TEST(Gap, HasTheFloorOfWhiteNoise) {
