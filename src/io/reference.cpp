@@ -51,13 +51,13 @@ std::string modelRow(estimation::Model model) {
 }
 
 std::string parameterTable(const std::vector<element::ParameterInfo>& parameters) {
-  std::string text = "| key | unit | accepted | default | meaning |\n|---|---|---|---|---|\n";
+  std::string text = "| key | unit | role | accepted | default | meaning |\n|---|---|---|---|---|---|\n";
   for (const element::ParameterInfo& parameter : parameters) {
     const std::string unit = parameter.unit == "1" ? "-" : parameter.unit;
-    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", parameter.name, unit,
-                        parameter.is_list ? "list, each " : "", element::describe(parameter.range),
-                        parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "",
-                        escaped(parameter.documentation));
+    text += fmt::format(
+        "| `{}` | {} | {} | {}{} | {} | {} |\n", parameter.name, unit, element::toString(parameter.role),
+        parameter.is_list ? "list, each " : "", element::describe(parameter.range),
+        parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "", escaped(parameter.documentation));
   }
   return text;
 }
@@ -92,6 +92,15 @@ std::string parameterReference() {
        ++i) {
     text += modelRow(static_cast<estimation::Model>(i));
   }
+  text +=
+      "\n## Roles\n\n"
+      "The tables below give each key a role, which says what `estimate --from-log` and `diagnose` do with it.\n\n"
+      "| role | meaning | moved by a fit |\n|---|---|---|\n"
+      "| scale | the force is linear in it, the others kept | yes |\n"
+      "| shape | acts on the force in any other way | yes |\n"
+      "| choice | a count, a switch, a dead band, the span or the points over which a law is realised | no |\n"
+      "| reference | the point at which another value holds, which would do as well | no |\n\n"
+      "A value at an end of its accepted range (a coefficient of 0, say) is kept, and so is a list.\n";
   text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters());
   text +=
       "\n## Keys of `rig`, and of the option `--rig KEY=VALUE` of a diagnosis\n\n"

@@ -12,6 +12,7 @@
 
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -50,7 +51,7 @@ Slope slopeOf(const VectorXd& displacement, const VectorXd& force) {
   double zz = 0.0;
   double zf = 0.0;
   double ff = 0.0;
-  for (const double phase : {0.5 * M_PI, M_PI}) {
+  for (const double phase : {0.5 * element::kPi, element::kPi}) {
     const double samples = phase / typicalPhase(displacement);
     const Index lag = std::clamp(static_cast<Index>(samples), Index{1}, count - 1);
     const Index stride = std::max<Index>(1, count / 20000);
@@ -95,7 +96,8 @@ class CrossSpectrum {
       double energy = 0.0;
       double scale = 0.0;
       for (const Octave& octave : window) {
-        const std::complex<double> turned = octave.cross * std::polar(1.0, 2.0 * M_PI * octave.frequency * forward);
+        const std::complex<double> turned =
+            octave.cross * std::polar(1.0, 2.0 * element::kPi * octave.frequency * forward);
         energy += octave.frequency * turned.imag();
         scale += octave.frequency * std::abs(octave.cross);
       }
@@ -128,7 +130,7 @@ class CrossSpectrum {
     const double mean = values.mean();
     for (Index i = 0; i < values.size(); ++i) {
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
-      windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * M_PI * place)) * (values[i] - mean);
+      windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
     }
     Eigen::FFT<double> fft;
     fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
@@ -209,8 +211,9 @@ std::pair<double, double> bestDelay(const std::vector<Octave>& measured, const s
       continue;
     }
     const double delay = share * period;
-    const double distance = phaseDistance(
-        measured, simulated, [&](double phase, double frequency) { return phase - 2.0 * M_PI * frequency * delay; });
+    const double distance = phaseDistance(measured, simulated, [&](double phase, double frequency) {
+      return phase - 2.0 * element::kPi * frequency * delay;
+    });
     best = distance < best.second ? std::make_pair(delay, distance) : best;
   }
   return best;
@@ -306,7 +309,7 @@ RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, c
   }
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
   const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
-  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + M_PI; });
+  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
   const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
   const auto [delay, late] = bestDelay(measured, expected, e.period);
   // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
@@ -323,7 +326,7 @@ RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, c
 VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
   component::ComponentState state = component.makeState();
   VectorXd force(displacement.size());
-  force[0] = component.rest(state, displacement[0]).total;
+  force[0] = component.initialise(state, displacement[0]).total;
   component.simulate(state, dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1), force.data() + 1);
   return force;
 }
@@ -400,7 +403,7 @@ Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
   const double scale = one.norm() * other.norm();
   e.force_correlation = scale > 0.0 ? one.dot(other) / scale : 0.0;
   e.force_ratio = other.norm() > 0.0 ? one.norm() / other.norm() : 0.0;
-  e.period = 2.0 * M_PI / typicalPhase(record.displacement);
+  e.period = 2.0 * element::kPi / typicalPhase(record.displacement);
   return e;
 }
 
@@ -413,7 +416,7 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
                  fmt::format("{} samples in motion are too few; needed are {}: record longer, or at a higher rate",
                              moving, kFewestMoving));
   }
-  const double per_cycle = 2.0 * M_PI / typicalPhase(record.displacement);
+  const double per_cycle = 2.0 * element::kPi / typicalPhase(record.displacement);
   if (per_cycle < kFewestPerCycle) {
     return fatal(record, finding::kTooShort, per_cycle,
                  fmt::format("{:.2g} samples per cycle are too few; needed are {}: record at a higher rate", per_cycle,

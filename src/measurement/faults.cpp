@@ -495,4 +495,8 @@ double robustDeviation(const VectorXd& values, const Mask& mask) {
   return kMadToDeviation * medianOf(std::move(magnitudes));
 }
 
+Mask maskOf(const log::Record& record) {
+  return record.counts.size() == 0 ? Mask::Constant(record.size(), true).eval() : (record.counts.array() > 0.0).eval();
+}
+
 }  // namespace rubber_suspension::measurement

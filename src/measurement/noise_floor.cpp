@@ -8,6 +8,7 @@
 
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_model.h"
 
 namespace rubber_suspension::measurement {
@@ -115,7 +116,7 @@ double keptShare(const NoiseModel& noise, double lag) {
     const double frequency = lowest * std::pow(0.5 / lowest, (i + 0.5) / kLines);
     const double power = spectralDensity(noise, frequency) * frequency;
     all += power;
-    kept += power * std::pow(2.0 - 2.0 * std::cos(2.0 * M_PI * frequency * lag), 2) / 6.0;
+    kept += power * std::pow(2.0 - 2.0 * std::cos(2.0 * element::kPi * frequency * lag), 2) / 6.0;
   }
   return kept / all;
 }
@@ -210,6 +211,10 @@ NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const
   }
   floor.replay = std::hypot(floor.smoothed, replay_excess);
   return floor;
+}
+
+double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {
+  return noiseFloor(record, record.withoutRig(residual), maskOf(record), 0.0).smoothed / record.force_deviation;
 }
 
 }  // namespace rubber_suspension::measurement

@@ -8,6 +8,7 @@
 
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -47,7 +48,7 @@ std::vector<SlowPart> slowParts(double exponent, Index samples) {
 
 // One-sided spectral density of the 1/f part at variance 1.
 double colouredShape(const std::vector<SlowPart>& parts, double frequency) {
-  const double cosine = std::cos(2.0 * M_PI * frequency);
+  const double cosine = std::cos(2.0 * element::kPi * frequency);
   double sum = 0.0;
   for (const SlowPart& part : parts) {
     const double p = part.pole;
@@ -119,7 +120,8 @@ std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, co
   std::vector<SpectrumBand> outside;
   std::copy_if(all.begin(), all.end(), std::back_inserter(outside),
                [&](const SpectrumBand& band) { return !excluded.contains(band.frequency); });
-  const double cut = cutOff(outside);
+  // Above a quarter of a cycle per sample, aliases bend the 1/f law of the processes; elsewhere there is plenty.
+  const double cut = std::min(cutOff(outside), 0.25);
   std::vector<SpectrumBand> counting;
   std::copy_if(outside.begin(), outside.end(), std::back_inserter(counting),
                [&](const SpectrumBand& band) { return band.frequency <= cut; });
@@ -469,7 +471,8 @@ double Whitener::logLikelihood(const VectorXd& residual) const {
     logarithms += std::log(deviation_[gain] * stage_[std::min(known, reflection_.size())]);
     ++known;
   }
-  return -0.5 * white.squaredNorm() - logarithms - 0.5 * std::log(2.0 * M_PI) * static_cast<double>(mask_.count());
+  return -0.5 * white.squaredNorm() - logarithms -
+         0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {

@@ -5,6 +5,8 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::measurement {
 namespace {
 
@@ -40,7 +42,7 @@ VectorXd periodogram(const VectorXd& signal) {
   double power = 0.0;
   for (Index i = 0; i < count; ++i) {
     const double window =
-        0.5 - 0.5 * std::cos(2.0 * M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+        0.5 - 0.5 * std::cos(2.0 * element::kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
     windowed[static_cast<std::size_t>(i)] = window * (signal[i] - mean);
     power += window * window;
   }

@@ -15,7 +15,7 @@ BELOW = {
     "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
-    "log": {"kernel"},
+    "log": {"element", "kernel"},
     "io": {"element", "component", "response", "estimation", "log"},
     "gap": {"element", "component", "response", "estimation", "log", "io"},
     "measurement": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},

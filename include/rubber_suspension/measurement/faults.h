@@ -13,6 +13,9 @@ namespace rubber_suspension::measurement {
 /// True for each sample that counts.
 using Mask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
+/// The samples of a record that count.
+Mask maskOf(const log::Record& record);
+
 /// What is wrong with single samples of a log.
 struct Faults {
   Mask displacement;                 ///< false where the displacement was not measured

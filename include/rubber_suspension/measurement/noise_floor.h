@@ -36,4 +36,8 @@ double noiseFromSpectrum(const log::Record& record, const Eigen::VectorXd& resid
 NoiseFloor noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                       double replay_excess);
 
+/// The floor of what a model leaves of a record, as a gap [-]; the rig's part and samples that do not count are taken
+/// out first.
+double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual);
+
 }  // namespace rubber_suspension::measurement
