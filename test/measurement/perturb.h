@@ -151,7 +151,7 @@ inline std::vector<Eigen::VectorXd> simulateAll(const Elements& elements, const 
   for (std::size_t i = 0; i < displacements.size(); ++i) {
     component::ComponentState state = component.makeState();
     Eigen::VectorXd force(displacements[i].size());
-    force[0] = component.rest(state, displacements[i][0]).total;
+    force[0] = component.initialise(state, displacements[i][0]).total;
     component.simulate(state, steps[i], displacements[i].data() + 1, static_cast<std::size_t>(force.size() - 1),
                        force.data() + 1);
     forces.push_back(force);
