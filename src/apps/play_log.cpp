@@ -138,22 +138,27 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// Before anything is read. Records in a folder replace nothing, but for the log that was laid there.
+// Before anything is read.
 void checkFiles(const Options& options) {
   std::vector<io::InputFile> inputs;
   addInputs(inputs, "--log", options.logs);
-  std::vector<io::OutputFile> outputs = {{"--output", options.output, io::FileKind::force_csv},
-                                         {"--gap", options.gap_output, io::FileKind::gap_csv},
-                                         {"--bag", options.bag, io::FileKind::bag},
-                                         {"--plot", options.plot, io::FileKind::figure}};
-  for (const std::string& component : options.folder.empty() ? std::vector<std::string>() : options.components) {
-    const ros_interface::RecordPaths paths = ros_interface::recordPathsIn(options.folder, component);
-    outputs.push_back({"--folder", paths.forces, io::FileKind::force_csv});
-    outputs.push_back({"--folder", paths.gaps, io::FileKind::gap_csv});
-    outputs.push_back({"--folder", paths.bag, io::FileKind::bag});
-  }
-  options.outputs.check(inputs, outputs);
+  options.outputs.check(inputs, {{"--output", options.output, io::FileKind::force_csv},
+                                 {"--gap", options.gap_output, io::FileKind::gap_csv},
+                                 {"--bag", options.bag, io::FileKind::bag},
+                                 {"--plot", options.plot, io::FileKind::figure}});
   options.log_options.requireUse(options.logs);
+}
+
+// What --output and its like name may lie in the folder, too.
+void checkRecords(const Options& options) {
+  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
+  for (const std::string& component : options.components) {
+    const ros_interface::RecordPaths paths = recordPaths(options, component);
+    outputs.push_back({"forces", paths.forces, io::FileKind::force_csv});
+    outputs.push_back({"gap", paths.gaps, io::FileKind::gap_csv});
+    outputs.push_back({"bag", paths.bag, io::FileKind::bag});
+  }
+  options.outputs.check({}, outputs);
 }
 
 std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
@@ -209,6 +214,7 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   checkCounts(options);
   checkFiles(options);
   makeFolder(options);
+  checkRecords(options);
   std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
   line.initialise("play_log");
   ros::NodeHandle handle;
