@@ -112,7 +112,7 @@ void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
       parameters, [&step](std::size_t sample) { return step[sample]; }, displacement, force);
 }
 
-BareFleet::BareFleet(const std::vector<BareParameters>& parameters, double dt) {
+BareMany::BareMany(const std::vector<BareParameters>& parameters, double dt) {
   for (const BareParameters& given : parameters) {
     if (given.stiffness.size() != kElements) {
       throw std::invalid_argument("the plain loop over components is there for 5 Maxwell elements");
@@ -128,7 +128,7 @@ BareFleet::BareFleet(const std::vector<BareParameters>& parameters, double dt) {
   }
 }
 
-void BareFleet::tick(double displacement, std::vector<double>& force) {
+void BareMany::tick(double displacement, std::vector<double>& force) {
   const double increment = displacement - last_displacement_;
   last_displacement_ = displacement;
   double* result = force.data();

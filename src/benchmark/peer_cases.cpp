@@ -38,7 +38,7 @@ struct PeerBench {
 
   void runLibrary() {
     component::ComponentState state = component.makeState();
-    library[0] = component.rest(state, work.displacement[0]).total;
+    library[0] = component.initialise(state, work.displacement[0]).total;
     component.simulate(state, kStep, work.displacement.data() + 1, library.size() - 1, library.data() + 1);
   }
 

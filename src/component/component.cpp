@@ -100,7 +100,7 @@ double solveSeries(Mismatch mismatch, double guess, double least_slope = 1.0) {
 
 }  // namespace
 
-void ComponentState::restore(double displacement, const std::vector<double>& memory) {
+void ComponentState::deserialise(double displacement, const std::vector<double>& memory) {
   if (memory.size() != memory_.size()) {
     throw std::invalid_argument(
         fmt::format("state has {} numbers, this component needs {}", memory.size(), memory_.size()));
@@ -207,7 +207,7 @@ ComponentState Component::makeState() const {
   state.memory_.resize(memory_size_);
   state.scratch_.resize(mounted_ ? trial_size_ : 0);
   state.maxwell_blocks_.resize(maxwell_stiffness_.size() / kernel::MaxwellBlock::kSize);
-  rest(state, 0.0);
+  initialise(state, 0.0);
   return state;
 }
 
@@ -217,17 +217,17 @@ element::ComponentForce Component::specimenRest(double displacement, bool as_new
   force.elastic = force.total = spring_stiffness_ * displacement;
   double* berg_memory = memory + maxwells_;
   for (const element::BergFriction& berg : bergs_) {
-    add(force, element::Part::friction, berg.rest(displacement, berg_memory));
+    add(force, element::Part::friction, berg.initialise(displacement, berg_memory));
     berg_memory += element::BergFriction::kMemorySize;
   }
   for (const auto& element : specimen_) {
-    add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
+    add(force, element.law->part(), element.law->initialise(displacement, memory + element.offset));
   }
   for (const auto& effect : force_effects_) {
     if (as_new) {
-      effect.law->rest(displacement, memory + effect.offset);
+      effect.law->initialise(displacement, memory + effect.offset);
     } else {
-      scale(force, effect.law->recover(displacement, memory + effect.offset));
+      scale(force, effect.law->relax(displacement, memory + effect.offset));
     }
   }
   return force;
@@ -321,8 +321,8 @@ inline double Component::forceAt(double specimen, Line line, const double* berg_
 }
 
 // Displacement of such a specimen behind a mount of this compliance.
-inline double Component::meet(Line line, double compliance, const ComponentState& state,
-                              const element::Motion& motion) const {
+inline double Component::solveSeriesBalance(Line line, double compliance, const ComponentState& state,
+                                            const element::Motion& motion) const {
   const double slope = 1.0 + compliance * line.slope;
   const double rest = compliance * line.held - motion.displacement;
   const double* berg_memory = state.memory_.data() + maxwells_;
@@ -330,8 +330,8 @@ inline double Component::meet(Line line, double compliance, const ComponentState
     return -rest / slope;
   }
   if (bergs_.size() == 1) {
-    const double specimen = bergs_.front().meet(slope, rest, compliance, berg_memory);
-    if (bergs_.front().goesOn(specimen, berg_memory)) {
+    const double specimen = bergs_.front().solveSeriesBalance(slope, rest, compliance, berg_memory);
+    if (bergs_.front().keepsDirection(specimen, berg_memory)) {
       return specimen;
     }
   }
@@ -341,14 +341,14 @@ inline double Component::meet(Line line, double compliance, const ComponentState
 }
 
 double Component::plainBehindMount(const ComponentState& state, const element::Motion& motion) const {
-  return meet(lineOf(state), mount_compliance_.tension, state, motion);
+  return solveSeriesBalance(lineOf(state), mount_compliance_.tension, state, motion);
 }
 
 double Component::plainBehindUnevenMount(const ComponentState& state, const element::Motion& motion) const {
   const Line line = lineOf(state);
   const double* berg_memory = state.memory_.data() + maxwells_;
   if (joints_.empty()) {
-    return meet(line, complianceAt(forceAt(motion.displacement, line, berg_memory)), state, motion);
+    return solveSeriesBalance(line, complianceAt(forceAt(motion.displacement, line, berg_memory)), state, motion);
   }
   return solveSeries(
       [&](double specimen) {
@@ -377,7 +377,7 @@ element::ComponentForce Component::settle(ComponentState& state, double displace
   double* memory = state.memory_.data();
   double specimen = displacement;
   for (const auto& effect : displacement_effects_) {
-    specimen = effect.law->rest(specimen, memory + effect.offset);
+    specimen = effect.law->initialise(specimen, memory + effect.offset);
   }
   if (!displacement_effects_.empty()) {
     memory[behind_effects_slot_] = specimen;
@@ -388,18 +388,18 @@ element::ComponentForce Component::settle(ComponentState& state, double displace
   }
   element::ComponentForce force = specimenRest(specimen, as_new, memory);
   for (const auto& element : rig_) {
-    add(force, element.law->part(), element.law->rest(displacement, memory + element.offset));
+    add(force, element.law->part(), element.law->initialise(displacement, memory + element.offset));
   }
   state.displacement_ = displacement;
   state.branch_ = {};
   return force;
 }
 
-element::ComponentForce Component::rest(ComponentState& state, double displacement) const {
+element::ComponentForce Component::initialise(ComponentState& state, double displacement) const {
   return settle(state, displacement, true);
 }
 
-element::ComponentForce Component::recover(ComponentState& state, double displacement) const {
+element::ComponentForce Component::relax(ComponentState& state, double displacement) const {
   return settle(state, displacement, false);
 }
 
@@ -407,7 +407,7 @@ element::ComponentForce Component::fullStep(ComponentState& state, double dt, do
   if (dt != state.prepared_dt_) {
     prepare(state, dt);
   }
-  if (goesOn(state, displacement)) {
+  if (keepsDirection(state, displacement)) {
     return leanStep(state, displacement);
   }
   if (!plain_) {

@@ -83,8 +83,8 @@ Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vecto
   for (const Experiment& experiment : menu) {
     component::ComponentState a = first.makeState();
     component::ComponentState b = second.makeState();
-    first.rest(a, experiment.displacement[0]);
-    second.rest(b, experiment.displacement[0]);
+    first.initialise(a, experiment.displacement[0]);
+    second.initialise(b, experiment.displacement[0]);
     double sum = 0.0;
     for (Eigen::Index i = 1; i < experiment.displacement.size(); ++i) {
       const double z = experiment.displacement[i];

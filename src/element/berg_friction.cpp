@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace rubber_suspension::element {
-double BergFriction::rest(double displacement, double* memory) const {
+double BergFriction::initialise(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
   memory[kExtremum] = displacement;
@@ -21,7 +21,7 @@ double BergFriction::startSettled(double amplitude, double centre, double* memor
   return memory[kReferenceForce];
 }
 
-std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_t count, double* memory) const {
+std::size_t BergFriction::followUntilReversal(const double* displacement, std::size_t count, double* memory) const {
   std::size_t i = 0;
   for (; i < count && memory[kDirection] == 0.0; ++i) {
     turn(displacement[i], 0.0, memory);  // from rest it starts
@@ -40,7 +40,7 @@ std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_
   return i;
 }
 
-double BergFriction::meet(double slope, double offset, double compliance, const double* memory) const {
+double BergFriction::solveSeriesBalance(double slope, double offset, double compliance, const double* memory) const {
   const double reference = memory[kReferenceDisplacement];
   const double at_reference = slope * reference + offset + compliance * memory[kReferenceForce];
   const double direction = at_reference < 0.0 ? 1.0 : -1.0;  // the sum rises with z

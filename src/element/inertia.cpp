@@ -11,7 +11,7 @@ enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
 }  // namespace
 
-double Inertia::rest(double /*displacement*/, double* memory) const {
+double Inertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + memorySize(), 0.0);
   return 0.0;
 }
@@ -35,7 +35,7 @@ double Inertia::step(const Motion& motion, double* memory) const {
 
 SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * M_PI * bandwidth) {}
 
-double SmoothedInertia::rest(double /*displacement*/, double* memory) const {
+double SmoothedInertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + kLags, 0.0);
   return 0.0;
 }

@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-double MaxwellBank::rest(double /*displacement*/, double* memory) const {
+double MaxwellBank::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + elements_.size(), 0.0);
   return 0.0;
 }

@@ -17,7 +17,9 @@ double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeast
 
 }  // namespace
 
-void SelfHeating::rest(double /*displacement*/, double* memory) const { memory[kRise] = memory[kLossForce] = 0.0; }
+void SelfHeating::initialise(double /*displacement*/, double* memory) const {
+  memory[kRise] = memory[kLossForce] = 0.0;
+}
 
 double SelfHeating::step(const Motion& motion, const ComponentForce& force, double* memory) const {
   const double loss_force = force.viscous + force.friction;

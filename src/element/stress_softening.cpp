@@ -16,12 +16,12 @@ enum Slot { kLargest, kReach };
 StressSoftening::StressSoftening(double reduction, double width, double path)
     : reduction_(reduction), width_(width), path_(path), deepest_(std::tanh(1.0 / width)) {}
 
-void StressSoftening::rest(double displacement, double* memory) const {
+void StressSoftening::initialise(double displacement, double* memory) const {
   memory[kLargest] = memory[kReach] = std::abs(displacement);
 }
 
 // Softening is permanent: only a displacement beyond all before counts anew.
-double StressSoftening::recover(double displacement, double* memory) const {
+double StressSoftening::relax(double displacement, double* memory) const {
   memory[kLargest] = std::max(memory[kLargest], std::abs(displacement));
   if (path_ == 0.0) {
     memory[kReach] = memory[kLargest];

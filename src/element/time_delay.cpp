@@ -20,7 +20,7 @@ int after(int index) { return (index + 1) % kSamples; }
 
 std::size_t TimeDelay::memorySize() const { return delay_ > 0.0 ? kEnd : 0; }
 
-double TimeDelay::rest(double displacement, double* memory) const {
+double TimeDelay::initialise(double displacement, double* memory) const {
   if (delay_ > 0.0) {
     std::fill(memory, memory + kEnd, 0.0);
     memory[kCount] = 1.0;

@@ -19,7 +19,7 @@ FrictionPath::FrictionPath(const std::vector<double>& displacement, double dead_
   using Slot = element::BergFriction::Slot;
   const element::BergFriction berg(1.0, 1.0, dead_band);
   std::array<double, Slot::kMemorySize> memory{};
-  berg.rest(displacement.front(), memory.data());
+  berg.initialise(displacement.front(), memory.data());
   way_.reserve(displacement.size() + kPadding);
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     const double reference = memory[Slot::kReferenceDisplacement];

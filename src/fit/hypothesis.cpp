@@ -34,7 +34,7 @@ std::vector<Eigen::VectorXd> simulate(const std::vector<element::ElementDescript
     const Eigen::VectorXd other = drive ? drive(records[r]) : Eigen::VectorXd();
     const Eigen::VectorXd& z = drive ? other : records[r].displacement;
     Eigen::VectorXd force(z.size());
-    force[0] = (r == 0 ? component.rest(state, z[0]) : component.recover(state, z[0])).total;
+    force[0] = (r == 0 ? component.initialise(state, z[0]) : component.relax(state, z[0])).total;
     component.simulate(state, records[r].dt, z.data() + 1, static_cast<std::size_t>(z.size() - 1), force.data() + 1);
     forces.push_back(std::move(force));
   }

@@ -43,8 +43,7 @@ Eigen::VectorXd solvePassive(const ScaledProblem& problem, const std::vector<boo
       gram(i, j) = problem.gram(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
     }
   }
-  // Rank-revealing: collinear columns share their force by least norm.
-  const Eigen::VectorXd part = gram.completeOrthogonalDecomposition().solve(moment);
+  const Eigen::VectorXd part = solveLeastNorm(gram, moment);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.moment.size());
   for (Eigen::Index i = 0; i < size; ++i) {
     x[rows[static_cast<std::size_t>(i)]] = part[i];
@@ -77,6 +76,14 @@ bool walk(Eigen::VectorXd& x, const Eigen::VectorXd& target, const std::vector<b
 }
 
 }  // namespace
+
+Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  return a.completeOrthogonalDecomposition().solve(b);
+}
+
+Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.completeOrthogonalDecomposition().solve(b);
+}
 
 Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                   const std::vector<bool>& signed_unknown) {

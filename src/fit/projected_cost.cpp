@@ -2,7 +2,6 @@
 #include "fit/projected_cost.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -161,8 +160,8 @@ Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const 
       scaled.scale[i] = 0.0;
     }
   }
-  const auto decomposition = scaled.products.completeOrthogonalDecomposition();
-  return scaled.scale.asDiagonal() * decomposition.solve(scaled.scale.asDiagonal() * shared);
+  const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
+  return scaled.scale.asDiagonal() * solveLeastNorm(scaled.products, moments);
 }
 
 // By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.

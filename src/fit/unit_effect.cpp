@@ -19,10 +19,10 @@ std::vector<Eigen::VectorXd> softenedShare(const Atom& atom, const std::vector<l
     const Eigen::VectorXd& z = record.displacement;
     Eigen::VectorXd factor(z.size());
     if (result.empty()) {
-      law->rest(z[0], memory.data());
+      law->initialise(z[0], memory.data());
       factor[0] = 1.0;
     } else {
-      factor[0] = law->recover(z[0], memory.data());
+      factor[0] = law->relax(z[0], memory.data());
     }
     for (Eigen::Index i = 1; i < z.size(); ++i) {
       factor[i] = law->step({record.dt, z[i], z[i] - z[i - 1]}, {}, memory.data());

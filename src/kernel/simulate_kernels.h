@@ -168,7 +168,7 @@ inline void addFrictionOfBlock(const element::BergFriction& berg, const double* 
   std::uint64_t along = (ways.falling & ~up) | (ways.rising & up);
   while (against != 0) {
     const auto sample = static_cast<std::size_t>(__builtin_ctzll(against));
-    berg.turnAt(displacement[static_cast<std::ptrdiff_t>(sample) - 1], memory);
+    berg.reverseAt(displacement[static_cast<std::ptrdiff_t>(sample) - 1], memory);
     reference_displacement.set(memory[element::BergFriction::kReferenceDisplacement], sample);
     reference_force.set(memory[element::BergFriction::kReferenceForce], sample);
     const std::uint64_t left = along & (~std::uint64_t{0} << sample);
@@ -187,7 +187,7 @@ inline void addFrictionOfBlock(const element::BergFriction& berg, const double* 
 inline void addFrictionInTurn(const element::BergFriction& berg, const double* displacement, std::size_t count,
                               double* memory, double* force) {
   for (std::size_t first = 0; first < count; ++first) {
-    const std::size_t size = berg.followUntilTurn(displacement + first, count - first, memory);
+    const std::size_t size = berg.followUntilReversal(displacement + first, count - first, memory);
     addBranch(berg, memory, displacement + first, size, force + first);
     first += size;
     if (first < count) {

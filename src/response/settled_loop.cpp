@@ -102,7 +102,7 @@ struct RunningLaw {
     if (const auto* berg = dynamic_cast<const element::BergFriction*>(law.get())) {
       berg->startSettled(amplitude, 0.0, memory.data());
     } else {
-      law->rest(-amplitude, memory.data());
+      law->initialise(-amplitude, memory.data());
     }
   }
 };
@@ -152,7 +152,7 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
 void simulateWhole(SettledLoop& loop, const component::Component& component, const LoopOptions& options) {
   const double dt = 1.0 / (loop.frequency * options.samples);
   component::ComponentState state = component.makeState();
-  component.rest(state, loop.displacement[0]);
+  component.initialise(state, loop.displacement[0]);
   settle(loop, options, [&](std::vector<double>& force) {
     for (int i = 1; i <= options.samples; ++i) {
       const int sample = i % options.samples;

@@ -155,7 +155,7 @@ TEST(SeriesMount, TwoSpringsInSeries) {
   const double stiffness = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
   for (const double z : {1e-3, -2e-3, 1e-9, 0.0, 0.5}) {
     EXPECT_NEAR(component.step(state, 1e-3, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
-    EXPECT_NEAR(component.rest(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
+    EXPECT_NEAR(component.initialise(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
   }
 }
 
@@ -229,7 +229,7 @@ TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
     const double half = 0.5 * (1.0 / 3e6 + 1.0 / kStiffness - std::abs(z) / kClosing);
     const double force = std::copysign(std::abs(z) / (half + std::sqrt(half * half + square * std::abs(z))), z);
     EXPECT_NEAR(component.step(state, 1e-3, z).total / force, 1.0, 1e-11) << z;
-    EXPECT_NEAR(component.rest(state, z).total / force, 1.0, 1e-11) << z;
+    EXPECT_NEAR(component.initialise(state, z).total / force, 1.0, 1e-11) << z;
   }
   EXPECT_FALSE(component.linear());
 }
@@ -339,7 +339,7 @@ TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
   const component::Component linear({kSpring, kMount, inertia, offset});
   EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
   component::ComponentState state = component.makeState();
-  EXPECT_EQ(component.rest(state, 0.0).total, 100.0) << "softening leaves the offset";
+  EXPECT_EQ(component.initialise(state, 0.0).total, 100.0) << "softening leaves the offset";
 }
 
 TEST(Recover, KeepsSofteningAndForgetsTheRest) {
@@ -347,13 +347,13 @@ TEST(Recover, KeepsSofteningAndForgetsTheRest) {
   component::ComponentState state = component.makeState();
   const double first = component.step(state, 1.0, 1e-3).total;
   component.step(state, 1.0, 3e-3);
-  EXPECT_EQ(component.recover(state, 0.0).total, 0.0);
+  EXPECT_EQ(component.relax(state, 0.0).total, 0.0);
   const double second = component.step(state, 1.0, 1e-3).total;
   EXPECT_LT(second, 0.8 * first);
-  const double held = component.recover(state, 1e-3).total;
+  const double held = component.relax(state, 1e-3).total;
   EXPECT_LT(held, second) << "relaxed at once";
   EXPECT_NEAR(component.step(state, 1e6, 1e-3).total, held, 1e-9 * held) << "and stays so";
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   EXPECT_EQ(component.step(state, 1.0, 1e-3).total, first) << "a new specimen";
 }
 
@@ -376,18 +376,18 @@ TEST(State, SavedNumbersContinueBitByBit) {
   const std::vector<double> memory = state.memory();
   const std::vector<double> forces = walk(component, state, 5, 100);
   component::ComponentState other = component::Component(component.elements()).makeState();
-  other.restore(displacement, memory);
+  other.deserialise(displacement, memory);
   EXPECT_EQ(walk(component, other, 5, 100), forces);
 }
 
 TEST(State, RefusesNumbersThatAreNotItsOwn) {
   const component::Component component({kSpring, kMaxwell});
   component::ComponentState state = component.makeState();
-  EXPECT_THROW(state.restore(0.0, {}), std::invalid_argument);
-  EXPECT_THROW(state.restore(0.0, {1.0, 2.0}), std::invalid_argument);
-  EXPECT_THROW(state.restore(NAN, {1.0}), std::invalid_argument);
-  EXPECT_THROW(state.restore(0.0, {INFINITY}), std::invalid_argument);
-  EXPECT_NO_THROW(state.restore(0.0, {1.0}));
+  EXPECT_THROW(state.deserialise(0.0, {}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(0.0, {1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(NAN, {1.0}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(0.0, {INFINITY}), std::invalid_argument);
+  EXPECT_NO_THROW(state.deserialise(0.0, {1.0}));
 }
 
 TEST(State, ServesOneComponentInSeveralThreads) {
@@ -413,7 +413,7 @@ TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
   component::ComponentState state = component.makeState();
   walk(component, state, 7, 20);
   component::ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
-  fresh.restore(state.displacement(), state.memory());
+  fresh.deserialise(state.displacement(), state.memory());
   component.step(state, 0.5, 1e-3);
   component.step(fresh, 0.5, 1e-3);
   EXPECT_EQ(component.step(state, 1e-3, 2e-3).total, component.step(fresh, 1e-3, 2e-3).total);
@@ -428,7 +428,7 @@ TEST(Component, StepAllocatesNothing) {
     component.step(state, 1e-3 * (1 + i % 3), sineAt(i, 30, 2e-3));
   }
   component.tangent(state, 1e-3, 1e-3, trial);
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   EXPECT_EQ(counter.count(), 0U);
 }
 
@@ -466,7 +466,7 @@ TEST(Tangent, OfFrictionAndMountInClosedForm) {
   component::ComponentState trial = component.makeState();
   const double force = component.step(state, 1e-3, 0.5e-3).total;
   (void)force;
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   const component::Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
   component::ComponentState moved = state;
   const double specimen = 0.5e-3 - component.step(moved, 1e-3, 0.5e-3).total / 3e7;

@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(LawsWithoutForceOfTheirOwn, ForcelessContract,
 
 TEST_P(ForcelessContract, ZeroInGivesZeroOut) {
   RandomMoves moves(1);
-  EXPECT_EQ(component_.rest(state_, 0.0).total, 0.0);
+  EXPECT_EQ(component_.initialise(state_, 0.0).total, 0.0);
   for (int i = 0; i < 100; ++i) {
     ASSERT_EQ(component_.step(state_, moves.dt(), 0.0).total, 0.0) << "step " << i;
   }
@@ -185,7 +185,7 @@ TEST_P(ForcelessContract, ZeroInGivesZeroOut) {
 
 TEST_P(Contract, RestIsAsNew) {
   const std::vector<double> as_new = forcesOfWalk(component_, state_, 2);
-  component_.rest(state_, 0.0);
+  component_.initialise(state_, 0.0);
   EXPECT_EQ(state_.memory(), component_.makeState().memory());
   EXPECT_EQ(forcesOfWalk(component_, state_, 2), as_new);
 }
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(LawsThatRest, StillContract, typicalElementsThat([](con
                          nameOf);
 
 TEST_P(StillContract, StaysAtRestWhereItRests) {
-  const double force = component_.rest(state_, kAmplitude).total;
+  const double force = component_.initialise(state_, kAmplitude).total;
   for (const double dt : {1e-4, 1.0, 1e4}) {
     // Same operations up to the order of sums, or up to the solver's tolerance behind a mount.
     ASSERT_NEAR(component_.step(state_, dt, kAmplitude).total, force, 1e-12 * std::abs(force)) << dt;
@@ -208,7 +208,7 @@ TEST_P(Contract, CopyContinuesAsTheOriginal) {
   walk(component_, state_, 3);
   component::ComponentState copy = state_;
   component::ComponentState restored = component_.makeState();
-  restored.restore(state_.displacement(), state_.memory());
+  restored.deserialise(state_.displacement(), state_.memory());
   const std::vector<double> forces = forcesOfWalk(component_, state_, 4);
   EXPECT_EQ(forcesOfWalk(component_, copy, 4), forces);
   EXPECT_EQ(forcesOfWalk(component_, restored, 4), forces);
@@ -218,8 +218,8 @@ TEST_P(Contract, StepAllocatesNothing) {
   walk(component_, state_, 5);
   const AllocationCounter counter;
   walk(component_, state_, 6);
-  component_.rest(state_, kAmplitude);
-  component_.recover(state_, 0.0);
+  component_.initialise(state_, kAmplitude);
+  component_.relax(state_, 0.0);
   EXPECT_EQ(counter.count(), 0U);
 }
 
@@ -231,7 +231,7 @@ TEST_P(ParallelContract, RawLawAgreesWithComponent) {
   const auto& law = std::get<std::shared_ptr<const element::ParallelElement>>(element);
   std::vector<double> memory(law->memorySize());
   double displacement = 1e-4;
-  EXPECT_EQ(law->rest(displacement, memory.data()), component_.rest(state_, displacement).total);
+  EXPECT_EQ(law->initialise(displacement, memory.data()), component_.initialise(state_, displacement).total);
   RandomMoves moves(7);
   for (int i = 0; i < 200; ++i) {
     const double dt = moves.dt();
@@ -250,7 +250,7 @@ TEST_P(PassiveContract, ClosedSettledCycleDissipates) {
   constexpr int kCycles = 10;
   double work = 0.0;
   double peak = 0.0;
-  element::ComponentForce before = component_.rest(state_, 0.0);
+  element::ComponentForce before = component_.initialise(state_, 0.0);
   for (int i = 1; i <= kCycles * kSamples; ++i) {
     const double z = kAmplitude * std::sin(2.0 * M_PI * (i % kSamples) / kSamples);
     const double increment = z - state_.displacement();
@@ -281,7 +281,7 @@ TEST_P(BoundedContract, NeverGivesMoreEnergyThanItGot) {
   RandomMoves moves(8);
   double work = 0.0;
   double uncertainty = 0.0;  // of the trapezoidal rule where the force is monotone over a part
-  double before = component_.rest(state_, 0.0).total;
+  double before = component_.initialise(state_, 0.0).total;
   for (int move = 0; move < 40; ++move) {
     const double start = state_.displacement();
     const double end = moves.displacement();

@@ -243,7 +243,7 @@ TEST(TimeDelay, NoneIsNone) {
 
 class SofteningDriver {
  public:
-  explicit SofteningDriver(const element::StressSoftening& law) : law_(law) { law_.rest(0.0, memory_); }
+  explicit SofteningDriver(const element::StressSoftening& law) : law_(law) { law_.initialise(0.0, memory_); }
   double step(double z) {
     const double increment = z - z_;
     z_ = z;
@@ -309,9 +309,9 @@ TEST(StressSoftening, StaysThroughARest) {
   const element::StressSoftening law(0.3, 0.2, 0.0);
   SofteningDriver driver(law);
   driver.step(2e-3);
-  EXPECT_NEAR(law.recover(0.0, driver.memory()), 0.7, 1e-12);
+  EXPECT_NEAR(law.relax(0.0, driver.memory()), 0.7, 1e-12);
   EXPECT_LT(driver.step(1e-3), 0.75);
-  law.rest(0.0, driver.memory());
+  law.initialise(0.0, driver.memory());
   EXPECT_EQ(driver.step(1e-3), 1.0) << "a new specimen";
 }
 
@@ -319,7 +319,7 @@ TEST(StressSoftening, StaysThroughARest) {
 TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
   const element::SelfHeating law(1e-3, 20.0);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.friction = 1e3;
   force.elastic = 1e9;  // makes no heat
@@ -338,7 +338,7 @@ TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
 TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
   const element::SelfHeating law(1e-6, 1e12);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.viscous = 500.0;
   double factor = 1.0;
@@ -352,7 +352,7 @@ TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
 TEST(SelfHeating, KeepsAFifthAtLeast) {
   const element::SelfHeating law(1e3, 1e9);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.viscous = 1e6;
   EXPECT_EQ(law.step({1.0, 1.0, 1.0}, force, memory), element::SelfHeating::kLeastFactor);

@@ -25,11 +25,11 @@ class ComponentState {
 
   /// Continue from numbers that memory() and displacement() gave. Throws std::invalid_argument on another size or on
   /// numbers that are not finite.
-  void restore(double displacement, const std::vector<double>& memory);
+  void deserialise(double displacement, const std::vector<double>& memory);
 
   /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
   /// faster than copying all.
-  void recall(const ComponentState& other) {
+  void copyFrom(const ComponentState& other) {
     displacement_ = other.displacement_;
     branch_ = other.branch_;
     std::copy(other.memory_.begin(), other.memory_.end(), memory_.begin());
@@ -70,18 +70,18 @@ class Component {
   ComponentState makeState() const;
 
   /// Put the component at rest at a displacement [m], relaxed since long and never loaded before.
-  element::ComponentForce rest(ComponentState& state, double displacement) const;
+  element::ComponentForce initialise(ComponentState& state, double displacement) const;
 
   /// The same component after a long rest at a displacement [m]: relaxed and cooled, what is permanent (stress
   /// softening) stays.
-  element::ComponentForce recover(ComponentState& state, double displacement) const;
+  element::ComponentForce relax(ComponentState& state, double displacement) const;
 
   /// Advance by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing.
   /// The force is not a number, from there on, where the specimen has given way behind a series mount: where its
   /// tangent stiffness (of an asymmetric_stiffness, say) is more negative than the mount can hold.
   element::ComponentForce step(ComponentState& state, double dt, double displacement) const {
-    return sameBits(dt, state.prepared_dt_) && goesOn(state, displacement) ? leanStep(state, displacement)
-                                                                           : fullStep(state, dt, displacement);
+    return sameBits(dt, state.prepared_dt_) && keepsDirection(state, displacement) ? leanStep(state, displacement)
+                                                                                   : fullStep(state, dt, displacement);
   }
 
   /// As many steps of dt [s] as there are displacements [m]; the total forces [N] go to `force`. The same bits as
@@ -141,7 +141,8 @@ class Component {
   };
   Line lineOf(const ComponentState& state) const;
   double forceAt(double specimen, Line line, const double* berg_memory) const;
-  double meet(Line line, double compliance, const ComponentState& state, const element::Motion& motion) const;
+  double solveSeriesBalance(Line line, double compliance, const ComponentState& state,
+                            const element::Motion& motion) const;
   double complianceAt(double force) const;
   double mountDeflection(double force) const;
   double trialFriction(double specimen, const double* memory) const;
@@ -161,8 +162,8 @@ class Component {
   }
 
   /// True where the step is that of springs, dashpots, Maxwell elements and friction that does not turn.
-  bool goesOn(const ComponentState& state, double displacement) const {
-    return frictionless_ || state.branch_.goesOn(displacement);
+  bool keepsDirection(const ComponentState& state, double displacement) const {
+    return frictionless_ || state.branch_.keepsDirection(displacement);
   }
 
   /// That step, for coefficients that are prepared. It calls nothing, so that all numbers stay in registers.

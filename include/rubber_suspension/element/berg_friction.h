@@ -26,7 +26,7 @@ struct BergBranch {
   double reference_displacement = 0.0;
   BergSide side{};
 
-  bool goesOn(double displacement) const { return (displacement - extremum) * direction > 0.0; }
+  bool keepsDirection(double displacement) const { return (displacement - extremum) * direction > 0.0; }
   bool endsAt(double displacement) const { return displacement == extremum && direction != 0.0; }
 
   /// Go on to a displacement [m]; returns the force [N].
@@ -63,7 +63,7 @@ class BergFriction final : public ParallelElement {
   /// Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
   enum Slot : std::size_t { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection, kMemorySize };
   std::size_t memorySize() const override { return kMemorySize; }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
   Part part() const override { return Part::friction; }
 
@@ -85,7 +85,7 @@ class BergFriction final : public ParallelElement {
   }
 
   /// True where the motion to a displacement [m] goes on in the direction of the branch.
-  bool goesOn(double displacement, const double* memory) const {
+  bool keepsDirection(double displacement, const double* memory) const {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
@@ -101,11 +101,11 @@ class BergFriction final : public ParallelElement {
 
   /// Move along displacements [m] up to, and without, the first that makes the element turn; returns how many these
   /// are. The force at each is branch().
-  std::size_t followUntilTurn(const double* displacement, std::size_t count, double* memory) const;
+  std::size_t followUntilReversal(const double* displacement, std::size_t count, double* memory) const;
 
   /// Turn at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then the
   /// caller's to set.
-  void turnAt(double turning_point, double* memory) const {
+  void reverseAt(double turning_point, double* memory) const {
     const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
     memory[kReferenceDisplacement] = turning_point;
@@ -121,7 +121,7 @@ class BergFriction final : public ParallelElement {
   /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
   /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the way w from the reference point, a quadratic
   /// equation.
-  double meet(double slope, double offset, double compliance, const double* memory) const;
+  double solveSeriesBalance(double slope, double offset, double compliance, const double* memory) const;
 
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
   double settledForce(double amplitude) const;
@@ -157,7 +157,7 @@ class BergFriction final : public ParallelElement {
         memory[kExtremum] = displacement;
       }
     } else if (way_back > dead_band_) {
-      turnAt(memory[kExtremum], memory);
+      reverseAt(memory[kExtremum], memory);
       memory[kExtremum] = displacement;
     }
   }

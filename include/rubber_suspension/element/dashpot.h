@@ -14,7 +14,7 @@ class Dashpot final : public ParallelElement {
 
   double damping() const { return damping_; }
 
-  double rest(double /*displacement*/, double* /*memory*/) const override { return 0.0; }
+  double initialise(double /*displacement*/, double* /*memory*/) const override { return 0.0; }
   double step(const Motion& motion, double* /*memory*/) const override {
     return damping_ * (motion.increment / motion.dt);
   }
@@ -35,7 +35,7 @@ class SmoothDashpot final : public ParallelElement {
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}
 
   std::size_t memorySize() const override { return 2; }
-  double rest(double /*displacement*/, double* memory) const override {
+  double initialise(double /*displacement*/, double* memory) const override {
     memory[0] = memory[1] = 0.0;
     return 0.0;
   }

@@ -41,7 +41,7 @@ class Element {
 class ParallelElement : public Element {
  public:
   /// Initialise the memory for a component at rest at this displacement [m], relaxed since long; returns the force [N].
-  virtual double rest(double displacement, double* memory) const = 0;
+  virtual double initialise(double displacement, double* memory) const = 0;
 
   /// Advance the memory over one step and return the force at its end [N].
   virtual double step(const Motion& motion, double* memory) const = 0;
@@ -59,8 +59,8 @@ class ParallelElement : public Element {
 /// A law between the actuator and the specimen that changes the displacement: delay, free play.
 class DisplacementEffect : public Element {
  public:
-  /// As ParallelElement::rest; returns the displacement behind the effect [m].
-  virtual double rest(double displacement, double* memory) const = 0;
+  /// As ParallelElement::initialise; returns the displacement behind the effect [m].
+  virtual double initialise(double displacement, double* memory) const = 0;
 
   /// Advance over one step and return the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
@@ -73,12 +73,12 @@ class DisplacementEffect : public Element {
 class ForceEffect : public Element {
  public:
   /// Initialise the memory for a new specimen at rest at this displacement [m]; the factor is then 1.
-  virtual void rest(double displacement, double* memory) const = 0;
+  virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
   /// factor on the force there.
-  virtual double recover(double displacement, double* memory) const {
-    rest(displacement, memory);
+  virtual double relax(double displacement, double* memory) const {
+    initialise(displacement, memory);
     return 1.0;
   }
 

@@ -18,7 +18,7 @@ class FreePlay final : public DisplacementEffect {
 
   double behind(double displacement) const { return displacement - share_ * std::clamp(displacement, -gap_, gap_); }
 
-  double rest(double displacement, double* /*memory*/) const override { return behind(displacement); }
+  double initialise(double displacement, double* /*memory*/) const override { return behind(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return behind(motion.displacement); }
 
  private:

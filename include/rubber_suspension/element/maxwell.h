@@ -31,7 +31,7 @@ class Maxwell final : public ParallelElement {
   double rate() const { return rate_; }                       ///< 1/tau [1/s]
 
   std::size_t memorySize() const override { return 1; }
-  double rest(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
+  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override {
     const MaxwellStep coefficients(stiffness_, Relaxation::over(motion.dt * rate_));
     return memory[0] = coefficients.decay * memory[0] + coefficients.gain * motion.increment;

@@ -18,7 +18,7 @@ class MaxwellBank : public ParallelElement {
   const std::vector<Maxwell>& elements() const { return elements_; }
 
   std::size_t memorySize() const override { return elements_.size(); }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override;

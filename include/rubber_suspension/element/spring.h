@@ -13,7 +13,7 @@ class Spring final : public ParallelElement {
 
   double stiffness() const { return stiffness_; }
 
-  double rest(double displacement, double* /*memory*/) const override { return stiffness_ * displacement; }
+  double initialise(double displacement, double* /*memory*/) const override { return stiffness_ * displacement; }
   double step(const Motion& motion, double* /*memory*/) const override { return stiffness_ * motion.displacement; }
   Part part() const override { return Part::elastic; }
   std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return stiffness_; }

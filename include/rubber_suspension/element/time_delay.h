@@ -26,7 +26,7 @@ class TimeDelay final : public DisplacementEffect {
   explicit TimeDelay(double delay /* T [s] */) : delay_(delay) {}
 
   std::size_t memorySize() const override;
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
 
   /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.

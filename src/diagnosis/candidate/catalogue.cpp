@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubber_suspension::diagnosis {
+namespace rubber_suspension::fit {
 
-fit::Excitation summarise(const std::vector<log::Record>& records) {
-  fit::Excitation result;
+Excitation summarise(const std::vector<log::Record>& records) {
+  Excitation result;
   double force_power = 0.0;
   double displacement_power = 0.0;
   for (const log::Record& record : records) {
@@ -26,13 +26,13 @@ fit::Excitation summarise(const std::vector<log::Record>& records) {
     result.force = std::max(result.force, record.force_deviation);
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
-  result.mass_bandwidth = massBandwidth(records, result.highest_frequency);
+  result.mass_bandwidth = diagnosis::massBandwidth(records, result.highest_frequency);
   return result;
 }
 
-fit::Atom additiveAtom(const std::string& type, const std::string& scaled, double typical,
-                       const element::ParameterValues& others) {
-  fit::Atom atom;
+Atom additiveAtom(const std::string& type, const std::string& scaled, double typical,
+                  const element::ParameterValues& others) {
+  Atom atom;
   atom.typical = typical;
   atom.at = [=](double scale) {
     element::ElementDescription description{type, others};
@@ -42,25 +42,25 @@ fit::Atom additiveAtom(const std::string& type, const std::string& scaled, doubl
   return atom;
 }
 
-std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
+std::vector<Candidate> candidates(const Excitation& excitation) {
   return {
-      frictionCandidate(excitation),
-      relaxationCandidate(excitation),
-      creepCandidate(excitation),
-      viscousDampingCandidate(excitation),
-      progressiveStiffnessCandidate(excitation),
-      asymmetricStiffnessCandidate(excitation),
-      bumpStopCandidate(excitation),
-      freePlayCandidate(excitation),
-      stressSofteningCandidate(excitation),
-      selfHeatingCandidate(excitation),
-      seriesComplianceCandidate(excitation),
-      inertiaCandidate(excitation),
-      timeDelayCandidate(excitation),
-      forceOffsetCandidate(excitation),
-      forceDriftCandidate(excitation),
-      rateAmplitudeCouplingCandidate(excitation),
+      diagnosis::frictionCandidate(excitation),
+      diagnosis::relaxationCandidate(excitation),
+      diagnosis::creepCandidate(excitation),
+      diagnosis::viscousDampingCandidate(excitation),
+      diagnosis::progressiveStiffnessCandidate(excitation),
+      diagnosis::asymmetricStiffnessCandidate(excitation),
+      diagnosis::bumpStopCandidate(excitation),
+      diagnosis::freePlayCandidate(excitation),
+      diagnosis::stressSofteningCandidate(excitation),
+      diagnosis::selfHeatingCandidate(excitation),
+      diagnosis::seriesComplianceCandidate(excitation),
+      diagnosis::inertiaCandidate(excitation),
+      diagnosis::timeDelayCandidate(excitation),
+      diagnosis::forceOffsetCandidate(excitation),
+      diagnosis::forceDriftCandidate(excitation),
+      diagnosis::rateAmplitudeCouplingCandidate(excitation),
   };
 }
 
-}  // namespace rubber_suspension::diagnosis
+}  // namespace rubber_suspension::fit

@@ -12,7 +12,7 @@ double staticStiffness(const rubber_suspension::component::Component& component)
   constexpr double kDisplacement = 1e-3;  // [m]
   constexpr double kHour = 3600.0;        // [s]
   rubber_suspension::component::ComponentState state = component.makeState();
-  const double before = component.rest(state, 0.0).total;
+  const double before = component.initialise(state, 0.0).total;
   component.step(state, kHour, kDisplacement);
   return (component.step(state, kHour, kDisplacement).total - before) / kDisplacement;
 }
