@@ -21,9 +21,10 @@ std::string siUnit(Quantity quantity);
 /// A column as the file names it. The unit stands behind the name, "Kraft [kN]", "Kraft (kN)", "Kraft / kN",
 /// "Kraft in kN", "force_kN", or in a row of units.
 struct ColumnName {
-  std::string text;  ///< as in the file, UTF-8
-  std::string bare;  ///< without unit
-  std::string unit;  ///< empty where none is told; known to the library of units
+  std::string text;         ///< as in the file, UTF-8
+  std::string bare;         ///< without unit
+  std::string unit;         ///< empty where none is told; known to the library of units
+  bool names_unit = false;  ///< the unit stands in the text
 
   /// "Kraft [kN]" also where the unit stands in a row of its own.
   std::string withUnit() const;
