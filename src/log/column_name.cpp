@@ -59,6 +59,7 @@ bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
   }
   name.bare = bare;
   name.unit = unit;
+  name.names_unit = true;
   return true;
 }
 
@@ -89,10 +90,10 @@ const std::vector<Quantity>& allQuantities() {
 std::string toString(Quantity quantity) { return rowOf(quantity).name; }
 std::string siUnit(Quantity quantity) { return rowOf(quantity).unit; }
 
-std::string ColumnName::withUnit() const { return unit.empty() || bare != text ? text : text + " [" + unit + "]"; }
+std::string ColumnName::withUnit() const { return unit.empty() || names_unit ? text : text + " [" + unit + "]"; }
 
 ColumnName parseColumnName(const std::string& text, const std::string& unit_in_row) {
-  ColumnName name{text, text, ""};
+  ColumnName name{text, text, "", false};
   if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ") && !splitSuffix(name)) {
     name.unit = unit_in_row;
   }
