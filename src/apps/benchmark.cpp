@@ -29,7 +29,7 @@ struct Options {
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part : {benchmark::stepCases, benchmark::replayCases, benchmark::peerCases,
+  for (const auto part : {benchmark::stepCases, benchmark::logCases, benchmark::replayCases, benchmark::peerCases,
                           benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));

@@ -91,7 +91,7 @@ class FieldParser {
       throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: a finite number", column.name,
                                            quoted(std::string(field.text))));
     }
-    std::memcpy(buffer_, field.text.data(), field.text.size());
+    field.text.copy(buffer_, field.text.size());
     buffer_[field.text.size()] = '\0';
     end_ = buffer_ + field.text.size();
     char* const comma = std::strchr(buffer_, ',');

@@ -57,6 +57,9 @@ void watchSignals() {
   }
 }
 
+// /dev/stdout and the like lead to files that are open already, and are to be written where they stand.
+bool isStream(const std::string& path) { return path.compare(0, 5, "/dev/") == 0 || path.compare(0, 6, "/proc/") == 0; }
+
 // A slot that names the path; -1 where all are taken or the path does not fit: then a signal leaves the file.
 int takeSlot(const std::string& path) {
   for (int i = 0; i < kSlots && path.size() < sizeof slots[0].path; ++i) {
@@ -130,7 +133,7 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
   if (exists && S_ISDIR(status.st_mode)) {
     fail(path, EISDIR);
   }
-  if (exists && !S_ISREG(status.st_mode)) {
+  if (exists && (!S_ISREG(status.st_mode) || isStream(path))) {
     writing_path_ = path;
     return;
   }
@@ -141,8 +144,7 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
 }
 
 void NewFile::createBeside(int permissions) {
-  static std::once_flag once;
-  std::call_once(once, watchSignals);
+  watchSignals();
   std::string pattern = patternBeside(target_);
   const std::size_t extension = std::filesystem::path(pattern).extension().string().size();
   const bool has_extension = pattern.size() > 6 && pattern.compare(pattern.size() - 6, 6, "XXXXXX") != 0;
