@@ -77,12 +77,6 @@ bool areOneFile(const std::string& one, const std::string& other) {
   return !first && !second && log::lowerCase(log::followedPath(one)) == log::lowerCase(log::followedPath(other));
 }
 
-// What takes bytes without keeping them may be given twice, and as input and output.
-bool isDevice(const std::string& path) {
-  const auto status = statusOf(path);
-  return status && !S_ISREG(status->st_mode) && !S_ISDIR(status->st_mode);
-}
-
 [[noreturn]] void refuse(const std::string& reason) { throw OutputRefused(log::oneLine(reason)); }
 
 void refuseInput(const OutputFile& output, const std::vector<InputFile>& inputs) {
@@ -95,7 +89,7 @@ void refuseInput(const OutputFile& output, const std::vector<InputFile>& inputs)
 }
 
 void refuseTwin(const OutputFile& output, const OutputFile& other) {
-  if (!other.path.empty() && !isDevice(other.path) && areOneFile(output.path, other.path)) {
+  if (!other.path.empty() && !log::isStream(other.path) && areOneFile(output.path, other.path)) {
     refuse(fmt::format("{} and {}: {} is one file{}; accepted: one for each", output.option, other.option, output.path,
                        output.path == other.path ? "" : " with " + other.path));
   }
@@ -174,7 +168,7 @@ bool isOfKind(const std::string& path, FileKind kind) {
 void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const OutputFile& output = outputs[i];
-    if (output.path.empty() || isDevice(output.path)) {
+    if (output.path.empty() || log::isStream(output.path)) {
       continue;
     }
     refuseInput(output, inputs);

@@ -57,9 +57,6 @@ void watchSignals() {
   }
 }
 
-// /dev/stdout and the like lead to files that are open already, and are to be written where they stand.
-bool isStream(const std::string& path) { return path.compare(0, 5, "/dev/") == 0 || path.compare(0, 6, "/proc/") == 0; }
-
 // A slot that names the path; -1 where all are taken or the path does not fit: then a signal leaves the file.
 int takeSlot(const std::string& path) {
   for (int i = 0; i < kSlots && path.size() < sizeof slots[0].path; ++i) {
@@ -115,6 +112,12 @@ void syncFolder(const std::string& folder) {
 
 }  // namespace
 
+bool isStream(const std::string& path) {
+  struct stat status {};
+  const bool special = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  return special || path.compare(0, 5, "/dev/") == 0 || path.compare(0, 6, "/proc/") == 0;
+}
+
 std::string followedPath(const std::string& path) {
   constexpr int kMostLinks = 40;  // as the kernel follows
   namespace fs = std::filesystem;
@@ -133,7 +136,7 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
   if (exists && S_ISDIR(status.st_mode)) {
     fail(path, EISDIR);
   }
-  if (exists && (!S_ISREG(status.st_mode) || isStream(path))) {
+  if (isStream(path)) {
     writing_path_ = path;
     return;
   }

@@ -35,6 +35,10 @@ class NewFile {
   int slot_ = -1;             // in the list of files that a signal removes; -1: none
 };
 
+/// True for what is written where it stands: devices and pipes, and /dev/stdout and the like, which lead to files that
+/// are open already.
+bool isStream(const std::string& path);
+
 /// The path without symbolic links, also where the last of them points to a file that is not there.
 std::string followedPath(const std::string& path);
 
