@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "apps/command.h"
+#include "diagnosis/report/effect_reference.h"
 #include "ros_interface/command_reference.h"
 #include "ros_interface/node_interface.h"
-#include "rubber_suspension/diagnosis/effect_reference.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 #define RUBBER_SUSPENSION_LAYER benchmark
 #define RUBBER_SUSPENSION_KERNELS "benchmark/bare_kernels.h"
 #include "kernel/instruction_sets.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -18,7 +19,7 @@ struct StepOfElement {
 };
 
 StepOfElement stepOf(const BareParameters& parameters, std::size_t element, double dt) {
-  const double ratio = 2.0 * M_PI * parameters.break_frequency.at(element) * dt;
+  const double ratio = 2.0 * element::kPi * parameters.break_frequency.at(element) * dt;
   const double released = -std::expm1(-ratio);
   return {1.0 - released, parameters.stiffness.at(element) * released / ratio};
 }

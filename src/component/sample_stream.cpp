@@ -124,7 +124,7 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
 
 // How many of the samples follow the last one at equal distance, all accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
-  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed anew
+  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed again
   constexpr std::size_t kTogether = 128;  // steps
   if (!started_ || judge(stamp[0], displacement[0]) != Acceptance::accepted) {
     return 0;

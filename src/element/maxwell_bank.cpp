@@ -18,6 +18,13 @@ double MaxwellBank::step(const Motion& motion, double* memory) const {
   return force;
 }
 
+bool MaxwellBank::addTo(BasicLaws& sum) const {
+  for (const Maxwell& element : elements_) {
+    element.addTo(sum);
+  }
+  return true;
+}
+
 std::optional<std::complex<double>> MaxwellBank::complexStiffness(double omega) const {
   std::complex<double> stiffness = 0.0;
   for (const Maxwell& element : elements_) {

@@ -73,8 +73,8 @@ std::optional<std::complex<double>> TimeDelay::transfer(double omega) const {
 ElementType timeDelayType() {
   return {"time_delay",
           "Force late against the displacement (delay > 0) or early (delay < 0).",
-          {{"delay", "s", Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay), std::nullopt,
-            "delay T of the force; a negative one should be a few samples at most"}},
+          {{"delay", "s", Role::shape, Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay),
+            std::nullopt, "delay T of the force; a negative one should be a few samples at most"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const TimeDelay>(description.value("delay"));
           }};

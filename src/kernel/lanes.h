@@ -51,8 +51,8 @@ inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
 inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
                             const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
   constexpr double kTiny = std::numeric_limits<double>::min();
-  const Lanes way = displacement - reference_displacement;
-  const Lanes left = withSignOf(maximum_force, way) - reference_force;
+  const Lanes travel = displacement - reference_displacement;
+  const Lanes left = withSignOf(maximum_force, travel) - reference_force;
   const Lanes reach = compliance * magnitude(left) + kTiny;
-  return reference_force + magnitude(way) * left / (reach + magnitude(way));
+  return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
 }

@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-component::Component mount() {
+component::Component bushing() {
   return component::Component({{"spring", {{"stiffness", {3e6}}}},
                                {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {8.0}}}},
                                {"friction", {{"maximum_force", {6000.0}}, {"displacement", {2e-3}}}},
@@ -23,7 +23,7 @@ component::Component mount() {
 double displacementAt(double time) { return 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(131.0 * time); }
 
 TEST(TrialStepper, TrialsLeaveNothingBehind) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
   component::ComponentState alone = component.makeState();
   stepper.initialise(1.0, 0.0);
@@ -46,7 +46,7 @@ TEST(TrialStepper, TrialsLeaveNothingBehind) {
 }
 
 TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
   const double at_rest = stepper.initialise(0.0, 1e-3).total;
   EXPECT_EQ(stepper.attempt(0.0, 2e-3).total, at_rest);
@@ -57,7 +57,7 @@ TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
 }
 
 TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
   stepper.initialise(0.0, 0.0);
   stepper.accept(1e-3, 1e-3);
@@ -77,7 +77,7 @@ TEST(TrialStepper, TangentIsTheDerivativeOfTheTrial) {
 }
 
 TEST(TrialStepper, AllocatesNothing) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
   stepper.initialise(0.0, 0.0);
   const test::AllocationCounter counter;

@@ -18,7 +18,7 @@ class TrialStepper {
   /// The component must outlive this object.
   explicit TrialStepper(const Component& component);
 
-  /// A new specimen, at rest at a displacement [m] at a time [s].
+  /// A new test piece, at rest at a displacement [m] at a time [s].
   element::ComponentForce initialise(double time, double displacement);
 
   /// The force at a time [s] and displacement [m], tried out. At the accepted time itself it is the accepted force.

@@ -27,6 +27,7 @@ class AsymmetricStiffness final : public ParallelElement {
   double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
   Part part() const override { return Part::elastic; }
+  bool passive() const override { return false; }
 
  private:
   double stiffening(double displacement) const;

@@ -19,6 +19,10 @@ class Dashpot final : public ParallelElement {
     return damping_ * (motion.increment / motion.dt);
   }
   Part part() const override { return Part::viscous; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.damping += damping_;
+    return true;
+  }
   std::optional<std::complex<double>> complexStiffness(double omega) const override {
     return std::complex<double>(0.0, omega * damping_);
   }

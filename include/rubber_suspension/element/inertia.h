@@ -20,6 +20,7 @@ class Inertia final : public ParallelElement {
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override { return -mass_ * omega * omega; }
 
  private:
@@ -41,6 +42,7 @@ class SmoothedInertia final : public ParallelElement {
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override;
 
  private:

@@ -22,6 +22,7 @@ class SelfHeating final : public ForceEffect {
   std::size_t memorySize() const override { return 2; }
   void initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, const ComponentForce& force, double* memory) const override;
+  bool passive() const override { return false; }
 
  private:
   double energy_sensitivity_;

@@ -36,10 +36,14 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   const std::filesystem::path base(folder);
   std::vector<std::unique_ptr<log::NewFile>> files;
   files.push_back(writeBeside(base / "report.json", toJson(diagnosis)));
-  files.push_back(writeBeside(base / "augmented.yaml", io::toYaml({diagnosis.augmented})));
-  files.push_back(
-      writeBeside(base / "report.html", toHtml(diagnosis)));  // the page comes last: it speaks of the others
-  for (const auto& file : files) {
+  if (diagnosis.workings) {
+    files.push_back(writeBeside(base / "augmented.yaml", io::toYaml({diagnosis.augmented})));
+  }
+  files.push_back(writeBeside(base / "report.html", toHtml(diagnosis)));
+  if (!diagnosis.workings) {  // the logs cannot be what they say: that of an earlier run would be taken for theirs
+    std::filesystem::remove(base / "augmented.yaml", failure);
+  }
+  for (const auto& file : files) {  // the page comes last: it speaks of the others
     file->commit();
   }
 }
