@@ -319,7 +319,7 @@ RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, c
 VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
   component::ComponentState state = component.makeState();
   VectorXd force(displacement.size());
-  force[0] = component.rest(state, displacement[0]).total;
+  force[0] = component.initialise(state, displacement[0]).total;
   component.simulate(state, dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1), force.data() + 1);
   return force;
 }
