@@ -228,7 +228,9 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   player.connect();
   resetSpecimen(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
-  if (!options.plot.empty() && counts.front().complete) {
+  if (!options.plot.empty() && !counts.front().complete) {
+    printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
+  } else if (!options.plot.empty()) {
     io::drawFigure(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
   }
   return report(counts, options.passes == 0);
