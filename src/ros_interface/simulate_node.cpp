@@ -32,10 +32,10 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 }
 
 void SimulateNode::start() {
+  loggers_ = LoggerService::get();  // first, as whoever calls roscpp's own ends the process
   settings_ = readNodeSettings(private_handle_);
   makeChannels();
   keepToLoopback();
-  loggers_ = LoggerService::get();
   setUpRealTime();
   startServing();
   advertiseServices();

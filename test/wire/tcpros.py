@@ -177,20 +177,27 @@ class Network:
     def subscribe(self, node, topic, receive_buffer=0):
         """A socket on which the messages of a node's topic come in; nothing that it publishes from now on is missed."""
         api = self.node_api(node)
-        def request():
-            code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
-            return protocol if code == 1 else None
-        _, host, port = until(request, f"{node} to publish {topic}")
+        return until(lambda: self.connect(api, topic, receive_buffer), f"{node} to publish {topic}")
+
+    @staticmethod
+    def connect(api, topic, receive_buffer):
+        """None while the topic does not exist."""
+        code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
+        if code != 1:
+            return None
         sock = socket.socket()
         if receive_buffer:
             sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
         sock.settimeout(PATIENCE)
-        sock.connect((host, port))
+        sock.connect((protocol[1], protocol[2]))
         send_header(sock, {"callerid": CALLER, "topic": topic, "md5sum": "*", "type": "*", "tcp_nodelay": "1"})
-        fields = receive_header(sock)
-        if "error" in fields:
-            raise WireError(f"{topic}: {fields['error']}")
-        return sock
+        error = receive_header(sock).get("error")
+        if error is None:
+            return sock
+        sock.close()
+        if "nonexistent topic" not in error:
+            raise WireError(f"{topic}: {error}")
+        return None
 
     def call(self, service, request=b""):
         """Call a service; returns whether it was answered and the bytes of the answer."""
