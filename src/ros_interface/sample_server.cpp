@@ -7,6 +7,9 @@
 #include "node/message_bounds.h"
 #include "ros_interface/arrival.h"
 #include "ros_interface/checked_subscription.h"
+#ifdef RUBBER_SUSPENSION_MUTANT  // a program of the tests
+#include "../test/wire/mutant.h"
+#endif
 
 namespace rubber_suspension::ros_interface {
 
@@ -60,6 +63,11 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   }
   const auto message = pool_.take();
   fillForce(sample, force, *message);
+#ifdef RUBBER_SUSPENSION_MUTANT
+  if (!wire_test::mutate(channel_, message, publisher_)) {
+    return;
+  }
+#endif
   publisher_.publish(message);
   channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <ros/console.h>
+#include <ros/param.h>
 #include <sys/stat.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
@@ -14,6 +15,13 @@
 namespace rubber_suspension::ros_interface {
 
 namespace {
+
+// The first line of log asks the master for this parameter, without a time limit and with all parameters locked: ask
+// now, while the master is known to answer.
+void prepareLog() {
+  bool unused = false;
+  ros::param::getCached("/rosout_disable_topics_generation", unused);
+}
 
 bool exists(const std::string& path) {
   struct stat status {};
@@ -33,6 +41,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 
 void SimulateNode::start() {
   loggers_ = LoggerService::get();  // first, as whoever calls roscpp's own ends the process
+  prepareLog();
   settings_ = readNodeSettings(private_handle_);
   makeChannels();
   keepToLoopback();
