@@ -16,6 +16,17 @@ fail() {
 # In a newly made file or folder, not in the package's own.
 scratch() { mktemp "$@" "${TMPDIR:-/tmp}/rubber_suspension.XXXXXX"; }
 
+# Sets `launcher`: what makes CMake put ccache before the compiler, where it is installed. ccache keeps nothing that was
+# compiled with precompiled headers unless it is allowed to pass over macros and times in them.
+use_ccache() {
+  launcher=()
+  command -v ccache >/dev/null || return 0
+  local sloppiness
+  sloppiness=$(ccache --get-config sloppiness)
+  local command="env;CCACHE_SLOPPINESS=pch_defines,time_macros${sloppiness:+,${sloppiness// /}};ccache"
+  launcher=("-DCMAKE_C_COMPILER_LAUNCHER=$command" "-DCMAKE_CXX_COMPILER_LAUNCHER=$command")
+}
+
 # `debian` or `ubuntu`, `other` where nothing can be installed by these scripts.
 distribution() {
   local ID=other VERSION_ID=

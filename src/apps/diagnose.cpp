@@ -8,9 +8,9 @@
 #include "apps/command.h"
 #include "apps/log_options.h"
 #include "apps/plot_option.h"
+#include "diagnosis/report/overview_figure.h"
+#include "fit/parallel.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
-#include "rubber_suspension/fit/parallel.h"
 
 namespace {
 
@@ -24,6 +24,7 @@ struct Options {
   std::vector<std::string> hold_out;
   std::string output;
   std::string plot;
+  std::vector<std::string> rig;
   int threads = 2;
   LogOptions log_options;
 };
@@ -45,9 +46,24 @@ void showStage(const std::string& stage, double fraction) {
   }
 }
 
+void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component) {
+  io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
+  try {
+    for (const std::string& assignment : assignments) {
+      io::setRigTolerance(tolerances, assignment);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--rig: " + std::string(error.what()));
+  }
+  if (!assignments.empty()) {
+    component.rig = tolerances;
+  }
+}
+
 int run(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& component = io::selectComponent(components, options.component);
+  io::ComponentDescription component = io::selectComponent(components, options.component);
+  setTolerances(options.rig, component);
   diagnosis::DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
@@ -57,7 +73,7 @@ int run(const Options& options) {
   const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
   showStage("writing the report", 0.95);
   diagnosis::writeReport(diagnosis, options.output);
-  if (!options.plot.empty()) {
+  if (!options.plot.empty() && diagnosis.workings) {
     io::drawFigure(diagnosis::overviewFigure(diagnosis), options.plot);
   }
   if (isatty(STDERR_FILENO) != 0) {
@@ -85,6 +101,11 @@ int main(int argc, char** argv) {
         app.add_option("--hold-out", options->hold_out,
                        "logs that take no part in the fit; each starts with a new component")
             ->type_name("FILE");
+        app.add_option(
+               "--rig", options->rig,
+               "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; "
+               "see `rig:` of component files")
+            ->type_name("KEY=VALUE");
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()
             ->type_name("FOLDER");

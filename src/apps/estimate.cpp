@@ -185,5 +185,5 @@ int main(int argc, char** argv) {
       argc, argv, "estimate",
       "Estimates the parameters of rubber components from their specifications, from measured logs or from data "
       "sheets, and prints them with stiffness and loss angle over frequency and amplitude.",
-      rubber_suspension::define);
+      rubber_suspension::apps::define);
 }

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "apps/command.h"
+#include "diagnosis/report/effect_reference.h"
 #include "ros_interface/command_reference.h"
 #include "ros_interface/node_interface.h"
-#include "rubber_suspension/diagnosis/effect_reference.h"
 
 namespace {
 
@@ -39,6 +39,7 @@ const std::map<std::string, Page>& pages() {
 
 int main(int argc, char** argv) {
   using namespace rubber_suspension;
+  using namespace rubber_suspension::apps;
   return runCommand(
       argc, argv, "reference",
       "Prints a reference page as Markdown: of the component file, the node, the effects or the commands.",

@@ -28,5 +28,5 @@ int main(int argc, char** argv) {
       "2015), and writes their numbers as CSV. Curves and axes follow the text of the paper; the low frequency (Eq. "
       "22) "
       "and the inputs of figure 8 are reconstructions.",
-      rubber_suspension::define);
+      rubber_suspension::apps::define);
 }

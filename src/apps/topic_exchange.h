@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ros_interface/bundle_client.h"
+#include "rubber_suspension/ros_interface/bundle_client.h"
 #include "vehicle/force_exchange.h"
 
 namespace rubber_suspension::vehicle {

@@ -1,5 +1,5 @@
-// The bare lane loops for one kind of processor; included once for each by component/instruction_sets.h. The laws are
-// repeated on purpose.
+// The bare loop over blocks for one kind of processor; included once for each by kernel/instruction_sets.h. The laws
+// are repeated on purpose.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
 
@@ -15,111 +15,12 @@ inline Lanes positive(const Lanes& lanes) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(lanes) & INT64_MAX);
 }
 
-inline Lanes choose(const LaneMask& mask, const Lanes& yes, const Lanes& no) {
-  return reinterpret_cast<Lanes>((mask & reinterpret_cast<LaneMask>(yes)) | (~mask & reinterpret_cast<LaneMask>(no)));
-}
-
 inline bool any(const LaneMask& mask) {
   auto seen = mask[0];
   for (std::size_t i = 1; i < kWidth; ++i) {
     seen |= mask[i];
   }
   return seen != 0;
-}
-
-// Friction on a branch in a direction, the way from its reference point being positive.
-inline Lanes onBranch(const Lanes& way, const Lanes& reference_force, const Lanes& left, const Lanes& reach) {
-  return reference_force + way * left / (reach + way);
-}
-
-// Each component its own displacement.
-inline void tickLanes(BareRow* rows, std::size_t lane, const double* displacement, double* result) {
-  const auto row = [rows, lane](std::size_t i) { return rows[i].lane + lane; };
-  const Lanes z = load(displacement);
-  const Lanes last = load(row(kBareDisplacement));
-  const Lanes increment = z - last;
-  Lanes direction = load(row(kBareDirection));
-  Lanes start = load(row(kBareReferenceDisplacement));
-  Lanes reference_force = load(row(kBareReferenceForce));
-  const Lanes maximum_force = load(row(kBareMaximumForce));
-  const Lanes compliance = load(row(kBareCompliance));
-  store(z, row(kBareDisplacement));
-  const LaneMask turns = increment * direction < 0.0;
-  if (any(turns)) {
-    const Lanes left = direction * maximum_force - reference_force;
-    const Lanes before = onBranch(positive(last - start), reference_force, left, compliance * positive(left));
-    reference_force = choose(turns, before, reference_force);
-    start = choose(turns, last, start);
-    direction = choose(turns, -direction, direction);
-    store(reference_force, row(kBareReferenceForce));
-    store(start, row(kBareReferenceDisplacement));
-    store(direction, row(kBareDirection));
-  }
-  Lanes sum = load(row(kBareSpring)) * z;
-  for (std::size_t k = 0; k < kBareElements; ++k) {
-    const Lanes force = load(row(kBareDecay + k)) * load(row(kBareForce + k)) + load(row(kBareGain + k)) * increment;
-    store(force, row(kBareForce + k));
-    sum += force;
-  }
-  const Lanes left = direction * maximum_force - reference_force;
-  store(sum + onBranch(positive(z - start), reference_force, left, compliance * positive(left)), result);
-}
-
-inline void tickAll(BareRow* rows, std::size_t components, const double* displacement, double* force) {
-  for (std::size_t i = 0; i < components; i += kWidth) {
-    tickLanes(rows + i / 8 * kBareRows, i % 8, displacement + i, force + i);
-  }
-}
-
-// One log for all: all numbers in registers, one scalar branch for the turns.
-inline void sumSquaresOfLanes(const BareRow* rows, std::size_t lane, const double* displacement, std::size_t count,
-                              double* result) {
-  const auto row = [rows, lane](std::size_t i) { return load(rows[i].lane + lane); };
-  const Lanes spring = row(kBareSpring);
-  const Lanes maximum_force = row(kBareMaximumForce);
-  const Lanes compliance = row(kBareCompliance);
-  Lanes decay[kBareElements];
-  Lanes gain[kBareElements];
-  Lanes maxwell[kBareElements];
-  for (std::size_t k = 0; k < kBareElements; ++k) {
-    decay[k] = row(kBareDecay + k);
-    gain[k] = row(kBareGain + k);
-    maxwell[k] = Lanes{};
-  }
-  double direction = 1.0;
-  double start = displacement[0];
-  Lanes reference_force{};
-  Lanes left = maximum_force;
-  Lanes reach = compliance * left;
-  Lanes friction{};
-  Lanes squares{};
-  for (std::size_t i = 1; i < count; ++i) {
-    const double increment = displacement[i] - displacement[i - 1];
-    if (increment * direction < 0.0) {
-      direction = -direction;
-      start = displacement[i - 1];
-      reference_force = friction;
-      left = direction * maximum_force - reference_force;
-      reach = compliance * positive(left);
-    }
-    Lanes sum = spring * displacement[i];
-    for (std::size_t k = 0; k < kBareElements; ++k) {
-      maxwell[k] = decay[k] * maxwell[k] + gain[k] * increment;
-      sum += maxwell[k];
-    }
-    const double way = direction * (displacement[i] - start);
-    friction = reference_force + way * left / (reach + way);
-    sum += friction;
-    squares += sum * sum;
-  }
-  store(squares, result);
-}
-
-inline void sumSquaresOfAll(const BareRow* rows, std::size_t components, const double* displacement, std::size_t count,
-                            double* sum) {
-  for (std::size_t i = 0; i < components; i += kWidth) {
-    sumSquaresOfLanes(rows + i / 8 * kBareRows, i % 8, displacement, count, sum + i);
-  }
 }
 
 // The state-space form of the Maxwell elements over as many samples as a vector has numbers.

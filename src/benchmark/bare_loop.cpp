@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::benchmark {
 namespace {
 
@@ -33,7 +35,7 @@ void run(const BareParameters& parameters, StepLength dt, const std::vector<doub
   std::array<double, n> relaxation_time{};
   for (int i = 0; i < n; ++i) {
     stiffness[i] = parameters.stiffness[i];
-    relaxation_time[i] = 1.0 / (2.0 * M_PI * parameters.break_frequency[i]);
+    relaxation_time[i] = 1.0 / (2.0 * element::kPi * parameters.break_frequency[i]);
   }
   Coefficients<n> coefficients{};
   coefficients.set(stiffness, relaxation_time, dt(1));
@@ -112,14 +114,14 @@ void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
       parameters, [&step](std::size_t sample) { return step[sample]; }, displacement, force);
 }
 
-BareFleet::BareFleet(const std::vector<BareParameters>& parameters, double dt) {
+BareMany::BareMany(const std::vector<BareParameters>& parameters, double dt) {
   for (const BareParameters& given : parameters) {
     if (given.stiffness.size() != kElements) {
       throw std::invalid_argument("the plain loop over components is there for 5 Maxwell elements");
     }
     Member member{given.spring, given.maximum_force, given.friction_displacement, {}, {}, {}, {}};
     for (int i = 0; i < kElements; ++i) {
-      const double ratio = 2.0 * M_PI * given.break_frequency[i] * dt;
+      const double ratio = 2.0 * element::kPi * given.break_frequency[i] * dt;
       const double released = -std::expm1(-ratio);
       member.decay[i] = 1.0 - released;
       member.gain[i] = given.stiffness[i] * released / ratio;
@@ -128,7 +130,7 @@ BareFleet::BareFleet(const std::vector<BareParameters>& parameters, double dt) {
   }
 }
 
-void BareFleet::tick(double displacement, std::vector<double>& force) {
+void BareMany::tick(double displacement, std::vector<double>& force) {
   const double increment = displacement - last_displacement_;
   last_displacement_ = displacement;
   double* result = force.data();

@@ -62,9 +62,9 @@ void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 
 /// Many components with five Maxwell elements each, one after the other at every tick.
-class BareFleet {
+class BareMany {
  public:
-  BareFleet(const std::vector<BareParameters>& parameters, double dt);
+  BareMany(const std::vector<BareParameters>& parameters, double dt);
 
   /// Bring all components to a displacement [m]; the forces [N] go to `force`, one per component.
   void tick(double displacement, std::vector<double>& force);

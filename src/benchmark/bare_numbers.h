@@ -1,23 +1,9 @@
-// How the numbers of the bare lane loops lie in memory.
+// The numbers of the bare loop over blocks.
 #pragma once
 
 #include "benchmark/bare_lanes.h"
 
 namespace rubber_suspension::benchmark {
-
-enum BareSlot : std::size_t {
-  kBareSpring,
-  kBareMaximumForce,
-  kBareCompliance,
-  kBareReferenceDisplacement,
-  kBareReferenceForce,
-  kBareDirection,
-  kBareDisplacement,
-  kBareDecay,
-  kBareGain = kBareDecay + kBareElements,
-  kBareForce = kBareGain + kBareElements,
-  kBareRows = kBareForce + kBareElements
-};
 
 struct BareBlock {
   double spring;

@@ -19,15 +19,12 @@ constexpr double kNoise = 50.0;  // standard deviation of the measured force's n
 // A component with one Maxwell element; the specimen has friction on top, which the description lacks. It is friction
 // with memory, as rubber's: its minor loops close.
 io::ComponentDescription description() {
-  io::ComponentDescription component;
-  component.name = "benchmark";
-  component.elements = {{"spring", {{"stiffness", {3.0e6}}}},
-                        {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}};
-  return component;
+  return {"benchmark",
+          {{"spring", {{"stiffness", {3.0e6}}}}, {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}}};
 }
 
 log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
-  std::vector<element::ElementDescription> elements = description().elements;
+  std::vector<element::ElementDescription> elements = description().elements();
   elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
   const component::Component specimen(elements);
   component::ComponentState state = specimen.makeState();

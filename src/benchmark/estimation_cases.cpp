@@ -11,6 +11,7 @@
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -175,7 +176,7 @@ response::Characteristics characteristicsByHand(const BergNumbers& numbers, doub
   friction.direction = 1.0;
   double peak = 0.0;
   for (int i = 0; i <= kHalf; ++i) {
-    const double phase = M_PI * i / kHalf;
+    const double phase = element::kPi * i / kHalf;
     const double z = -amplitude * std::cos(phase);
     const double force = linear.real() * z + linear.imag() * amplitude * std::sin(phase) +
                          friction.advance(z, numbers.maximum_force, numbers.friction_displacement);
@@ -183,8 +184,8 @@ response::Characteristics characteristicsByHand(const BergNumbers& numbers, doub
   }
   response::Characteristics result;
   result.stiffness = peak / amplitude;
-  result.loss = M_PI * amplitude * amplitude * linear.imag() + frictionLoss(numbers, amplitude);
-  result.loss_angle = std::asin(result.loss / (M_PI * peak * amplitude));
+  result.loss = element::kPi * amplitude * amplitude * linear.imag() + frictionLoss(numbers, amplitude);
+  result.loss_angle = std::asin(result.loss / (element::kPi * peak * amplitude));
   return result;
 }
 

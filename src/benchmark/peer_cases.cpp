@@ -9,6 +9,7 @@
 #include "benchmark/peer/peers.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -30,7 +31,7 @@ struct PeerBench {
   explicit PeerBench(std::size_t samples) : peer(samples), library(samples) {
     work.stiffness = parameters.stiffness;
     for (const double frequency : parameters.break_frequency) {
-      work.rate.push_back(2.0 * M_PI * frequency);
+      work.rate.push_back(2.0 * element::kPi * frequency);
     }
     work.dt = kStep;
     work.displacement = benchmarkDisplacement(samples);
@@ -38,7 +39,7 @@ struct PeerBench {
 
   void runLibrary() {
     component::ComponentState state = component.makeState();
-    library[0] = component.rest(state, work.displacement[0]).total;
+    library[0] = component.initialise(state, work.displacement[0]).total;
     component.simulate(state, kStep, work.displacement.data() + 1, library.size() - 1, library.data() + 1);
   }
 

@@ -1,15 +1,13 @@
-// A log offline, many components at each tick, and one log for many sets of parameters, against the plain loop.
+// A log offline, and many components at each tick, against the plain loop.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <string>
 
 #include "benchmark/bare_lanes.h"
 #include "benchmark/cases.h"
 #include "benchmark/test_signal.h"
-#include "rubber_suspension/component/fleet.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::benchmark {
@@ -38,7 +36,7 @@ struct ReplayBench {
   void simulate() {
     component::ComponentState state = component.makeState();
     library.resize(log.size());
-    library[0] = component.rest(state, log.displacement[0]).total;
+    library[0] = component.initialise(state, log.displacement[0]).total;
     component.simulate(state, kStep, log.displacement.data() + 1, log.size() - 1, library.data() + 1);
   }
 };
@@ -96,24 +94,18 @@ std::vector<component::Component> componentsOf(const std::vector<BareParameters>
   return components;
 }
 
-struct FleetBench {
-  BareFleet bare_fleet;
-  BareLanes bare_lanes;
+struct ManyBench {
+  BareMany bare_many;
   std::vector<component::Component> components;
   std::vector<component::ComponentState> states;
-  kernel::ComponentFleet fleet;
   std::vector<double> displacement;
-  std::vector<double> own_displacement;
   std::vector<double> bare;
   std::vector<double> library;
 
-  FleetBench(int count, std::size_t ticks)
-      : bare_fleet(manyParameters(count), kStep),
-        bare_lanes(manyParameters(count), kStep),
+  ManyBench(int count, std::size_t ticks)
+      : bare_many(manyParameters(count), kStep),
         components(componentsOf(manyParameters(count))),
-        fleet(components),
         displacement(benchmarkDisplacement(ticks)),
-        own_displacement(count),
         bare(count),
         library(count) {
     for (const component::Component& component : components) {
@@ -122,7 +114,7 @@ struct FleetBench {
   }
 
   // The signal again and again; where it starts anew the displacement jumps, for all alike.
-  void stepOneByOne() {
+  void stepAll() {
     for (const double z : displacement) {
       for (std::size_t i = 0; i < components.size(); ++i) {
         library[i] = components[i].step(states[i], kStep, z).total;
@@ -130,124 +122,24 @@ struct FleetBench {
     }
   }
 
-  void stepTogether() {
-    for (const double z : displacement) {
-      std::fill(own_displacement.begin(), own_displacement.end(), z);
-      fleet.step(kStep, own_displacement.data(), library.data());
-    }
-  }
-
   void stepPlain() {
     for (const double z : displacement) {
-      bare_fleet.tick(z, bare);
-    }
-  }
-
-  void stepLanes() {
-    for (const double z : displacement) {
-      std::fill(own_displacement.begin(), own_displacement.end(), z);
-      bare_lanes.tick(own_displacement.data(), bare.data());
+      bare_many.tick(z, bare);
     }
   }
 };
 
-Case fleetCase(int components, std::size_t ticks, const std::string& by, void (FleetBench::*library)(),
-               Yardstick yardstick) {
-  const auto bench = std::make_shared<FleetBench>(components, ticks);
-  const auto bare = yardstick == Yardstick::plain ? &FleetBench::stepPlain : &FleetBench::stepLanes;
+Case manyCase(int components, std::size_t ticks) {
+  const auto bench = std::make_shared<ManyBench>(components, ticks);
   Case result;
-  result.name = fmt::format("{} components at each tick, {}", components, by);
-  result.yardstick = yardstick == Yardstick::plain ? "plain loop over as many" : "vectors over as many";
+  result.name = fmt::format("{} components at each tick, `Component::step`", components);
+  result.yardstick = "plain loop over as many";
   result.unit = "component and step";
   result.count = result.yardstick_count = static_cast<double>(ticks) * components;
-  result.bare = [bench, bare] { (bench.get()->*bare)(); };
-  result.library = [bench, library] { (bench.get()->*library)(); };
+  result.bare = [bench] { bench->stepPlain(); };
+  result.library = [bench] { bench->stepAll(); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
   result.error_meaning = "of the largest force";
-  result.tolerance = kRounding;
-  return result;
-}
-
-// The sums of squared forces stand for what a fit makes of each candidate.
-struct CandidateBench {
-  static constexpr std::size_t kBlock = 64;  // samples at once, whose forces stay in the first-level cache
-
-  std::vector<BareParameters> parameters;
-  BareLanes lanes;
-  std::vector<component::Component> components;
-  std::vector<double> displacement;
-  std::vector<double> force;
-  std::vector<double> bare;
-  std::vector<double> block;
-  std::vector<double> library;
-
-  CandidateBench(int count, std::size_t samples)
-      : parameters(manyParameters(count)),
-        lanes(parameters, kStep),
-        components(componentsOf(parameters)),
-        displacement(benchmarkDisplacement(samples)),
-        force(samples),
-        bare(count),
-        block(kBlock * static_cast<std::size_t>(count)),
-        library(count) {}
-
-  void runOneByOne() {
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      bareLoop(parameters[i], kStep, displacement, force);
-      bare[i] = std::inner_product(force.begin() + 1, force.end(), force.begin() + 1, 0.0);
-    }
-  }
-
-  void runTogether() {
-    kernel::ComponentFleet fleet(components);
-    fleet.rest(displacement[0]);
-    std::fill(library.begin(), library.end(), 0.0);
-    for (std::size_t first = 1; first < displacement.size(); first += kBlock) {
-      const std::size_t size = std::min(kBlock, displacement.size() - first);
-      fleet.simulate(kStep, displacement.data() + first, size, block.data());
-      addSquares(size);
-    }
-  }
-
-  // Eight sets at a time, so that their sums stay in registers.
-  void addSquares(std::size_t samples) {
-    constexpr std::size_t kSets = 8;
-    for (std::size_t first = 0; first < library.size(); first += kSets) {
-      double sums[kSets] = {};
-      for (std::size_t sample = 0; sample < samples; ++sample) {
-        const double* force_of = block.data() + sample * library.size() + first;
-        for (std::size_t i = 0; i < kSets; ++i) {
-          sums[i] += force_of[i] * force_of[i];
-        }
-      }
-      for (std::size_t i = 0; i < kSets; ++i) {
-        library[first + i] += sums[i];
-      }
-    }
-  }
-};
-
-Case candidateCase(std::size_t samples, Yardstick yardstick) {
-  constexpr int kCandidates = 64;
-  constexpr std::size_t kMostSamples = 20000;
-  const std::size_t length = std::clamp<std::size_t>(samples, kCandidates, kMostSamples);
-  const auto bench = std::make_shared<CandidateBench>(kCandidates, length);
-  Case result;
-  result.name = fmt::format("one log for {} sets of parameters, `ComponentFleet`", kCandidates);
-  const bool plain = yardstick == Yardstick::plain;
-  result.yardstick = plain ? "plain loop, one set after the other" : "vectors of sets, turns in common";
-  result.unit = "set and step";
-  result.count = result.yardstick_count = static_cast<double>(length) * kCandidates;
-  result.bare = [bench, plain] {
-    if (plain) {
-      bench->runOneByOne();
-    } else {
-      bench->lanes.sumSquares(bench->displacement, bench->bare.data());
-    }
-  };
-  result.library = [bench] { bench->runTogether(); };
-  result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
-  result.error_meaning = "of the sum of squares";
   result.tolerance = kRounding;
   return result;
 }
@@ -256,16 +148,11 @@ Case candidateCase(std::size_t samples, Yardstick yardstick) {
 
 std::vector<Case> replayCases(const BenchmarkSize& size) {
   constexpr std::size_t kMostTicks = 100;
-  const std::size_t ticks = std::min(kMostTicks, size.samples);
-  const int many = size.components / 8 * 8;
   std::vector<Case> cases;
-  cases.push_back(fleetCase(many, ticks, "`Component::step`", &FleetBench::stepOneByOne, Yardstick::plain));
+  cases.push_back(manyCase(size.components, std::min(kMostTicks, size.samples)));
   for (const Yardstick yardstick : {Yardstick::plain, Yardstick::vectors}) {
     cases.push_back(replayCase(size, Offline::displacements, yardstick));
     cases.push_back(replayCase(size, Offline::log, yardstick));
-    cases.push_back(fleetCase(many, ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
-    cases.push_back(fleetCase(64, 16 * ticks, "`ComponentFleet`", &FleetBench::stepTogether, yardstick));
-    cases.push_back(candidateCase(size.samples, yardstick));
   }
   return cases;
 }

@@ -43,10 +43,8 @@ std::string singleWork(const std::string& work, const std::string& component_fil
   }
   fit::IdentificationOptions options;
   options.starts = 1;
-  const std::vector<fit::Measurement> measurements{{log.stamp, log.displacement, log.force}};
   fit::Identification fit;
-  const double seconds =
-      medianSeconds([&] { fit = fit::identify(description.allElements(), measurements, options); }, kRuns);
+  const double seconds = medianSeconds([&] { fit = fit::identify(description.allElements(), {log}, options); }, kRuns);
   const double cost = fit.residual * fit.residual * static_cast<double>(log.size());
   return fmt::format("{{\"seconds\": {:.9g}, \"cost\": {:.12g}}}", seconds, cost);
 }

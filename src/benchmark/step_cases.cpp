@@ -36,7 +36,7 @@ struct Bench {
 
 void stepThrough(Bench& bench) {
   component::ComponentState state = bench.component.makeState();
-  bench.library[0] = bench.component.rest(state, bench.displacement[0]).total;
+  bench.library[0] = bench.component.initialise(state, bench.displacement[0]).total;
   for (std::size_t i = 1; i < bench.displacement.size(); ++i) {
     bench.library[i] = bench.component.step(state, bench.steps[i], bench.displacement[i]).total;
   }

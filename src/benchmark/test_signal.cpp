@@ -5,14 +5,17 @@
 #include <cmath>
 #include <random>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::benchmark {
 
 std::vector<double> benchmarkDisplacement(std::size_t samples) {
   std::vector<double> displacement(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = kStep * static_cast<double>(i);
-    displacement[i] = 1.0e-3 * std::sin(2.0 * M_PI * 1.3 * t) + 0.8e-3 * std::sin(2.0 * M_PI * 4.0 * t) +
-                      0.2e-3 * std::sin(2.0 * M_PI * 17.0 * t);
+    displacement[i] = 1.0e-3 * std::sin(2.0 * element::kPi * 1.3 * t) +
+                      0.8e-3 * std::sin(2.0 * element::kPi * 4.0 * t) +
+                      0.2e-3 * std::sin(2.0 * element::kPi * 17.0 * t);
   }
   return displacement;
 }

@@ -18,10 +18,8 @@ constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some 
 
 const element::ParameterInfo* findParameter(const std::string& name) {
   for (const auto* table : {&estimation::dataSheetParameters(), &estimation::specificationParameters()}) {
-    for (const element::ParameterInfo& row : *table) {
-      if (row.name == name) {
-        return &row;
-      }
+    if (const element::ParameterInfo* row = element::findParameter(*table, name)) {
+      return row;
     }
   }
   return nullptr;
@@ -112,10 +110,7 @@ std::string convert(const std::string& text) {
   }
   const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
       sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
-  io::ComponentDescription description;
-  description.name = sheet.component;
-  description.model = result.model;
-  description.specification = result.specification;
+  const io::ComponentDescription description(sheet.component, result.model, result.specification);
   std::string file = "# Component file from a data sheet.\n";
   for (const std::string& note : result.notes) {
     file += "# " + note + "\n";

@@ -8,12 +8,13 @@
 #include <stdexcept>
 
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/notes.h"
 
 namespace rubber_suspension::command {
 namespace {
 
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kDegrees = 180.0 / element::kPi;
 
 // SweepOptions with everything filled in.
 struct Sweeps {
@@ -86,9 +87,9 @@ std::string elementText(const element::ElementDescription& element) {
                         parameter.unit == "1" ? "" : " " + parameter.unit);
   }
   if (element.type == "maxwell") {
-    const double damping = element.value("stiffness") / (2.0 * M_PI * element.value("break_frequency"));
+    const double damping = element.value("stiffness") / (2.0 * element::kPi * element.value("break_frequency"));
     text += fmt::format(" (damping {:.6g} N s/m, relaxation time {:.6g} s)", damping,
-                        1.0 / (2.0 * M_PI * element.value("break_frequency")));
+                        1.0 / (2.0 * element::kPi * element.value("break_frequency")));
   }
   return text;
 }
@@ -144,7 +145,7 @@ nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
 
 nlohmann::ordered_json reportJson(const EstimateReport& report) {
   nlohmann::ordered_json specification = nlohmann::ordered_json::object();
-  for (const auto& [key, value] : report.description.specification.values()) {
+  for (const auto& [key, value] : report.description.specification().values()) {
     specification[key] = value;
   }
   auto elements = nlohmann::ordered_json::array();
@@ -152,7 +153,7 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
     elements.push_back(elementJson(element));
   }
   return {{"component", report.description.name},
-          {"model", estimation::toString(report.description.model)},
+          {"model", estimation::toString(report.description.model())},
           {"specification", specification},
           {"elements", elements},
           {"notes", report.notes},
@@ -185,12 +186,12 @@ double angleOf(const response::SweepPoint& point) { return point.characteristics
 }  // namespace
 
 EstimateReport makeEstimateReport(const io::ComponentDescription& description, const SweepOptions& options) {
-  const Sweeps sweeps = complete(options, description.specification);
+  const Sweeps sweeps = complete(options, description.specification());
   const component::Component component = description.makeComponent();
   EstimateReport report;
   report.description = description;
   report.elements = component.elements();
-  report.notes = estimation::estimationNotes(description.model, description.specification);
+  report.notes = estimation::estimationNotes(description.model(), description.specification());
   report.linear = component.linear();
   report.product = sweeps.product;
   addFrictionNote(report);
@@ -216,9 +217,9 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
 }
 
 std::string toText(const EstimateReport& report) {
-  std::string text =
-      fmt::format("component {}, model {}\n", report.description.name, estimation::toString(report.description.model));
-  const std::string specification = specificationText(report.description.specification);
+  std::string text = fmt::format("component {}, model {}\n", report.description.name,
+                                 estimation::toString(report.description.model()));
+  const std::string specification = specificationText(report.description.specification());
   if (!specification.empty()) {
     text += "  specification\n" + specification;
   }

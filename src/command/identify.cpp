@@ -50,18 +50,16 @@ std::size_t stride(std::size_t samples) { return 1 + samples / 20000; }
 
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options) {
-  std::vector<fit::Measurement> measurements;
   for (const log::Log& log : logs) {
     if (log.force.size() != log.size()) {
       throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
-    measurements.push_back({log.stamp, log.displacement, log.force});
   }
-  const bool spread = description.model == estimation::Model::multi_maxwell;
+  const bool spread = description.model() == estimation::Model::multi_maxwell;
   if (spread) {
     options.held.emplace_back("maxwell.break_frequency");
   }
-  fit::Identification result = fit::identify(description.allElements(), measurements, options);
+  fit::Identification result = fit::identify(description.allElements(), logs, options);
   if (spread) {
     result.notes.emplace_back("break frequencies of multi_maxwell are kept as estimated");
   }
@@ -70,11 +68,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
 
 io::ComponentDescription identifiedComponent(const io::ComponentDescription& description,
                                              const fit::Identification& result) {
-  io::ComponentDescription component;
-  component.name = description.name;
-  component.model = estimation::Model::elements;
-  component.elements = result.elements;
-  return component;
+  return {description.name, result.elements};
 }
 
 std::string toText(const std::string& component, const fit::Identification& result) {
@@ -93,8 +87,8 @@ std::string toText(const std::string& component, const fit::Identification& resu
   for (const fit::UndeterminedDirection& direction : result.undetermined) {
     text += fmt::format("  not determined: {} (relative changes that leave the force the same{})\n",
                         directionText(direction),
-                        std::isfinite(direction.deviation)
-                            ? fmt::format(" within the noise; standard deviation {:.2g}", direction.deviation)
+                        std::isfinite(direction.standard_deviation)
+                            ? fmt::format(" within the noise; standard deviation {:.2g}", direction.standard_deviation)
                             : "");
   }
   for (const std::string& note : result.notes) {
@@ -128,7 +122,7 @@ std::string toJson(const std::string& component, const fit::Identification& resu
     for (const auto& [name, weight] : direction.weights) {
       weights[name] = weight;
     }
-    json["undetermined"].push_back({{"deviation", number(direction.deviation)}, {"weights", weights}});
+    json["undetermined"].push_back({{"deviation", number(direction.standard_deviation)}, {"weights", weights}});
   }
   json["notes"] = result.notes;
   return json.dump(2) + "\n";

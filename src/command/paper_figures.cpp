@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension::command {
@@ -17,7 +18,7 @@ namespace {
 constexpr double kFrequency = 4.0;   // f_n [Hz]
 constexpr double kAmplitude = 2e-3;  // A_n [m]
 constexpr double kProduct = 8e-3;    // P [m Hz]
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kDegrees = 180.0 / element::kPi;
 
 using Values = std::vector<std::pair<std::string, double>>;
 

@@ -28,74 +28,74 @@ SampleStream::SampleStream(const Component& component, double max_gap)
       state_(component.makeState()),
       saved_(state_) {}
 
-Verdict SampleStream::judge(std::int64_t stamp, double displacement) const {
+Acceptance SampleStream::judge(std::int64_t stamp, double displacement) const {
   if (!std::isfinite(displacement)) {
-    return Verdict::not_finite;
+    return Acceptance::not_finite;
   }
   if (!started_) {
-    return Verdict::accepted;
+    return Acceptance::accepted;
   }
   if (stamp == last_stamp_) {
-    return Verdict::repeated;
+    return Acceptance::repeated;
   }
   if (stamp < last_stamp_) {
-    return between(stamp, last_stamp_) > kRestartJump ? Verdict::restarted : Verdict::stepped_back;
+    return between(stamp, last_stamp_) > kRestartJump ? Acceptance::restarted : Acceptance::stepped_back;
   }
-  return between(last_stamp_, stamp) > max_gap_ ? Verdict::bridged : Verdict::accepted;
+  return between(last_stamp_, stamp) > max_gap_ ? Acceptance::bridged : Acceptance::accepted;
 }
 
-void SampleStream::count(Verdict verdict) {
-  counters_.accepted += isAccepted(verdict) ? 1 : 0;
-  if (verdict == Verdict::accepted) {
+void SampleStream::count(Acceptance acceptance) {
+  counters_.accepted += isAccepted(acceptance) ? 1 : 0;
+  if (acceptance == Acceptance::accepted) {
     return;  // nearly all are; what follows is a jump that the processor takes some time for
   }
-  switch (verdict) {
-    case Verdict::accepted:
+  switch (acceptance) {
+    case Acceptance::accepted:
       break;
-    case Verdict::restarted:
+    case Acceptance::restarted:
       ++counters_.restarted;
       break;
-    case Verdict::bridged:
+    case Acceptance::bridged:
       ++counters_.bridged;
       break;
-    case Verdict::not_finite:
+    case Acceptance::not_finite:
       ++counters_.not_finite;
       break;
-    case Verdict::repeated:
+    case Acceptance::repeated:
       ++counters_.repeated;
       break;
-    case Verdict::stepped_back:
+    case Acceptance::stepped_back:
       ++counters_.stepped_back;
       break;
   }
 }
 
 void SampleStream::save() {
-  saved_.recall(state_);
+  saved_.copyFrom(state_);
   step_count_ = 0;
 }
 
 // Undo the last step, or all since the state was saved if that was no step.
-void SampleStream::goBack() {
+void SampleStream::rollBack() {
   step_count_ -= step_count_ > 0 ? 1 : 0;
-  state_.recall(saved_);
+  state_.copyFrom(saved_);
   for (std::size_t i = 0; i < step_count_; ++i) {
     component_.step(state_, steps_[i].dt, steps_[i].displacement);
   }
 }
 
-element::ComponentForce SampleStream::rest(double displacement) {
+element::ComponentForce SampleStream::initialise(double displacement) {
   save();
-  const element::ComponentForce force = component_.rest(state_, displacement);
+  const element::ComponentForce force = component_.initialise(state_, displacement);
   if (std::isfinite(force.total)) {
     save();
   }
   return force;
 }
 
-inline element::ComponentForce SampleStream::advance(Verdict verdict, std::int64_t stamp, double displacement) {
-  if (!started_ || verdict == Verdict::restarted) {
-    return rest(displacement);
+inline element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_t stamp, double displacement) {
+  if (!started_ || acceptance == Acceptance::restarted) {
+    return initialise(displacement);
   }
   if (step_count_ == kMostSteps) {
     save();
@@ -107,26 +107,26 @@ inline element::ComponentForce SampleStream::advance(Verdict verdict, std::int64
 
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, displacement), {}};
-  if (isAccepted(result.verdict)) {
-    result.force = advance(result.verdict, stamp, displacement);
+  if (isAccepted(result.acceptance)) {
+    result.force = advance(result.acceptance, stamp, displacement);
     if (std::isfinite(result.force.total)) {
       last_stamp_ = stamp;
       started_ = true;
     } else {
       // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
-      goBack();
-      result = {Verdict::not_finite, {}};
+      rollBack();
+      result = {Acceptance::not_finite, {}};
     }
   }
-  count(result.verdict);
+  count(result.acceptance);
   return result;
 }
 
 // How many of the samples follow the last one at equal distance, all accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
-  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed anew
+  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed again
   constexpr std::size_t kTogether = 128;  // steps
-  if (!started_ || judge(stamp[0], displacement[0]) != Verdict::accepted) {
+  if (!started_ || judge(stamp[0], displacement[0]) != Acceptance::accepted) {
     return 0;
   }
   const std::uint64_t step = between(last_stamp_, stamp[0]);
@@ -149,7 +149,7 @@ bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement
   save();
   component_.simulate(state_, secondsBetween(last_stamp_, stamp[0]), displacement, count, force);
   if (!kernel::allFinite(force, count)) {
-    goBack();
+    rollBack();
     return false;
   }
   save();
@@ -168,7 +168,7 @@ std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displ
     }
     for (const std::size_t end = i + std::max<std::size_t>(run, 1); i < end; ++i) {
       const StreamForce result = push(stamp[i], displacement[i]);
-      if (!isAccepted(result.verdict)) {
+      if (!isAccepted(result.acceptance)) {
         return i;
       }
       force[i] = result.force.total;
@@ -178,13 +178,13 @@ std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displ
 }
 
 void SampleStream::reset() {
-  component_.rest(state_, 0.0);
+  component_.initialise(state_, 0.0);
   save();
   started_ = false;
 }
 
-void SampleStream::restore(std::int64_t last_stamp, double displacement, const std::vector<double>& memory) {
-  state_.restore(displacement, memory);
+void SampleStream::deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory) {
+  state_.deserialise(displacement, memory);
   save();
   last_stamp_ = last_stamp;
   started_ = true;

@@ -9,7 +9,7 @@ namespace rubber_suspension::component {
 
 TrialStepper::TrialStepper(const Component& component)
     : component_(component), accepted_(component.makeState()), trial_(component.makeState()) {
-  force_ = component_.rest(accepted_, 0.0);
+  force_ = component_.initialise(accepted_, 0.0);
 }
 
 double TrialStepper::since(double time) const {
@@ -20,9 +20,9 @@ double TrialStepper::since(double time) const {
   return time - time_;
 }
 
-element::ComponentForce TrialStepper::rest(double time, double displacement) {
+element::ComponentForce TrialStepper::initialise(double time, double displacement) {
   time_ = time;
-  force_ = component_.rest(accepted_, displacement);
+  force_ = component_.initialise(accepted_, displacement);
   return force_;
 }
 
@@ -31,7 +31,7 @@ element::ComponentForce TrialStepper::attempt(double time, double displacement) 
   if (dt == 0.0) {
     return force_;
   }
-  trial_.recall(accepted_);
+  trial_.copyFrom(accepted_);
   return component_.step(trial_, dt, displacement);
 }
 

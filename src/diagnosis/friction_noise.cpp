@@ -1,12 +1,12 @@
 // The floor that small reversals set for a model with Berg's friction.
-#include "rubber_suspension/diagnosis/friction_noise.h"
+#include "diagnosis/friction_noise.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
-#include "rubber_suspension/fit/hypothesis.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -40,11 +40,11 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
   if (friction.empty()) {
     return result;
   }
-  const auto plain = fit::simulate(friction, records);
+  const auto plain = gap::simulate(friction, records);
   unsigned draw = 0;
   for (const double factor : kVariants) {
     ++draw;
-    const auto noisy = fit::simulate(bergFriction(elements, noise, factor), records,
+    const auto noisy = gap::simulate(bergFriction(elements, noise, factor), records,
                                      [draw](const log::Record& record) { return log::withNoiseDrawn(record, draw); });
     for (std::size_t r = 0; r < plain.size(); ++r) {
       result[r] += (noisy[r] - plain[r]).squaredNorm() / static_cast<double>(records[r].size()) / kVariants.size();

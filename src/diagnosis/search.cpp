@@ -1,7 +1,6 @@
 // The search over candidate effects.
-#include "rubber_suspension/diagnosis/search.h"
+#include "diagnosis/search.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +8,13 @@
 #include <iterator>
 #include <numeric>
 
-#include "rubber_suspension/diagnosis/excess.h"
-#include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/fit/parallel.h"
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/friction_noise.h"
+#include "diagnosis/judge/weighing.h"
+#include "diagnosis/screening.h"
+#include "fit/parallel.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -23,81 +26,67 @@ constexpr int kAloneIterations = 4;
 constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
+constexpr double kFar =
+    0.2;  // a logarithm of a model parameter: far enough for a second start from the configured ones
 
-Trial makeTrial(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
-  Trial trial;
-  trial.members = members;
-  for (const int member : members) {
-    const auto& atoms = candidates[static_cast<std::size_t>(member)].atoms;
-    trial.atoms.insert(trial.atoms.end(), atoms.begin(), atoms.end());
-  }
-  return trial;
-}
-
-bool allAdditive(const Trial& trial) {
-  return std::all_of(trial.atoms.begin(), trial.atoms.end(), [](const fit::Atom& atom) { return atom.additive; });
-}
-
-constexpr double kFar = 0.2;  // a logarithm of an own parameter: far enough for a second start from the configured ones
-
-void keepBetter(fit::Fit fit, Trial& trial) {
-  if (trial.fit.block_errors.empty() || fit.score() < trial.fit.score()) {
-    trial.fit = std::move(fit);
+void keepBetter(fit::Fit fit, FittedHypothesis& fitted) {
+  if (fitted.fit.blocks.empty() || fit.score() < fitted.fit.score()) {
+    fitted.fit = std::move(fit);
   }
 }
 
-// A single effect, from where the own parameters alone arrived, and from where it gets with the configured ones kept if
-// these are far from there or if it changes what the others do; in the latter case from no effect, too.
-void fitSingle(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& re_estimated,
-               Trial& trial) {
-  const bool trends = hasTrends(candidates, trial.members);
-  const fit::Point configured = fitter.configured(trial.atoms.size());
-  fit::Point start = configured;
-  start.own = re_estimated.fit.point.own;
-  keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
-  const bool far = start.furthestMove() > kFar;
-  const bool additive = allAdditive(trial);
+// A single effect, from where the model parameters alone arrived, and from where it gets with the configured ones kept
+// if these are far from there or if it changes what the others do; in the latter case from no effect, too.
+void fitSingle(const fit::Fitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
+  const fit::Hypothesis& hypothesis = single.hypothesis;
+  const fit::ParameterVector configured = fitter.configured(hypothesis);
+  fit::ParameterVector start = configured;
+  start.model = re_estimated.fit.parameters.model;
+  keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
+  const bool far = start.largestChange() > kFar;
+  const bool additive = hypothesis.isAdditive();
   if (far && !additive) {
-    keepBetter(fitter.fit(trial.atoms, configured, kSingleIterations, trends), trial);
+    keepBetter(fitter.fit(hypothesis, configured, kSingleIterations), single);
   }
   if (far || !additive) {
-    start = fitter.scalesAlone(trial.atoms, configured, additive ? 1 : kAloneIterations);
-    keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
+    start = fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations);
+    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
   }
 }
 
 // Several effects, from where some of them arrived.
-void fitFurther(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& from,
-                Trial& trial) {
-  const bool trends = hasTrends(candidates, trial.members);
-  fit::Point start = fitter.configured(trial.atoms.size());
-  std::vector<bool> active(trial.atoms.size(), true);
-  start.own = from.fit.point.own;
+void fitFurther(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& from,
+                FittedHypothesis& further) {
+  const fit::Hypothesis& hypothesis = further.hypothesis;
+  const std::vector<int>& fitted = from.hypothesis.members;
+  fit::ParameterVector start = fitter.configured(hypothesis);
+  std::vector<bool> active(hypothesis.terms.size(), true);
+  start.model = from.fit.parameters.model;
   std::size_t place = 0;
   std::size_t place_from = 0;
-  for (const int member : trial.members) {
-    const bool known = std::find(from.members.begin(), from.members.end(), member) != from.members.end();
-    for (const fit::Atom& atom : candidates[static_cast<std::size_t>(member)].atoms) {
+  for (const int member : hypothesis.members) {
+    const bool known = std::find(fitted.begin(), fitted.end(), member) != fitted.end();
+    for (const fit::BasisTerm& term : candidates[static_cast<std::size_t>(member)].terms) {
       if (known) {
-        const double scale = from.fit.point.scales[static_cast<Eigen::Index>(place_from++)];
+        const double scale = from.fit.parameters.scales[static_cast<Eigen::Index>(place_from++)];
         start.scales[static_cast<Eigen::Index>(place)] = scale;
-        active[place] = atom.additive || scale != 0.0;
+        active[place] = term.additive || scale != 0.0;
       }
       ++place;
     }
   }
-  keepBetter(fitter.fit(trial.atoms, start, kFurtherIterations, trends, active), trial);
-  if (start.furthestMove() > kFar && allAdditive(trial)) {
-    start = fitter.scalesAlone(trial.atoms, fitter.configured(trial.atoms.size()), 1);
-    keepBetter(fitter.fit(trial.atoms, start, kSingleIterations, trends), trial);
+  keepBetter(fitter.fit(hypothesis, start, kFurtherIterations, active), further);
+  if (start.largestChange() > kFar && hypothesis.isAdditive()) {
+    start = fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1);
+    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), further);
   }
 }
 
 // The best fit among those of the members alone.
-const Trial& bestMember(const Search& result, const std::vector<int>& members) {
-  const Trial* best = &result.singles[static_cast<std::size_t>(members.front())];
+const FittedHypothesis& bestMember(const Search& result, const std::vector<int>& members) {
+  const FittedHypothesis* best = &result.singles[static_cast<std::size_t>(members.front())];
   for (const int member : members) {
-    const Trial& single = result.singles[static_cast<std::size_t>(member)];
+    const FittedHypothesis& single = result.singles[static_cast<std::size_t>(member)];
     best = single.fit.score() < best->fit.score() ? &single : best;
   }
   return *best;
@@ -105,8 +94,9 @@ const Trial& bestMember(const Search& result, const std::vector<int>& members) {
 
 // A dashpot takes the displacement as linear between samples: its force lags by half a step, which looks like a delay.
 // RMS of what the lag makes of the model's force, weighted as a gap is.
-double discretisationError(const fit::Fitter& fitter, const fit::Point& point) {
-  std::vector<element::ElementDescription> elements = *fitter.elements(point, {});
+double discretisationError(const fit::Fitter& fitter, const FittedHypothesis& model) {
+  std::vector<element::ElementDescription> elements =
+      *fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters);
   bool any = false;
   for (element::ElementDescription& element : elements) {
     if (element.type == "dashpot") {
@@ -117,8 +107,8 @@ double discretisationError(const fit::Fitter& fitter, const fit::Point& point) {
   if (!any) {
     return 0.0;
   }
-  const auto smooth = fit::simulate(elements, fitter.records());
-  const auto lagging = *fitter.forces(point, {});
+  const auto smooth = gap::simulate(elements, fitter.records());
+  const auto lagging = *fitter.forces().at(model.hypothesis, model.fit.parameters);
   double sum = 0.0;
   for (std::size_t r = 0; r < smooth.size(); ++r) {
     const log::Record& record = fitter.records()[r];
@@ -128,184 +118,61 @@ double discretisationError(const fit::Fitter& fitter, const fit::Point& point) {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// For each log, the larger one of the white noise of what the best model leaves above the band of the excitation, and
-// of what the noise of the displacement causes.
-void estimateNoise(const fit::Fitter& fitter, const fit::Fit& best, const std::vector<fit::Atom>& atoms,
-                   Search& result) {
-  const auto forces = *fitter.forces(best.point, atoms);
+// For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
+// what the noise of the displacement causes.
+void estimateNoise(const fit::Fitter& fitter, const FittedHypothesis& best, Search& result) {
+  const auto forces = *fitter.forces().at(best.hypothesis, best.fit.parameters);
+  const FittedHypothesis& model = result.re_estimated;
   const std::vector<double> caused =
-      frictionNoise(*fitter.elements(result.re_estimated.fit.point, {}), fitter.records());
+      frictionNoise(*fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters), fitter.records());
   double sum = 0.0;
   bool by_displacement = false;
   for (std::size_t r = 0; r < fitter.records().size(); ++r) {
     const log::Record& record = fitter.records()[r];
-    const double white = log::whiteNoiseFloor(record, record.force - forces[r]);
-    by_displacement = by_displacement || caused[r] > white;
-    result.record_noise.push_back(std::max(white, caused[r]));
+    const double left = measurement::relativeFloor(record, record.force - forces[r]);
+    by_displacement = by_displacement || caused[r] > left;
+    result.record_noise.push_back(std::max(left, caused[r]));
     sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());
   }
   result.noise = std::sqrt(sum);
-  result.noise_source = by_displacement ? "spectrum of the residual above the band of the excitation, and noise of the "
-                                          "displacement through the model"
-                                        : "spectrum of the residual above the band of the excitation";
+  result.noise_source = by_displacement
+                            ? "spectrum of the residual outside the band of the excitation, and noise of the "
+                              "displacement through the model"
+                            : "spectrum of the residual outside the band of the excitation";
 }
-
-struct Screened {
-  std::vector<int> members;
-  double error;
-};
-
-// Held-out errors of many hypotheses from one set of normal equations with the atoms of all candidates.
-class Screen {
- public:
-  // About a fitted trial: its own parameters and scales, all other candidates at nothing.
-  Screen(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const Trial& about, int threads)
-      : candidates_(candidates), own_(fitter.own().size()), threads_(threads) {
-    fit::Point point{about.fit.point.own, {}};
-    std::vector<double> scales;
-    for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
-      columns_of_.emplace_back();
-      for (const fit::Atom& atom : candidates[static_cast<std::size_t>(c)].atoms) {
-        columns_of_.back().push_back(own_ + static_cast<Eigen::Index>(all_.size()));
-        all_.push_back(atom);
-        scales.push_back(0.0);
-      }
-    }
-    Eigen::Index fitted = 0;
-    for (const int member : about.members) {
-      for (const Eigen::Index column : columns_of_[static_cast<std::size_t>(member)]) {
-        scales[static_cast<std::size_t>(column - own_)] = about.fit.point.scales[fitted++];
-      }
-    }
-    point.scales = Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
-    blocks_ = fitter.linearise(point, all_, true, {}, threads);
-    fitter.stepBounds(point, all_, unknowns(), lower_, upper_);
-  }
-
-  Screened operator()(std::vector<int> members) const {
-    std::sort(members.begin(), members.end());
-    std::vector<Eigen::Index> columns(static_cast<std::size_t>(own_));
-    std::iota(columns.begin(), columns.end(), 0);
-    for (const int member : members) {
-      const auto& more = columns_of_[static_cast<std::size_t>(member)];
-      columns.insert(columns.end(), more.begin(), more.end());
-    }
-    if (hasTrends(candidates_, members)) {
-      for (Eigen::Index j = own_ + static_cast<Eigen::Index>(all_.size()); j < unknowns(); ++j) {
-        columns.push_back(j);
-      }
-    }
-    Eigen::VectorXd lower(static_cast<Eigen::Index>(columns.size()));
-    Eigen::VectorXd upper(lower.size());
-    for (Eigen::Index i = 0; i < lower.size(); ++i) {
-      lower[i] = lower_[columns[static_cast<std::size_t>(i)]];
-      upper[i] = upper_[columns[static_cast<std::size_t>(i)]];
-    }
-    const std::vector<double> errors = fit::crossValidate(blocks_, columns, lower, upper);
-    return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
-  }
-
-  // Each other candidate added to these, best first.
-  std::vector<Screened> additions(const std::vector<int>& members) const {
-    std::vector<std::vector<int>> sets;
-    for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-      if (std::find(members.begin(), members.end(), c) == members.end() && !hasLastResort(candidates_, {c})) {
-        sets.push_back(members);
-        sets.back().push_back(c);
-      }
-    }
-    return screened(sets);
-  }
-
-  std::vector<Screened> pairs() const {
-    std::vector<std::vector<int>> sets;
-    const int count = static_cast<int>(candidates_.size());
-    for (int a = 0; a < count; ++a) {
-      for (int b = a + 1; b < count; ++b) {
-        if (!hasLastResort(candidates_, {a, b})) {
-          sets.push_back({a, b});
-        }
-      }
-    }
-    return screened(sets);
-  }
-
-  // Part of each candidate's force that the model's own parameters cannot take over, and whether a typical size of it
-  // stands out of the noise.
-  void measureVisibility(double noise, Search& result) const {
-    constexpr double kVisible = 0.05;
-    constexpr double kOverNoise = 0.2;
-    const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
-    const auto base = total.topLeftCorner(own_, own_).completeOrthogonalDecomposition();
-    for (const auto& columns : columns_of_) {
-      double share = 0.0;
-      bool testable = false;
-      for (const Eigen::Index j : columns) {
-        const Eigen::VectorXd cross = total.col(j).head(own_);
-        const double whole = total(j, j);
-        const double rest = std::max(0.0, whole - cross.dot(base.solve(cross)));
-        const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
-        share = std::max(share, visible);
-        const double size = all_[static_cast<std::size_t>(j - own_)].typical * std::sqrt(rest);
-        testable = testable || (visible >= kVisible && size >= kOverNoise * noise);
-      }
-      result.visible_share.push_back(share);
-      result.testable.push_back(testable);
-    }
-  }
-
- private:
-  Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
-
-  // Best first.
-  std::vector<Screened> screened(const std::vector<std::vector<int>>& sets) const {
-    std::vector<Screened> result(sets.size());
-    fit::parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = (*this)(sets[i]); });
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Screened& x, const Screened& y) { return x.error < y.error; });
-    return result;
-  }
-
-  const std::vector<fit::Candidate>& candidates_;
-  Eigen::Index own_;
-  int threads_;
-  std::vector<fit::Atom> all_;
-  std::vector<std::vector<Eigen::Index>> columns_of_;
-  fit::BlockGrams blocks_;
-  Eigen::VectorXd lower_;
-  Eigen::VectorXd upper_;
-};
 
 // Take the best of a screening that are not yet in the list.
 void choose(const std::vector<fit::Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
-            std::vector<Trial>& trials) {
+            std::vector<FittedHypothesis>& list) {
   for (std::size_t i = 0; i < std::min(most, screened.size()); ++i) {
-    const auto same = [&](const Trial& trial) { return trial.members == screened[i].members; };
-    if (std::none_of(trials.begin(), trials.end(), same)) {
-      trials.push_back(makeTrial(candidates, screened[i].members));
+    const auto same = [&](const FittedHypothesis& other) { return other.hypothesis.members == screened[i].members; };
+    if (std::none_of(list.begin(), list.end(), same)) {
+      list.push_back({fit::makeHypothesis(candidates, screened[i].members), {}});
     }
   }
 }
 
-void sortByScore(std::vector<Trial>& trials) {
-  std::sort(trials.begin(), trials.end(), [](const Trial& x, const Trial& y) { return x.fit.score() < y.fit.score(); });
+void sortByScore(std::vector<FittedHypothesis>& list) {
+  std::sort(list.begin(), list.end(),
+            [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
 }
 
 class Searcher {
  public:
-  Searcher(const fit::Fitter& fitter, const fit::Fitter& element_level, int threads, const ProgressCallback& progress)
-      : fitter_(fitter), element_level_(element_level), threads_(threads), progress_(progress) {}
+  Searcher(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
+           const ProgressCallback& progress)
+      : fitter_(fitter), element_level_(element_level), criteria_(criteria), threads_(threads), progress_(progress) {}
 
   Search run() {
     say("re-estimating the model parameters", 0.0);
     reEstimate();
     say("fitting single effects", 0.1);
-    result_.candidates = fit::candidates(result_.excitation);
-    fitter_.precompute(result_.candidates, threads_);
+    result_.candidates = candidates(result_.excitation);
+    fit::findUnitEffects(result_.candidates, fitter_.records(), threads_);
     fitSingles();
     say("screening all pairs", 0.4);
     const std::vector<Screened> pairs = screenPairs();
-    if (restIsLeft()) {
+    if (needsFurtherEffects(evidenceOf(result_), criteria_)) {
       say("fitting the best pairs", 0.5);
       fitPairs(pairs);
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
@@ -323,74 +190,70 @@ class Searcher {
     }
   }
 
-  // Own parameters as specified and as elements, and what the logs excite: three tasks that need nothing of each other.
+  // Model parameters as specified and as elements, and what the logs excite: three tasks that need nothing of each
+  // other.
   void reEstimate() {
+    const fit::Hypothesis model;
     const std::array<std::function<void()>, 3> tasks = {
-        [this] {
-          result_.configured_gap = fitter_.gapAt(fitter_.configured(0), {});
-          result_.re_estimated.fit = fitter_.fit({}, fitter_.configured(0), kBaseIterations);
-          result_.discretisation = discretisationError(fitter_, result_.re_estimated.fit.point);
+        [&] {
+          const fit::ParameterVector configured = fitter_.configured(model);
+          result_.configured_gap = fitter_.gapAt(model, configured);
+          result_.re_estimated.fit = fitter_.fit(model, configured, kBaseIterations);
+          result_.as_configured = result_.re_estimated;
+          result_.as_configured.fit.parameters = configured;
+          result_.discretisation = discretisationError(fitter_, result_.re_estimated);
         },
-        [this] { result_.element_level = element_level_.fit({}, element_level_.configured(0), kBaseIterations); },
-        [this] { result_.excitation = fit::summarise(fitter_.records()); }};
+        [&] { result_.element_level = element_level_.fit(model, element_level_.configured(model), kBaseIterations); },
+        [&] { result_.excitation = fit::summarise(fitter_.records()); }};
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
   void fitSingles() {
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
-      result_.singles.push_back(makeTrial(result_.candidates, {c}));
+      result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
     }
     // What has to be simulated takes longest and comes first, so that no thread waits for it at the end.
-    std::vector<Trial*> order;
-    for (Trial& single : result_.singles) {
+    std::vector<FittedHypothesis*> order;
+    for (FittedHypothesis& single : result_.singles) {
       order.push_back(&single);
     }
-    std::stable_partition(order.begin(), order.end(), [](const Trial* single) { return !allAdditive(*single); });
+    std::stable_partition(order.begin(), order.end(),
+                          [](const FittedHypothesis* single) { return !single->hypothesis.isAdditive(); });
     fit::parallelFor(order.size(), threads_,
-                     [&](std::size_t i) { fitSingle(fitter_, result_.candidates, result_.re_estimated, *order[i]); });
+                     [&](std::size_t i) { fitSingle(fitter_, result_.re_estimated, *order[i]); });
     std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
-                 [&](const Trial& trial) { return !hasLastResort(result_.candidates, trial.members); });
+                 [](const FittedHypothesis& single) { return !single.hypothesis.last_resort; });
     sortByScore(ranked_);
-    estimateNoise(fitter_, ranked_.front().fit, ranked_.front().atoms, result_);
+    estimateNoise(fitter_, ranked_.front(), result_);
   }
 
   // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
   std::vector<Screened> screenPairs() {
-    const Screen screen(fitter_, result_.candidates, result_.re_estimated, threads_);
-    screen.measureVisibility(result_.noise, result_);
+    const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
+    screening.measureVisibility(result_.noise, criteria_, result_);
     std::vector<int> all(result_.candidates.size());
     std::iota(all.begin(), all.end(), 0);
-    result_.surrogate_gap = screen(all).error;
-    return screen.pairs();
-  }
-
-  bool restIsLeft() const {
-    if (closedByOwnParameters(result_)) {
-      return false;
-    }
-    const Trial* single = bestSingle(result_);
-    // A trend follows whatever is slow: it may stand for two effects that are.
-    return single == nullptr || excess(result_, *single) > enough(result_) ||
-           hasTrends(result_.candidates, single->members);
+    result_.surrogate_gap = screening.screen(all).error;
+    return screening.pairs();
   }
 
   void fitPairs(const std::vector<Screened>& screened) {
     choose(result_.candidates, screened, kPairsFitted, result_.pairs);
-    for (const Trial* single : {&ranked_[0], &ranked_[1]}) {
-      const Screen screen(fitter_, result_.candidates, *single, threads_);
-      choose(result_.candidates, screen.additions(single->members), kAdditionsFitted, result_.pairs);
+    for (const FittedHypothesis* single : {&ranked_[0], &ranked_[1]}) {
+      const Screening screening(fitter_, result_.candidates, *single, threads_);
+      choose(result_.candidates, screening.additions(single->hypothesis.members), kAdditionsFitted, result_.pairs);
     }
     fit::parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
-      Trial& pair = result_.pairs[i];
-      fitFurther(fitter_, result_.candidates, bestMember(result_, pair.members), pair);
+      FittedHypothesis& pair = result_.pairs[i];
+      fitFurther(fitter_, result_.candidates, bestMember(result_, pair.hypothesis.members), pair);
     });
     sortByScore(result_.pairs);
   }
 
   void fitTriples() {
-    const Trial& pair = result_.pairs.front();
-    const Screen screen(fitter_, result_.candidates, pair, threads_);
-    choose(result_.candidates, screen.additions(pair.members), kAdditionsFitted, result_.triples);
+    const FittedHypothesis& pair = result_.pairs.front();
+    const Screening screening(fitter_, result_.candidates, pair, threads_);
+    choose(result_.candidates, screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
     fit::parallelFor(result_.triples.size(), threads_,
                      [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
     sortByScore(result_.triples);
@@ -398,27 +261,61 @@ class Searcher {
 
   const fit::Fitter& fitter_;
   const fit::Fitter& element_level_;
+  const Criteria& criteria_;
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
-  std::vector<Trial> ranked_;  // singles but for last resorts, best first
+  std::vector<FittedHypothesis> ranked_;  // singles but for last resorts, best first
 };
+
+HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
+  HypothesisEvidence evidence;
+  evidence.members = fitted.hypothesis.members;
+  evidence.terms = fitted.hypothesis.terms.size();
+  evidence.free_trends = fitted.hypothesis.free_trends;
+  evidence.last_resort = fitted.hypothesis.last_resort;
+  evidence.held_out = fitted.fit.held_out;
+  evidence.penalty = fitted.fit.penalty;
+  evidence.largest_change = fitted.fit.parameters.largestChange();
+  return evidence;
+}
 
 }  // namespace
 
-bool hasTrends(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
-  return std::any_of(members.begin(), members.end(),
-                     [&](int member) { return candidates[static_cast<std::size_t>(member)].free_trend; });
+const FittedHypothesis& Search::at(int hypothesis) const {
+  if (hypothesis < Evidence::kFirstSingle) {
+    return hypothesis == Evidence::kAsConfigured ? as_configured : re_estimated;
+  }
+  std::size_t place = static_cast<std::size_t>(hypothesis - Evidence::kFirstSingle);
+  for (const auto* list : {&singles, &pairs}) {
+    if (place < list->size()) {
+      return (*list)[place];
+    }
+    place -= list->size();
+  }
+  return triples.at(place);
 }
 
-bool hasLastResort(const std::vector<fit::Candidate>& candidates, const std::vector<int>& members) {
-  return std::any_of(members.begin(), members.end(),
-                     [&](int member) { return candidates[static_cast<std::size_t>(member)].last_resort; });
+Evidence evidenceOf(const Search& search) {
+  Evidence evidence;
+  HypothesisEvidence configured;
+  configured.held_out = search.configured_gap;
+  evidence.hypotheses = {configured, evidenceOf(search.re_estimated)};
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (const FittedHypothesis& fitted : *list) {
+      evidence.hypotheses.push_back(evidenceOf(fitted));
+    }
+  }
+  evidence.testable = search.testable;
+  evidence.element_level = search.element_level.held_out;
+  evidence.noise_floor = search.noise;
+  evidence.discretisation = search.discretisation;
+  return evidence;
 }
 
-Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, int threads,
+Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
               const ProgressCallback& progress) {
-  return Searcher(fitter, element_level, threads, progress).run();
+  return Searcher(fitter, element_level, criteria, threads, progress).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -18,10 +18,10 @@ ElementType asymmetricStiffnessType() {
   return {"asymmetric_stiffness",
           "Different stiffness in the two directions: F = k2 z^2 + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), "
           "on top of a linear spring.",
-          {{"quadratic", "N/m^2", Range::any(), 0.0, "coefficient k2, of either sign"},
-           {"tension_stiffness", "N/m", Range::any(), 0.0, "extra stiffness k_t at z > 0, of either sign"},
-           {"exponential", "N/m", Range::any(), 0.0, "stiffness k_e of the exponential, of either sign"},
-           {"exponential_scale", "m", Range::any(), 0.0,
+          {{"quadratic", "N/m^2", Role::scale, Range::any(), 0.0, "coefficient k2, of either sign"},
+           {"tension_stiffness", "N/m", Role::scale, Range::any(), 0.0, "extra stiffness k_t at z > 0, of either sign"},
+           {"exponential", "N/m", Role::scale, Range::any(), 0.0, "stiffness k_e of the exponential, of either sign"},
+           {"exponential_scale", "m", Role::shape, Range::any(), 0.0,
             "displacement s over which it grows by e; negative: towards negative z; 0: no exponential"}},
           [](const ElementDescription& description) -> ElementPointer {
             const double scale = description.value("exponential_scale");

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace rubber_suspension::element {
-double BergFriction::rest(double displacement, double* memory) const {
+double BergFriction::initialise(double displacement, double* memory) const {
   memory[kReferenceDisplacement] = displacement;
   memory[kReferenceForce] = 0.0;
   memory[kExtremum] = displacement;
@@ -21,10 +21,10 @@ double BergFriction::startSettled(double amplitude, double centre, double* memor
   return memory[kReferenceForce];
 }
 
-std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_t count, double* memory) const {
+std::size_t BergFriction::followUntilReversal(const double* displacement, std::size_t count, double* memory) const {
   std::size_t i = 0;
   for (; i < count && memory[kDirection] == 0.0; ++i) {
-    turn(displacement[i], 0.0, memory);  // from rest it starts
+    reverse(displacement[i], 0.0, memory);  // from rest it starts
   }
   const double direction = memory[kDirection];
   double extremum = memory[kExtremum];
@@ -40,7 +40,7 @@ std::size_t BergFriction::followUntilTurn(const double* displacement, std::size_
   return i;
 }
 
-double BergFriction::meet(double slope, double offset, double compliance, const double* memory) const {
+double BergFriction::solveSeriesBalance(double slope, double offset, double compliance, const double* memory) const {
   const double reference = memory[kReferenceDisplacement];
   const double at_reference = slope * reference + offset + compliance * memory[kReferenceForce];
   const double direction = at_reference < 0.0 ? 1.0 : -1.0;  // the sum rises with z
@@ -50,8 +50,8 @@ double BergFriction::meet(double slope, double offset, double compliance, const 
   const double constant = std::abs(at_reference) * reach;
   const double linear = slope * reach + compliance * left - std::abs(at_reference);
   const double root = std::sqrt(linear * linear + 4.0 * slope * constant);
-  const double way = linear > 0.0 ? 2.0 * constant / (linear + root) : (root - linear) / (2.0 * slope);
-  return reference + direction * way;
+  const double travel = linear > 0.0 ? 2.0 * constant / (linear + root) : (root - linear) / (2.0 * slope);
+  return reference + direction * travel;
 }
 
 double BergFriction::settledForce(double amplitude) const {
@@ -63,17 +63,17 @@ double BergFriction::settledForce(double amplitude) const {
 double BergFriction::settledLoss(double amplitude) const {
   const double reach = displacement_ * (1.0 + settledForce(amplitude) / maximum_force_);
   const double mu_factor = 1.0 + settledForce(amplitude) / maximum_force_;
-  const double way = 2.0 * amplitude;
-  return 2.0 * maximum_force_ * (way - displacement_ * mu_factor * mu_factor * std::log1p(way / reach));
+  const double travel = 2.0 * amplitude;
+  return 2.0 * maximum_force_ * (travel - displacement_ * mu_factor * mu_factor * std::log1p(travel / reach));
 }
 
 ElementType bergFrictionType() {
   return {"friction",
           "Berg's friction element: smooth, rate-independent, amplitude-dependent stiffness and loss.",
-          {{"maximum_force", "N", Range::positive(), std::nullopt, "force F_max that friction tends to"},
-           {"displacement", "m", Range::positive(), std::nullopt,
+          {{"maximum_force", "N", Role::scale, Range::positive(), std::nullopt, "force F_max that friction tends to"},
+           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
             "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"dead_band", "m", Range::nonNegative(), 0.0,
+           {"dead_band", "m", Role::choice, Range::nonNegative(), 0.0,
             "travel back from an extremum that counts as a reversal; about 6 standard deviations of sensor noise"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const BergFriction>(

@@ -27,18 +27,23 @@ double BumpStop::force(double displacement) const {
 }
 
 ElementType bumpStopType() {
-  return {"bump_stop",
-          "Bump stop: F = k_s d (d/d_ref)^(p-1) beyond a gap, d being the depth of contact.",
-          {{"stiffness", "N/m", Range::positive(), std::nullopt, "secant stiffness k_s at the reference depth"},
-           {"gap", "m", Range::nonNegative(), std::nullopt, "displacement at which the stop comes into contact"},
-           {"exponent", "1", Range::closed(1.0, 3.0), 1.0, "exponent p of the force over the depth; 1 is linear"},
-           {"reference_depth", "m", Range::positive(), 0.001, "depth d_ref at which the stop has its stiffness"},
-           {"side", "1", Range::closed(-1.0, 1.0), 0.0, "1: stop at z > 0 only, -1: at z < 0 only, 0: both"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const BumpStop>(description.value("stiffness"), description.value("gap"),
-                                                    description.value("exponent"), description.value("reference_depth"),
-                                                    sideFrom(description));
-          }};
+  return {
+      "bump_stop",
+      "Bump stop: F = k_s d (d/d_ref)^(p-1) beyond a gap, d being the depth of contact.",
+      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
+        "secant stiffness k_s at the reference depth"},
+       {"gap", "m", Role::shape, Range::nonNegative(), std::nullopt,
+        "displacement at which the stop comes into contact"},
+       {"exponent", "1", Role::shape, Range::closed(1.0, 3.0), 1.0,
+        "exponent p of the force over the depth; 1 is linear"},
+       {"reference_depth", "m", Role::reference, Range::positive(), 0.001,
+        "depth d_ref at which the stop has its stiffness"},
+       {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0, "1: stop at z > 0 only, -1: at z < 0 only, 0: both"}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const BumpStop>(description.value("stiffness"), description.value("gap"),
+                                                description.value("exponent"), description.value("reference_depth"),
+                                                sideFrom(description));
+      }};
 }
 
 }  // namespace rubber_suspension::element

@@ -40,12 +40,6 @@ std::string parameterNames(const ElementType& type) {
   return names;
 }
 
-const ParameterInfo* findParameter(const ElementType& type, const std::string& name) {
-  const auto found = std::find_if(type.parameters.begin(), type.parameters.end(),
-                                  [&](const ParameterInfo& parameter) { return parameter.name == name; });
-  return found == type.parameters.end() ? nullptr : &*found;
-}
-
 const ElementType& requireType(const std::string& name) {
   if (const ElementType* type = findElementType(name)) {
     return *type;
@@ -110,7 +104,7 @@ const ElementType* findElementType(const std::string& name) {
 ElementDescription complete(const ElementDescription& description) {
   const ElementType& type = requireType(description.type);
   for (const auto& [name, values] : description.values) {
-    const ParameterInfo* parameter = findParameter(type, name);
+    const ParameterInfo* parameter = findParameter(type.parameters, name);
     if (parameter == nullptr) {
       throw std::invalid_argument(
           fmt::format("{}.{}: unknown key; accepted: {}", type.name, name, parameterNames(type)));

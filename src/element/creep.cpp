@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::element {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<Maxwell> creepBank(double stiffness_per_decade, double shortest_time
   std::vector<Maxwell> elements;
   for (int i = 0; i < count; ++i) {
     const double relaxation_time = shortest_time * std::pow(10.0, band * (i + 0.5));
-    elements.emplace_back(stiffness_per_decade * band, 1.0 / (2.0 * M_PI * relaxation_time));
+    elements.emplace_back(stiffness_per_decade * band, 1.0 / (2.0 * kPi * relaxation_time));
   }
   return elements;
 }
@@ -43,10 +45,10 @@ Creep::Creep(double stiffness_per_decade, double shortest_time, double longest_t
 ElementType creepType() {
   return {"creep",
           "Slow relaxation: the force under a hold falls linearly in log t.",
-          {{"stiffness_per_decade", "N/m", Range::positive(), std::nullopt,
+          {{"stiffness_per_decade", "N/m", Role::scale, Range::positive(), std::nullopt,
             "fall of the force per displacement and decade of time"},
-           {"shortest_time", "s", Range::positive(), 1.0, "time at which the fall begins"},
-           {"longest_time", "s", Range::positive(), 10000.0, "time at which it ends"}},
+           {"shortest_time", "s", Role::choice, Range::positive(), 1.0, "time at which the fall begins"},
+           {"longest_time", "s", Role::choice, Range::positive(), 10000.0, "time at which it ends"}},
           [](const ElementDescription& description) -> ElementPointer {
             checkTimes(description);
             return std::make_shared<const Creep>(description.value("stiffness_per_decade"),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::element {
 namespace {
 
@@ -11,7 +13,7 @@ enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
 }  // namespace
 
-double Inertia::rest(double /*displacement*/, double* memory) const {
+double Inertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + memorySize(), 0.0);
   return 0.0;
 }
@@ -33,9 +35,9 @@ double Inertia::step(const Motion& motion, double* memory) const {
   return mass_ * extrapolated;
 }
 
-SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * M_PI * bandwidth) {}
+SmoothedInertia::SmoothedInertia(double mass, double bandwidth) : mass_(mass), rate_(2.0 * kPi * bandwidth) {}
 
-double SmoothedInertia::rest(double /*displacement*/, double* memory) const {
+double SmoothedInertia::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + kLags, 0.0);
   return 0.0;
 }
@@ -70,19 +72,20 @@ std::optional<std::complex<double>> SmoothedInertia::complexStiffness(double ome
 }
 
 ElementType inertiaType() {
-  return {"inertia",
-          "Mass that moves with the actuator: F = m d2z/dt2.",
-          {{"mass", "kg", Range::positive(), std::nullopt, "moving mass m between load cell and test piece"},
-           {"bandwidth", "Hz", Range::nonNegative(), 0.0,
-            "of a filter for displacements with noise; 0: none, for displacements that are smooth"}},
-          [](const ElementDescription& description) -> ElementPointer {
-            const double mass = description.value("mass");
-            const double bandwidth = description.value("bandwidth");
-            if (bandwidth > 0.0) {
-              return std::make_shared<const SmoothedInertia>(mass, bandwidth);
-            }
-            return std::make_shared<const Inertia>(mass);
-          }};
+  return {
+      "inertia",
+      "Mass that moves with the actuator: F = m d2z/dt2.",
+      {{"mass", "kg", Role::scale, Range::positive(), std::nullopt, "moving mass m between load cell and test piece"},
+       {"bandwidth", "Hz", Role::choice, Range::nonNegative(), 0.0,
+        "of a filter for displacements with noise; 0: none, for displacements that are smooth"}},
+      [](const ElementDescription& description) -> ElementPointer {
+        const double mass = description.value("mass");
+        const double bandwidth = description.value("bandwidth");
+        if (bandwidth > 0.0) {
+          return std::make_shared<const SmoothedInertia>(mass, bandwidth);
+        }
+        return std::make_shared<const Inertia>(mass);
+      }};
 }
 
 }  // namespace rubber_suspension::element

@@ -64,10 +64,10 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
 ElementType iwanType() {
   return {"iwan",
           "Friction with memory: a bank of Jenkins sliders (Iwan) whose curve from rest is a hyperbola.",
-          {{"maximum_force", "N", Range::positive(), std::nullopt, "force F_max once all sliders slide"},
-           {"displacement", "m", Range::positive(), std::nullopt,
+          {{"maximum_force", "N", Role::scale, Range::positive(), std::nullopt, "force F_max once all sliders slide"},
+           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
             "displacement z2 from rest at which friction reaches half of its maximum"},
-           {"sliders", "1", Range::closed(2.0, kMaximumSliders), 16.0, "number of sliders, whole"}},
+           {"sliders", "1", Role::choice, Range::closed(2.0, kMaximumSliders), 16.0, "number of sliders, whole"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const Iwan>(description.value("maximum_force"), description.value("displacement"),
                                                 sliderCount(description));
@@ -75,14 +75,15 @@ ElementType iwanType() {
 }
 
 ElementType iwanTableType() {
-  return {"iwan_table",
-          "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
-          {{"yield_displacement", "m", Range::positive(), std::nullopt,
-            "displacement of each slider's spring at which it slides", true},
-           {"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness of each slider's spring", true}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const IwanTable>(slidersFromTable(description));
-          }};
+  return {
+      "iwan_table",
+      "Friction with memory: a bank of Jenkins sliders (Iwan) given one by one.",
+      {{"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
+        "displacement of each slider's spring at which it slides", true},
+       {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness of each slider's spring", true}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const IwanTable>(slidersFromTable(description));
+      }};
 }
 
 }  // namespace rubber_suspension::element

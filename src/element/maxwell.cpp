@@ -6,8 +6,8 @@ namespace rubber_suspension::element {
 ElementType maxwellType() {
   return {"maxwell",
           "Maxwell element: spring k and dashpot c = k/(2 pi f_b) in series.",
-          {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness k of the spring"},
-           {"break_frequency", "Hz", Range::positive(), std::nullopt, "break frequency f_b = k/(2 pi c)"}},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt, "break frequency f_b = k/(2 pi c)"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const Maxwell>(description.value("stiffness"),
                                                    description.value("break_frequency"));

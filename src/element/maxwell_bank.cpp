@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-double MaxwellBank::rest(double /*displacement*/, double* memory) const {
+double MaxwellBank::initialise(double /*displacement*/, double* memory) const {
   std::fill(memory, memory + elements_.size(), 0.0);
   return 0.0;
 }
@@ -16,6 +16,13 @@ double MaxwellBank::step(const Motion& motion, double* memory) const {
     force += elements_[i].step(motion, memory + i);
   }
   return force;
+}
+
+bool MaxwellBank::addTo(BasicLaws& sum) const {
+  for (const Maxwell& element : elements_) {
+    element.addTo(sum);
+  }
+  return true;
 }
 
 std::optional<std::complex<double>> MaxwellBank::complexStiffness(double omega) const {

@@ -14,9 +14,11 @@ ElementType nonlinearMaxwellType() {
   return {"nonlinear_maxwell",
           "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + |F|/(k y)): rate and amplitude "
           "dependence that are coupled.",
-          {{"stiffness", "N/m", Range::positive(), std::nullopt, "stiffness k of the spring"},
-           {"break_frequency", "Hz", Range::positive(), std::nullopt, "break frequency f_b at small amplitude"},
-           {"displacement", "m", Range::positive(), std::nullopt, "displacement y at which the dashpot yields"}},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt,
+            "break frequency f_b at small amplitude"},
+           {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
+            "displacement y at which the dashpot yields"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const NonlinearMaxwell>(description.value("stiffness"),
                                                             description.value("break_frequency"),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -28,6 +29,33 @@ std::string describe(const Range& range) {
     return fmt::format("{} {:g}", range.open_upper ? "less than" : "at most", range.upper);
   }
   return "any finite number";
+}
+
+std::string toString(Role role) {
+  switch (role) {
+    case Role::scale:
+      return "scale";
+    case Role::shape:
+      return "shape";
+    case Role::choice:
+      return "choice";
+    default:
+      return "reference";
+  }
+}
+
+const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& parameter) { return parameter.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+bool isFree(const ParameterInfo& parameter, const std::vector<double>& values) {
+  if (parameter.is_list || values.size() != 1 || (parameter.role != Role::scale && parameter.role != Role::shape)) {
+    return false;
+  }
+  const double value = values.front();
+  return value != 0.0 && value != parameter.range.lower && value != parameter.range.upper;
 }
 
 void refuseValue(const std::string& type, const std::string& parameter, double value, const std::string& unit,

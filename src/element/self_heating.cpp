@@ -17,7 +17,9 @@ double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeast
 
 }  // namespace
 
-void SelfHeating::rest(double /*displacement*/, double* memory) const { memory[kRise] = memory[kLossForce] = 0.0; }
+void SelfHeating::initialise(double /*displacement*/, double* memory) const {
+  memory[kRise] = memory[kLossForce] = 0.0;
+}
 
 double SelfHeating::step(const Motion& motion, const ComponentForce& force, double* memory) const {
   const double loss_force = force.viscous + force.friction;
@@ -35,8 +37,9 @@ ElementType selfHeatingType() {
   return {
       "self_heating",
       "Softening by the heat of the component's own loss: stiffness falls slowly under hard work and recovers at rest.",
-      {{"energy_sensitivity", "1/J", Range::positive(), std::nullopt, "relative softening per energy lost"},
-       {"time_constant", "s", Range::positive(), std::nullopt, "time constant of cooling"}},
+      {{"energy_sensitivity", "1/J", Role::shape, Range::positive(), std::nullopt,
+        "relative softening per energy lost"},
+       {"time_constant", "s", Role::shape, Range::positive(), std::nullopt, "time constant of cooling"}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const SelfHeating>(description.value("energy_sensitivity"),
                                                    description.value("time_constant"));

@@ -13,7 +13,7 @@ double SliderBank::backbone(double displacement) const {
   return force;
 }
 
-double SliderBank::rest(double displacement, double* memory) const {
+double SliderBank::initialise(double displacement, double* memory) const {
   std::fill(memory, memory + sliders_.size(), displacement);
   return 0.0;
 }

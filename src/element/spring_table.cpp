@@ -58,8 +58,9 @@ ElementType springTableType() {
   return {
       kName,
       "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
-      {{"displacement", "m", Range::any(), std::nullopt, "displacements of the points, increasing", true},
-       {"force", "N", Range::any(), std::nullopt, "forces of the points, not decreasing, 0 at displacement 0", true}},
+      {{"displacement", "m", Role::choice, Range::any(), std::nullopt, "displacements of the points, increasing", true},
+       {"force", "N", Role::scale, Range::any(), std::nullopt,
+        "forces of the points, not decreasing, 0 at displacement 0", true}},
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"));
       }};

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::element {
 namespace {
 
-constexpr double kTwoPi = 2.0 * M_PI;
+constexpr double kTwoPi = 2.0 * kPi;
 constexpr double kMaximumDecades = 10.0;  // of the range; bounds the memory
 const double kSpacing = std::log(10.0) / 2.0;
 constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
@@ -33,8 +35,8 @@ Maxwell highTail(double scale, double last, double order) {
 std::vector<Maxwell> springpotBank(const SpringpotLaw& law) {
   // In units of the reference angular frequency; sin(pi alpha) by the nearer end, so that both limits keep their
   // digits.
-  const double sine = std::sin(M_PI * std::min(law.order, 1.0 - law.order));
-  const double scale = law.stiffness * sine / M_PI * kSpacing;
+  const double sine = std::sin(kPi * std::min(law.order, 1.0 - law.order));
+  const double scale = law.stiffness * sine / kPi * kSpacing;
   const double first = law.low_frequency / kMargin / law.reference_frequency;
   const double reach = law.high_frequency / law.low_frequency * kMargin * kMargin;
   const int intervals = static_cast<int>(std::ceil(std::log(reach) / kSpacing));
@@ -67,7 +69,7 @@ void checkRange(const ElementDescription& description) {
 }  // namespace
 
 std::complex<double> SpringpotLaw::complexStiffness(double omega) const {
-  return std::polar(stiffness * std::pow(omega / (kTwoPi * reference_frequency), order), 0.5 * M_PI * order);
+  return std::polar(stiffness * std::pow(omega / (kTwoPi * reference_frequency), order), 0.5 * kPi * order);
 }
 
 Springpot::Springpot(const SpringpotLaw& law) : MaxwellBank(springpotBank(law)), law_(law) {}
@@ -75,12 +77,14 @@ Springpot::Springpot(const SpringpotLaw& law) : MaxwellBank(springpotBank(law)),
 ElementType springpotType() {
   return {"springpot",
           "Fractional element, K* = K_r (i f/f_r)^alpha: constant loss angle of 90 degrees times alpha.",
-          {{"stiffness", "N/m", Range::positive(), std::nullopt, "magnitude K_r of K* at the reference frequency"},
-           {"order", "1", Range::open(0.0, 1.0), std::nullopt, "order alpha; towards 0 a spring, towards 1 a dashpot"},
-           {"reference_frequency", "Hz", Range::positive(), 1.0, "reference frequency f_r"},
-           {"low_frequency", "Hz", Range::positive(), 0.001,
+          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
+            "magnitude K_r of K* at the reference frequency"},
+           {"order", "1", Role::shape, Range::open(0.0, 1.0), std::nullopt,
+            "order alpha; towards 0 a spring, towards 1 a dashpot"},
+           {"reference_frequency", "Hz", Role::reference, Range::positive(), 1.0, "reference frequency f_r"},
+           {"low_frequency", "Hz", Role::choice, Range::positive(), 0.001,
             "lower end of the range in which K* holds within 0.1 %; far below the element relaxes"},
-           {"high_frequency", "Hz", Range::positive(), 1000.0, "upper end of that range"}},
+           {"high_frequency", "Hz", Role::choice, Range::positive(), 1000.0, "upper end of that range"}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);
             return std::make_shared<const Springpot>(SpringpotLaw{

@@ -16,12 +16,12 @@ enum Slot { kLargest, kReach };
 StressSoftening::StressSoftening(double reduction, double width, double path)
     : reduction_(reduction), width_(width), path_(path), deepest_(std::tanh(1.0 / width)) {}
 
-void StressSoftening::rest(double displacement, double* memory) const {
+void StressSoftening::initialise(double displacement, double* memory) const {
   memory[kLargest] = memory[kReach] = std::abs(displacement);
 }
 
 // Softening is permanent: only a displacement beyond all before counts anew.
-double StressSoftening::recover(double displacement, double* memory) const {
+double StressSoftening::relax(double displacement, double* memory) const {
   memory[kLargest] = std::max(memory[kLargest], std::abs(displacement));
   if (path_ == 0.0) {
     memory[kReach] = memory[kLargest];
@@ -47,10 +47,11 @@ double StressSoftening::step(const Motion& motion, const ComponentForce& /*force
 ElementType stressSofteningType() {
   return {"stress_softening",
           "Mullins effect: softer within displacements that were reached before.",
-          {{"reduction", "1", Range::closed(0.0, 0.9), std::nullopt, "share R of the force that is lost deep within"},
-           {"width", "1", Range::closed(0.01, 10.0), 0.5,
+          {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), std::nullopt,
+            "share R of the force that is lost deep within"},
+           {"width", "1", Role::shape, Range::closed(0.01, 10.0), 0.5,
             "width w of the transition, as a share of the energy at the largest past displacement"},
-           {"path", "m", Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"}},
+           {"path", "m", Role::shape, Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const StressSoftening>(description.value("reduction"), description.value("width"),
                                                            description.value("path"));

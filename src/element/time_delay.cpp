@@ -20,7 +20,7 @@ int after(int index) { return (index + 1) % kSamples; }
 
 std::size_t TimeDelay::memorySize() const { return delay_ > 0.0 ? kEnd : 0; }
 
-double TimeDelay::rest(double displacement, double* memory) const {
+double TimeDelay::initialise(double displacement, double* memory) const {
   if (delay_ > 0.0) {
     std::fill(memory, memory + kEnd, 0.0);
     memory[kCount] = 1.0;
@@ -73,8 +73,8 @@ std::optional<std::complex<double>> TimeDelay::transfer(double omega) const {
 ElementType timeDelayType() {
   return {"time_delay",
           "Force late against the displacement (delay > 0) or early (delay < 0).",
-          {{"delay", "s", Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay), std::nullopt,
-            "delay T of the force; a negative one should be a few samples at most"}},
+          {{"delay", "s", Role::shape, Range::closed(-TimeDelay::kLongestAdvance, TimeDelay::kLongestDelay),
+            std::nullopt, "delay T of the force; a negative one should be a few samples at most"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const TimeDelay>(description.value("delay"));
           }};

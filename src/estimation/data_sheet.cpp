@@ -12,6 +12,8 @@
 #include <stdexcept>
 
 #include "estimation/models.h"
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -25,10 +27,7 @@ constexpr double kLowestShapeFactor = 0.2;
 constexpr double kHighestShapeFactor = 3.0;
 constexpr double kLowestShearShapeFactor = 1.0;  // bending adds (t/a)^2/3 to the shear of a square block, 2 % there
 
-bool isDataSheetKey(const std::string& key) {
-  const auto& table = dataSheetParameters();
-  return std::any_of(table.begin(), table.end(), [&](const element::ParameterInfo& row) { return row.name == key; });
-}
+bool isDataSheetKey(const std::string& key) { return element::findParameter(dataSheetParameters(), key) != nullptr; }
 
 void checkRanges(const Values& values) {
   for (const auto& [key, value] : values) {
@@ -122,14 +121,8 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
 double angleAt(const Specification& specification, double frequency) {
   std::complex<double> sum = 0.0;
   for (const element::ElementDescription& element : estimateMaxwellDashpot(specification)) {
-    if (element.type == "spring") {
-      sum += element.value("stiffness");
-    } else if (element.type == "dashpot") {
-      sum += std::complex<double>(0.0, 2.0 * M_PI * frequency * element.value("damping"));
-    } else {
-      const std::complex<double> ratio(0.0, frequency / element.value("break_frequency"));
-      sum += element.value("stiffness") * ratio / (1.0 + ratio);
-    }
+    const auto law = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(element));
+    sum += *law->complexStiffness(2.0 * element::kPi * frequency);
   }
   return std::arg(sum);
 }
@@ -225,15 +218,25 @@ double compressionFactor(double shape_factor) {
 
 const std::vector<element::ParameterInfo>& dataSheetParameters() {
   static const std::vector<element::ParameterInfo> table = {
-      {"shore_a", "1", element::Range::closed(kLowestHardness, kHighestHardness), std::nullopt, "Shore A hardness"},
-      {"loaded_area", "m^2", element::Range::positive(), std::nullopt, "loaded area of one layer"},
-      {"layer_thickness", "m", element::Range::positive(), std::nullopt, "thickness of one layer of rubber"},
-      {"shape_factor", "1", element::Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
+      {"shore_a", "1", element::Role::shape, element::Range::closed(kLowestHardness, kHighestHardness), std::nullopt,
+       "Shore A hardness"},
+      {"loaded_area", "m^2", element::Role::shape, element::Range::positive(), std::nullopt,
+       "loaded area of one layer"},
+      {"layer_thickness", "m", element::Role::shape, element::Range::positive(), std::nullopt,
+       "thickness of one layer of rubber"},
+      {"shape_factor", "1", element::Role::shape, element::Range::closed(kLowestShapeFactor, 50.0), std::nullopt,
        "loaded area over force-free area of one layer"},
-      {"layers", "1", element::Range::closed(1.0, 100.0), 1.0, "layers in series"},
-      {"dynamic_to_static_ratio", "1", {1.0, 10.0, true, false}, std::nullopt, "K_n/K_st at the nominal frequency"},
-      {"second_frequency", "Hz", element::Range::positive(), std::nullopt, "frequency of the second loss angle"},
-      {"second_loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle there"},
+      {"layers", "1", element::Role::choice, element::Range::closed(1.0, 100.0), 1.0, "layers in series"},
+      {"dynamic_to_static_ratio",
+       "1",
+       element::Role::shape,
+       {1.0, 10.0, true, false},
+       std::nullopt,
+       "K_n/K_st at the nominal frequency"},
+      {"second_frequency", "Hz", element::Role::reference, element::Range::positive(), std::nullopt,
+       "frequency of the second loss angle"},
+      {"second_loss_angle", "rad", element::Role::shape, element::Range::open(0.0, 0.5 * element::kPi), std::nullopt,
+       "loss angle there"},
   };
   return table;
 }

@@ -8,6 +8,7 @@
 #include <complex>
 
 #include "estimation/models.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -60,7 +61,7 @@ struct WorkingPoint {
 
   double viscousLossStiffness() const { return viscous_share * loss_stiffness; }
   // Loss per cycle of the friction over A^2 [N/m].
-  double frictionLoss() const { return M_PI * (1.0 - viscous_share) * loss_stiffness; }
+  double frictionLoss() const { return element::kPi * (1.0 - viscous_share) * loss_stiffness; }
 };
 
 WorkingPoint workingPoint(const Specification& specification, double viscous_share) {
@@ -105,7 +106,7 @@ double peakStiffness(std::complex<double> linear, double u, double friction_stif
     const double friction = friction_stiffness * (-1.0 + (1.0 / mu + 1.0) * way / (1.0 + way));
     return -(linear.real() * std::cos(phase) + linear.imag() * std::sin(phase) + friction);
   };
-  return -boost::math::tools::brent_find_minima(minus_force, 0.0, 0.5 * M_PI, 40).second;
+  return -boost::math::tools::brent_find_minima(minus_force, 0.0, 0.5 * element::kPi, 40).second;
 }
 
 }  // namespace
@@ -132,7 +133,7 @@ std::vector<element::ElementDescription> estimateFriction(const Specification& s
 
 std::vector<element::ElementDescription> estimateFrictionDashpot(const Specification& specification) {
   const WorkingPoint point = workingPoint(specification, viscousShare(specification));
-  const double damping = point.viscousLossStiffness() / (2.0 * M_PI * specification.at("nominal_frequency"));
+  const double damping = point.viscousLossStiffness() / (2.0 * element::kPi * specification.at("nominal_frequency"));
   return {
       {"spring", {{"stiffness", {point.k_st}}}}, frictionAtTurningPoint(point), {"dashpot", {{"damping", {damping}}}}};
 }

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "estimation/models.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -70,7 +71,7 @@ std::vector<element::ElementDescription> estimateKelvinVoigt(const Specification
   // tan(delta) = 2 pi f c0/k0 = 2 D: Eq. 11. K_n is the storage stiffness; |K*| = K_n/cos(delta).
   const double stiffness = specification.at("dynamic_stiffness");
   const double damping =
-      stiffness * std::tan(lossAngle(specification)) / (2.0 * M_PI * specification.at("nominal_frequency"));
+      stiffness * std::tan(lossAngle(specification)) / (2.0 * element::kPi * specification.at("nominal_frequency"));
   return {{"spring", {{"stiffness", {stiffness}}}}, {"dashpot", {{"damping", {damping}}}}};
 }
 
@@ -100,7 +101,7 @@ std::vector<element::ElementDescription> estimateMaxwellDashpot(const Specificat
   const double stiffness = storage * (1.0 + (f_b / f_n) * (f_b / f_n));
   return {{"spring", {{"stiffness", {k_st}}}},
           {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {f_b}}}},
-          {"dashpot", {{"damping", {loss / (2.0 * M_PI * f_n)}}}}};
+          {"dashpot", {{"damping", {loss / (2.0 * element::kPi * f_n)}}}}};
 }
 
 }  // namespace rubber_suspension::estimation

@@ -10,6 +10,7 @@
 
 #include "estimation/models.h"
 #include "estimation/solvability.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -104,10 +105,7 @@ const std::vector<NamedModel>& models() {
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
 
 const element::ParameterInfo* findParameter(std::string_view name) {
-  const auto& table = specificationParameters();
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const element::ParameterInfo& parameter) { return parameter.name == name; });
-  return found == table.end() ? nullptr : &*found;
+  return element::findParameter(specificationParameters(), name);
 }
 
 std::string join(const std::vector<std::string>& names) {
@@ -221,31 +219,42 @@ std::optional<Model> modelFromString(const std::string& name) {
 
 const std::vector<element::ParameterInfo>& specificationParameters() {
   static const std::vector<element::ParameterInfo> table = {
-      {"static_stiffness", "N/m", element::Range::positive(), std::nullopt, "static stiffness K_st"},
-      {"dynamic_stiffness", "N/m", element::Range::positive(), std::nullopt,
+      {"static_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
+       "static stiffness K_st"},
+      {"dynamic_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
        "dynamic stiffness K_n at the nominal frequency"},
-      {"nominal_frequency", "Hz", element::Range::positive(), std::nullopt,
+      {"nominal_frequency", "Hz", element::Role::reference, element::Range::positive(), std::nullopt,
        "frequency f_n at which K_n and loss angle hold"},
-      {"maximum_stiffness", "N/m", element::Range::positive(), std::nullopt, "stiffness K_max at very high frequency"},
-      {"high_frequency", "Hz", element::Range::positive(), std::nullopt,
+      {"maximum_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
+       "stiffness K_max at very high frequency"},
+      {"high_frequency", "Hz", element::Role::shape, element::Range::positive(), std::nullopt,
        "upper end f_h of the frequencies of interest"},
-      {"low_frequency", "Hz", element::Range::positive(), std::nullopt,
+      {"low_frequency", "Hz", element::Role::shape, element::Range::positive(), std::nullopt,
        "lower end f_l of the frequencies of interest; n_M f_h/10^(n_M-1) if absent"},
-      {"maxwell_elements", "1", element::Range::closed(2, 20), 5.0,
+      {"maxwell_elements", "1", element::Role::choice, element::Range::closed(2, 20), 5.0,
        "number n_M of Maxwell elements; one element is the model maxwell"},
       {"nominal_amplitude",
        "m",
+       element::Role::reference,
        {0.0, 1.0, true, false},
        std::nullopt,
        "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
-      {"loss_angle", "rad", element::Range::open(0.0, 0.5 * M_PI), std::nullopt, "loss angle at the nominal frequency"},
+      {"loss_angle", "rad", element::Role::shape, element::Range::open(0.0, 0.5 * element::kPi), std::nullopt,
+       "loss angle at the nominal frequency"},
       {"relative_damping",
        "1",
+       element::Role::shape,
        {0.0, 1.0, true, false},
        std::nullopt,
        "relative damping D_n = tan(loss angle)/2, 0.05 for 5 %"},
-      {"break_frequency", "Hz", element::Range::positive(), std::nullopt, "break frequency f_b of the Maxwell element"},
-      {"viscous_share", "1", {0.0, 1.0, false, true}, 0.2, "viscous share of the loss energy at (f_n, A_n)"},
+      {"break_frequency", "Hz", element::Role::shape, element::Range::positive(), std::nullopt,
+       "break frequency f_b of the Maxwell element"},
+      {"viscous_share",
+       "1",
+       element::Role::choice,
+       {0.0, 1.0, false, true},
+       0.2,
+       "viscous share of the loss energy at (f_n, A_n)"},
   };
   return table;
 }

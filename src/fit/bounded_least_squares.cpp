@@ -1,10 +1,13 @@
 // Bounded least squares by an active set.
-#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "fit/bounded_least_squares.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "fit/least_norm.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -16,6 +19,7 @@ constexpr double kGradientTolerance = 1e-11;
 
 struct Problem {
   Eigen::MatrixXd gram;  // scaled to a unit diagonal
+  bool exact;            // without ridge: the rank has to be found
   Eigen::VectorXd moment;
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
@@ -35,6 +39,9 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
     for (Eigen::Index b = 0; b < count; ++b) {
       gram(a, b) = problem.gram(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
     }
+  }
+  if (problem.exact) {
+    return solveLeastNorm(gram, moment);
   }
   return gram.ldlt().solve(moment);
 }
@@ -78,15 +85,13 @@ int mostViolated(const Problem& problem, const std::vector<int>& free, const Eig
   return best;
 }
 
-}  // namespace
-
-Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
-                                    const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
+                      const Eigen::VectorXd& upper, double ridge) {
   const Eigen::VectorXd scale =
       gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // a zero column keeps its coefficient at 0
-  Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), scale.cwiseProduct(moment),
+  Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), ridge == 0.0, scale.cwiseProduct(moment),
                   lower.cwiseQuotient(scale), upper.cwiseQuotient(scale)};
-  problem.gram.diagonal().array() += kRidge;
+  problem.gram.diagonal().array() += ridge;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(moment.size()).cwiseMax(problem.lower).cwiseMin(problem.upper);
   std::vector<int> free;
   for (int i = 0; i < x.size(); ++i) {
@@ -110,6 +115,24 @@ Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::Ve
     result[i] = x[i] == problem.lower[i] ? lower[i] : x[i] == problem.upper[i] ? upper[i] : result[i];
   }
   return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
+                                    const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  return solve(gram, moment, lower, upper, kRidge);
+}
+
+Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
+                                        const std::vector<bool>& signed_unknown) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd upper = Eigen::VectorXd::Constant(moment.size(), kInfinity);
+  Eigen::VectorXd lower = Eigen::VectorXd::Zero(moment.size());
+  for (Eigen::Index i = 0; i < lower.size(); ++i) {
+    lower[i] = signed_unknown[static_cast<std::size_t>(i)] ? -kInfinity : 0.0;
+  }
+  return solve(gram, moment, lower, upper, 0.0);
 }
 
 }  // namespace rubber_suspension::fit

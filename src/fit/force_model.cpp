@@ -15,42 +15,9 @@ namespace {
 constexpr double kSearchReach = 1e3;  // factor to either side of the given value where the log sets no scale
 constexpr double kStartReach = 10.0;
 
-// Parameters that say what an element is, not how large: kept as given.
-bool isChoice(const std::string& type, const std::string& name) {
-  if (type == "dashpot" && name == "order") {  // of its difference; that of a springpot is a parameter
-    return true;
-  }
-  static const std::vector<std::string> names = {
-      "dead_band",       "sliders",       "side",         "exponent",
-      "reference_depth", "shortest_time", "longest_time", "reference_frequency",
-      "low_frequency",   "high_frequency"};
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Parameters that the element's force is proportional to, the other parameters kept.
-bool isLinear(const std::string& type, const std::string& name) {
-  static const std::vector<std::pair<std::string, std::string>> list = {{"spring", "stiffness"},
-                                                                        {"dashpot", "damping"},
-                                                                        {"maxwell", "stiffness"},
-                                                                        {"springpot", "stiffness"},
-                                                                        {"creep", "stiffness_per_decade"},
-                                                                        {"friction", "maximum_force"},
-                                                                        {"iwan", "maximum_force"},
-                                                                        {"bump_stop", "stiffness"},
-                                                                        {"inertia", "mass"},
-                                                                        {"force_offset", "offset"},
-                                                                        {"force_drift", "rate"},
-                                                                        {"progressive_stiffness", "quadratic"},
-                                                                        {"progressive_stiffness", "cubic"},
-                                                                        {"progressive_stiffness", "quintic"},
-                                                                        {"asymmetric_stiffness", "quadratic"},
-                                                                        {"asymmetric_stiffness", "tension_stiffness"}};
-  return std::find(list.begin(), list.end(), std::make_pair(type, name)) != list.end();
-}
-
 bool allParallel(const std::vector<element::ElementDescription>& elements) {
   return std::all_of(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
-    return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element::makeElement(element));
+    return element::lawOf(element::makeElement(element)).action() == element::Action::adds_force;
   });
 }
 
@@ -105,12 +72,12 @@ Unknown makeUnknown(std::size_t position, const element::ParameterInfo& paramete
 double Unknown::toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
 double Unknown::toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 
-LogScales scalesOf(const std::vector<Measurement>& measurements) {
+LogScales scalesOf(const std::vector<log::Log>& logs) {
   LogScales scales{0.0, 0.0, 0.0};
-  for (const Measurement& measurement : measurements) {
-    const double duration = static_cast<double>(measurement.stamp.back() - measurement.stamp.front()) * 1e-9;
-    const double rate = static_cast<double>(measurement.stamp.size() - 1) / duration;
-    const auto [low, high] = std::minmax_element(measurement.displacement.begin(), measurement.displacement.end());
+  for (const log::Log& log : logs) {
+    const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+    const double rate = static_cast<double>(log.stamp.size() - 1) / duration;
+    const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
     scales.sampling_rate = std::max(scales.sampling_rate, rate);
     scales.duration = std::max(scales.duration, duration);
     scales.amplitude = std::max(scales.amplitude, 0.5 * (*high - *low));
@@ -118,11 +85,11 @@ LogScales scalesOf(const std::vector<Measurement>& measurements) {
   return scales;
 }
 
-ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<Measurement>& measurements,
+ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
                        const std::vector<std::string>& held)
-    : elements_(std::move(elements)), measurements_(measurements), held_(held), scales_(scalesOf(measurements)) {
-  for (const Measurement& measurement : measurements_) {
-    size_ += static_cast<Eigen::Index>(measurement.stamp.size());
+    : elements_(std::move(elements)), logs_(logs), held_(held), scales_(scalesOf(logs)) {
+  for (const log::Log& log : logs_) {
+    size_ += static_cast<Eigen::Index>(log.stamp.size());
   }
   if (allParallel(elements_)) {
     for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -135,7 +102,7 @@ ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const 
 }
 
 bool ForceModel::isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const {
-  return parameter.is_list || isChoice(element.type, parameter.name) || element.value(parameter.name) == 0.0 ||
+  return !element::isFree(parameter, element.list(parameter.name)) ||
          std::find(held_.begin(), held_.end(), element.type + "." + parameter.name) != held_.end();
 }
 
@@ -173,7 +140,7 @@ void ForceModel::addElement(std::size_t position) {
   std::vector<element::ParameterInfo> scaling;
   bool scaling_held = false;
   for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
-    const bool linear = isLinear(element.type, parameter.name);
+    const bool linear = parameter.role == element::Role::scale;
     if (linear && element.value(parameter.name) != 0.0) {
       scaling.push_back(parameter);
       scaling_held = scaling_held || isHeld(element, parameter);
@@ -205,11 +172,11 @@ Eigen::VectorXd ForceModel::simulate(const std::vector<element::ElementDescripti
   const component::Component component(elements);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size_);
   double* first = force.data();
-  for (const Measurement& measurement : measurements_) {
-    const std::size_t size = measurement.stamp.size();
+  for (const log::Log& log : logs_) {
+    const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
-    // A trial without a finite force, and all after it, counts as none at all.
-    stream.pushAll(measurement.stamp.data(), measurement.displacement.data(), size, first);
+    // A sample without a finite force, and all after it, counts as none at all.
+    stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
     first += size;
   }
   return force;

@@ -33,14 +33,14 @@ struct LogScales {
   double amplitude;      ///< largest displacement from the middle [m]
 };
 
-LogScales scalesOf(const std::vector<Measurement>& measurements);
+LogScales scalesOf(const std::vector<log::Log>& logs);
 
 /// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; the
 /// last column of the basis is the constant 1, the force offset.
 class ForceModel {
  public:
   /// The elements have to be complete, `held` to name parameters as "type.name".
-  ForceModel(std::vector<element::ElementDescription> elements, const std::vector<Measurement>& measurements,
+  ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
              const std::vector<std::string>& held);
 
   const std::vector<Unknown>& nonlinear() const { return nonlinear_; }
@@ -81,7 +81,7 @@ class ForceModel {
   Eigen::VectorXd simulate(const std::vector<element::ElementDescription>& elements) const;
 
   std::vector<element::ElementDescription> elements_;
-  const std::vector<Measurement>& measurements_;
+  const std::vector<log::Log>& logs_;
   std::vector<std::string> held_;
   LogScales scales_;
   Eigen::Index size_ = 0;

@@ -17,44 +17,46 @@
 #include "fit/residual_covariance.h"
 #include "fit/residual_fit.h"
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
 constexpr double kTail = 0.025;                     // on either side of a 95 % interval
-const double kUndetermined = std::log(2.0) / 1.96;  // deviation of ln(value) whose interval is a factor of 2
-constexpr double kDeadBandInDeviations = 6.0;
+const double kUndetermined = std::log(2.0) / 1.96;  // standard deviation of ln(value) whose interval is a factor of 2
+constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
 // Share of the force's sum of squares; a cost below is left to the residuals. Products know the gradient to 1e-15 of
 // |column| |force|, and white noise moves it by |column| sqrt(cost/N): at this limit and for N = 1e6 samples the former
-// is 1e-7 of the latter, so that columns may have a condition of 1e5 before a hundredth of a deviation is lost.
+// is 1e-7 of the latter, so that columns may have a condition of 1e5 before a hundredth of a standard deviation is
+// lost.
 constexpr double kSmallestByProducts = 1e-10;
 constexpr double kSameResidual = 1e-4;  // relative, by which starts count as ended at the same optimum
 
-void checkMeasurement(const Measurement& measurement, std::size_t number) {
+void checkLog(const log::Log& log, std::size_t number) {
   const auto fail = [&](const std::string& reason) {
     throw std::invalid_argument(fmt::format("log {}: {}", number, reason));
   };
-  const std::size_t size = measurement.stamp.size();
-  if (measurement.force.size() != size || measurement.displacement.size() != size) {
+  const std::size_t size = log.stamp.size();
+  if (log.force.size() != size || log.displacement.size() != size) {
     fail("needs displacement and force for every sample");
   }
   if (size < 50) {
     fail(fmt::format("{} samples are too few; accepted: at least 50", size));
   }
   for (std::size_t i = 0; i < size; ++i) {
-    if (!std::isfinite(measurement.displacement[i]) || !std::isfinite(measurement.force[i])) {
+    if (!std::isfinite(log.displacement[i]) || !std::isfinite(log.force[i])) {
       fail(fmt::format("sample {} is not finite", i));
     }
-    if (i > 0 && measurement.stamp[i] <= measurement.stamp[i - 1]) {
+    if (i > 0 && log.stamp[i] <= log.stamp[i - 1]) {
       fail(fmt::format("time does not increase at sample {}", i));
     }
   }
-  for (const auto* values : {&measurement.displacement, &measurement.force}) {
+  for (const auto* values : {&log.displacement, &log.force}) {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
     if (*low == *high) {
-      fail(values == &measurement.force ? "the force does not change" : "the displacement does not change");
+      fail(values == &log.force ? "the force does not change" : "the displacement does not change");
     }
   }
 }
@@ -77,10 +79,10 @@ void checkHeld(const std::vector<element::ElementDescription>& elements, const s
   }
 }
 
-Eigen::VectorXd stackedForce(const std::vector<Measurement>& measurements) {
+Eigen::VectorXd stackedForce(const std::vector<log::Log>& logs) {
   std::vector<double> all;
-  for (const Measurement& measurement : measurements) {
-    all.insert(all.end(), measurement.force.begin(), measurement.force.end());
+  for (const log::Log& log : logs) {
+    all.insert(all.end(), log.force.begin(), log.force.end());
   }
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
@@ -156,18 +158,18 @@ BestFit describeFit(FitMethod& method, const ModelFit& fit, const std::vector<Ei
   return best;
 }
 
-BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vector<Measurement>& measurements,
+BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vector<log::Log>& logs,
                 const std::vector<Eigen::Index>& runs, const IdentificationOptions& options, Identification& result) {
   const std::vector<Eigen::VectorXd> starts = startsOf(model, options);
   result.starts = static_cast<int>(starts.size());
   const double force_square = force.squaredNorm();
   ResidualFit by_residuals(model, force);
-  if (!options.by_products || !ProductFit::appliesTo(model, measurements)) {
+  if (!options.by_products || !ProductFit::appliesTo(model, logs)) {
     const Searches searches = searchFrom(starts, by_residuals, force_square);
     result.starts_at_best = searches.at_best;
     return describeFit(by_residuals, by_residuals.fitAt(searches.best.search), runs);
   }
-  ProductFit by_products(model, measurements);
+  ProductFit by_products(model, logs);
   const Searches searches = searchFrom(starts, by_products, force_square);
   result.starts_at_best = searches.at_best;
   const ModelFit fit = by_products.fitAt(searches.best.search);
@@ -181,7 +183,7 @@ BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vect
 struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<Eigen::VectorXd> unseen;
-  double quantile = 1.96;  // of the parameters' deviations, for 95 %
+  double quantile = 1.96;  // of the parameters' standard deviations, for 95 %
 };
 
 // From the products J'J and J'OJ of the Jacobian, O being the covariance of the residuals.
@@ -217,13 +219,13 @@ std::string nameOf(const std::vector<element::ElementDescription>& elements, con
   return (same > 1 ? fmt::format("{} {}", type, number) : type) + "." + unknown.name;
 }
 
-void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double coefficient_sign, double deviation,
-                 double quantile) {
-  const double reach = quantile * deviation;
+void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double coefficient_sign,
+                 double standard_deviation, double quantile) {
+  const double reach = quantile * standard_deviation;
   if (unknown.logarithmic && parameter.value > 0.0) {
     parameter.lower = parameter.value * std::exp(-reach);
     parameter.upper = parameter.value * std::exp(reach);
-  } else if (unknown.logarithmic) {  // at zero: the deviation counts in the given value
+  } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
     parameter.lower = 0.0;
     parameter.upper = reach * unknown.given;
   } else {
@@ -231,7 +233,7 @@ void setInterval(IdentifiedParameter& parameter, const Unknown& unknown, double 
     parameter.lower = parameter.value - reach * unit;
     parameter.upper = parameter.value + reach * unit;
   }
-  parameter.determined = parameter.value != 0.0 && deviation < kUndetermined;
+  parameter.determined = parameter.value != 0.0 && standard_deviation < kUndetermined;
 }
 
 bool atLimit(const Unknown& unknown, double value) {
@@ -276,18 +278,18 @@ class Summary {
     parameter.given = unknown.given;
     const bool unseen = std::any_of(covariance_.unseen.begin(), covariance_.unseen.end(),
                                     [&](const Eigen::VectorXd& v) { return std::abs(v[column]) > 1e-3; });
-    const double deviation = unseen ? HUGE_VAL : std::sqrt(std::max(0.0, covariance_.matrix(column, column)));
-    setInterval(parameter, unknown, coefficient, deviation, covariance_.quantile);
+    const double standard_deviation = unseen ? HUGE_VAL : std::sqrt(std::max(0.0, covariance_.matrix(column, column)));
+    setInterval(parameter, unknown, coefficient, standard_deviation, covariance_.quantile);
     result.parameters.push_back(parameter);
   }
 
   // Weights of a direction by name, the largest 1; the offset is no parameter.
-  UndeterminedDirection direction(const Eigen::VectorXd& vector, double deviation) const {
+  UndeterminedDirection direction(const Eigen::VectorXd& vector, double standard_deviation) const {
     const Eigen::Index count = vector.size() - 1;
     Eigen::Index largest = 0;
     vector.head(count).cwiseAbs().maxCoeff(&largest);
     UndeterminedDirection result;
-    result.deviation = deviation;
+    result.standard_deviation = standard_deviation;
     for (Eigen::Index i = 0; i < count; ++i) {
       const double weight = vector[i] / vector[largest];
       if (std::abs(weight) > 0.1) {
@@ -310,11 +312,11 @@ class Summary {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance_.matrix.topLeftCorner(count, count));
     for (Eigen::Index i = count - 1; i >= 0; --i) {
-      const double deviation = std::sqrt(std::max(0.0, eigen.eigenvalues()[i]));
-      if (deviation >= kUndetermined) {
+      const double standard_deviation = std::sqrt(std::max(0.0, eigen.eigenvalues()[i]));
+      if (standard_deviation >= kUndetermined) {
         Eigen::VectorXd vector = Eigen::VectorXd::Zero(count + 1);
         vector.head(count) = eigen.eigenvectors().col(i);
-        result.undetermined.push_back(direction(vector, deviation));
+        result.undetermined.push_back(direction(vector, standard_deviation));
       }
     }
   }
@@ -338,28 +340,24 @@ void allowForFewSamples(Covariance& covariance, double independent_samples) {
   covariance.quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
 }
 
-double standardDeviation(const Eigen::VectorXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().mean());
-}
-
 // Gives friction without dead band one that keeps the noise of the displacement from being taken for reversals.
-void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<Measurement>& measurements,
+void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                   std::vector<std::string>& notes) {
-  const double amplitude = scalesOf(measurements).amplitude;
-  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInDeviations;
-  double deviation = 0.0;
-  for (const Measurement& measurement : measurements) {
-    if (noisierThan(measurement.displacement, negligible)) {
-      deviation = std::max(deviation, noiseDeviation(measurement.displacement));
+  const double amplitude = scalesOf(logs).amplitude;
+  const double negligible = kSmallestDeadBand * amplitude / kDeadBandInStandardDeviations;
+  double standard_deviation = 0.0;
+  for (const log::Log& log : logs) {
+    if (noisierThan(log.displacement, negligible)) {
+      standard_deviation = std::max(standard_deviation, noiseStandardDeviation(log.displacement));
     }
   }
   for (element::ElementDescription& element : elements) {
-    if (element.type == "friction" && element.value("dead_band") == 0.0 && deviation > 0.0) {
-      element.values["dead_band"] = {kDeadBandInDeviations * deviation};
+    if (element.type == "friction" && element.value("dead_band") == 0.0 && standard_deviation > 0.0) {
+      element.values["dead_band"] = {kDeadBandInStandardDeviations * standard_deviation};
       notes.push_back(
           fmt::format("friction.dead_band set to {:.3g} m, {:g} standard deviations of the displacement's "
                       "noise",
-                      kDeadBandInDeviations * deviation, kDeadBandInDeviations));
+                      kDeadBandInStandardDeviations * standard_deviation, kDeadBandInStandardDeviations));
     }
   }
 }
@@ -391,7 +389,7 @@ void describeResiduals(Identification& result, const ModelFit& fit, const Eigen:
   const auto count = static_cast<double>(force.size());
   const double variance = fit.residual.squaredNorm() / count;
   result.residual = std::sqrt(variance);
-  result.relative_residual = result.residual / standardDeviation(force);
+  result.relative_residual = gap::relativeGap(fit.residual, gap::standardDeviation(force));
   result.independent_samples = independentSamples(fit.residual, noise);
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(
@@ -402,15 +400,15 @@ void describeResiduals(Identification& result, const ModelFit& fit, const Eigen:
 
 }  // namespace
 
-Identification identify(const std::vector<element::ElementDescription>& elements,
-                        const std::vector<Measurement>& measurements, const IdentificationOptions& options) {
-  if (measurements.empty()) {
+Identification identify(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
+                        const IdentificationOptions& options) {
+  if (logs.empty()) {
     throw std::invalid_argument("no log given");
   }
   std::vector<Eigen::Index> runs;
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    checkMeasurement(measurements[i], i + 1);
-    runs.push_back(static_cast<Eigen::Index>(measurements[i].stamp.size()));
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    checkLog(logs[i], i + 1);
+    runs.push_back(static_cast<Eigen::Index>(logs[i].stamp.size()));
   }
   Identification result;
   std::vector<element::ElementDescription> completed;
@@ -418,13 +416,13 @@ Identification identify(const std::vector<element::ElementDescription>& elements
     completed.push_back(element::complete(element));
   }
   checkHeld(completed, options.held);
-  addDeadBands(completed, measurements, result.notes);
-  ForceModel model(completed, measurements, options.held);
+  addDeadBands(completed, logs, result.notes);
+  ForceModel model(completed, logs, options.held);
   if (model.nonlinear().empty() && model.linear().empty()) {
     throw std::invalid_argument("no parameter is left to be found; all are held");
   }
-  const Eigen::VectorXd force = stackedForce(measurements);
-  const BestFit best = bestFit(model, force, measurements, runs, options, result);
+  const Eigen::VectorXd force = stackedForce(logs);
+  const BestFit best = bestFit(model, force, logs, runs, options, result);
   result.force_offset = best.fit.coefficients[best.fit.coefficients.size() - 1];
   Covariance covariance = covarianceOf(best.products, best.noise_products);
   allowForFewSamples(covariance, independentSamples(best.fit.residual, best.noise));

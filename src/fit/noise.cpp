@@ -30,9 +30,9 @@ class Differences {
     return true;
   }
 
-  // Whether noise of this deviation would have a median at least that of the differences.
-  bool medianReachedBy(double deviation) const {
-    const double limit = deviation * unit();
+  // Whether noise of this standard deviation would have a median at least that of the differences.
+  bool medianReachedBy(double standard_deviation) const {
+    const double limit = standard_deviation * unit();
     std::size_t within = 0;
     for (const double value : values_) {
       within += std::abs(value) <= limit ? 1 : 0;
@@ -41,7 +41,7 @@ class Differences {
   }
 
   // Of the noise whose differences have this median.
-  double deviation() const {
+  double standardDeviation() const {
     std::vector<double> magnitude(values_.size());
     std::transform(values_.begin(), values_.end(), magnitude.begin(), [](double value) { return std::abs(value); });
     const auto middle = magnitude.begin() + static_cast<std::ptrdiff_t>(magnitude.size() / 2);
@@ -59,22 +59,22 @@ class Differences {
 
 }  // namespace
 
-double noiseDeviation(const std::vector<double>& signal) {
+double noiseStandardDeviation(const std::vector<double>& signal) {
   Differences differences(signal);
   double smallest = HUGE_VAL;
   while (differences.next()) {
     if (differences.medianReachedBy(smallest)) {
-      smallest = differences.deviation();
+      smallest = differences.standardDeviation();
     }
   }
   return std::isfinite(smallest) ? smallest : 0.0;
 }
 
-bool noisierThan(const std::vector<double>& signal, double deviation) {
+bool noisierThan(const std::vector<double>& signal, double standard_deviation) {
   Differences differences(signal);
   bool noisier = signal.size() > 1;
   while (noisier && differences.next()) {
-    noisier = !differences.medianReachedBy(deviation);
+    noisier = !differences.medianReachedBy(standard_deviation);
   }
   return noisier;
 }

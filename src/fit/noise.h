@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::fit {
 
-/// noiseDeviation(signal) > deviation, in a fraction of the time where it is not.
-bool noisierThan(const std::vector<double>& signal, double deviation);
+/// noiseStandardDeviation(signal) > standard_deviation, in a fraction of the time where it is not.
+bool noisierThan(const std::vector<double>& signal, double standard_deviation);
 
 }  // namespace rubber_suspension::fit

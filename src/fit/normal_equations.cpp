@@ -1,24 +1,25 @@
 // Products of columns by blocks of the logs.
-#include "rubber_suspension/fit/normal_equations.h"
+#include "fit/normal_equations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "rubber_suspension/fit/bounded_least_squares.h"
-#include "rubber_suspension/fit/parallel.h"
+#include "fit/bounded_least_squares.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
 constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
-constexpr double kBlockLength = 1.5;  // [s]
-constexpr int kMostBlocks = 24;
-constexpr int kFewestBlocks = 8;
+constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than what a residual remembers
+constexpr double kMostBlocks = 24.0;
+constexpr double kFewestBlocks = 8.0;
 
 int blocksOf(const log::Record& record) {
-  const int count = static_cast<int>(std::lround(record.duration() / kBlockLength));
-  return std::clamp(count, kFewestBlocks, kMostBlocks);
+  const double cycles = record.duration() * record.mean_frequency;
+  return static_cast<int>(std::clamp(std::round(cycles / kCyclesPerBlock), kFewestBlocks, kMostBlocks));
 }
 
 // Samples of a log.
@@ -36,7 +37,7 @@ void fillTrends(const log::Record& record, const Rows& rows, double weight, Eige
   columns.col(0).setConstant(weight);
   columns.col(1) = weight * (time - 0.5);
   for (int k = 2; k < kTrendsPerLog; ++k) {
-    columns.col(k) = weight * (time * M_PI * static_cast<double>(k - 1)).cos();
+    columns.col(k) = weight * (time * element::kPi * static_cast<double>(k - 1)).cos();
   }
 }
 
@@ -52,22 +53,73 @@ std::vector<Rows> cut(const std::vector<log::Record>& records) {
   return blocks;
 }
 
-// Which columns of the whole matrix are not zero in a block: those of the model, the trends of its own log, and last
-// the residual.
-std::vector<Eigen::Index> placesIn(const Rows& rows, const std::vector<ForceColumn>& columns, Eigen::Index trends,
-                                   Eigen::Index width) {
-  std::vector<Eigen::Index> places;
-  const auto modelled = static_cast<Eigen::Index>(columns.size());
-  for (Eigen::Index j = 0; j < modelled; ++j) {
-    if (columns[static_cast<std::size_t>(j)]) {
-      places.push_back(j);
+// The columns of the least squares: derivatives of the force, trends of each log, and last the residual.
+struct Columns {
+  const std::vector<log::Record>& records;
+  const std::vector<double>& weights;
+  const std::vector<Eigen::VectorXd>& base;
+  const std::vector<ForceColumn>& derivatives;
+  bool trends;
+  Eigen::Index width;
+
+  // Which of them are not zero in a block: those of the model, the trends of its own log, and the residual.
+  std::vector<Eigen::Index> placesIn(const Rows& rows) const {
+    std::vector<Eigen::Index> places;
+    const auto modelled = static_cast<Eigen::Index>(derivatives.size());
+    for (Eigen::Index j = 0; j < modelled; ++j) {
+      if (derivatives[static_cast<std::size_t>(j)]) {
+        places.push_back(j);
+      }
     }
+    for (Eigen::Index j = 0; trends && j < kTrendsPerLog; ++j) {
+      places.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
+    }
+    places.push_back(width - 1);
+    return places;
   }
-  for (Eigen::Index j = 0; j < trends; ++j) {
-    places.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
+
+  // Their rows of a block; 0 where samples do not count.
+  Eigen::MatrixXd in(const Rows& rows) const {
+    const log::Record& record = records[rows.record];
+    const double weight = weights[rows.record];
+    const Eigen::Index size = rows.last - rows.first;
+    const std::vector<Eigen::Index> places = placesIn(rows);
+    const auto count = static_cast<Eigen::Index>(places.size());
+    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
+    const Eigen::Index from_model = count - own_trends - 1;
+    Eigen::MatrixXd local(size, count);
+    for (Eigen::Index j = 0; j < from_model; ++j) {
+      const auto& column = *derivatives[static_cast<std::size_t>(places[static_cast<std::size_t>(j)])];
+      local.col(j) = weight * column[rows.record].segment(rows.first, size);
+    }
+    if (trends) {
+      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
+    }
+    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
+    if (record.counts.size() > 0) {
+      local.array().colwise() *= record.counts.segment(rows.first, size).array();
+    }
+    return local;
   }
-  places.push_back(width - 1);
-  return places;
+};
+
+// By how much each nuisance of a log is in each of its columns; empty for logs without nuisances.
+std::vector<Eigen::MatrixXd> sharesOfNuisances(const Columns& columns, const std::vector<Rows>& blocks, int threads) {
+  std::vector<Eigen::MatrixXd> shares(columns.records.size());
+  parallelFor(shares.size(), threads, [&](std::size_t r) {
+    const Eigen::MatrixXd& nuisances = columns.records[r].nuisances;
+    if (nuisances.cols() == 0) {
+      return;
+    }
+    for (const Rows& rows : blocks) {
+      if (rows.record == r) {
+        const Eigen::MatrixXd share =
+            nuisances.middleRows(rows.first, rows.last - rows.first).transpose() * columns.in(rows);
+        shares[r] = shares[r].size() == 0 ? share : (shares[r] + share).eval();
+      }
+    }
+  });
+  return shares;
 }
 
 Eigen::MatrixXd products(const Eigen::MatrixXd& columns) {
@@ -107,39 +159,31 @@ void BlockGrams::sumUp() {
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
                            bool trends, int threads) {
-  const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
   const auto logs = static_cast<Eigen::Index>(records.size());
-  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + own_trends * logs + 1;
+  const Eigen::Index width =
+      static_cast<Eigen::Index>(columns.size()) + (trends ? kTrendsPerLog * logs : 0) + 1;
   const std::vector<Rows> blocks = cut(records);
+  const Columns all{records, weights, base, columns, trends, width};
+  const std::vector<Eigen::MatrixXd> shares = sharesOfNuisances(all, blocks, threads);
   BlockGrams result;
   result.gram.resize(blocks.size());
   parallelFor(blocks.size(), threads, [&](std::size_t b) {
     const Rows& rows = blocks[b];
     const log::Record& record = records[rows.record];
-    const double weight = weights[rows.record];
-    const Eigen::Index size = rows.last - rows.first;
-    const std::vector<Eigen::Index> places = placesIn(rows, columns, own_trends, width);
-    const auto count = static_cast<Eigen::Index>(places.size());
-    const Eigen::Index from_model = count - own_trends - 1;
-    Eigen::MatrixXd local(size, count);
-    for (Eigen::Index j = 0; j < from_model; ++j) {
-      const auto& column = *columns[static_cast<std::size_t>(places[static_cast<std::size_t>(j)])];
-      local.col(j) = weight * column[rows.record].segment(rows.first, size);
+    Eigen::MatrixXd local = all.in(rows);
+    if (record.nuisances.cols() > 0) {
+      local -= record.nuisances.middleRows(rows.first, rows.last - rows.first) * shares[rows.record];
     }
-    if (trends) {
-      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
-    }
-    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
-    result.gram[b] = spreadOut(products(local), places, width);
+    result.gram[b] = spreadOut(products(local), all.placesIn(rows), width);
   });
   int place = 0;  // among the blocks of its log
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Rows& rows = blocks[b];
+  for (const Rows& rows : blocks) {
+    const log::Record& record = records[rows.record];
     place = rows.first == 0 ? 0 : place + 1;
     result.fold.push_back((place + static_cast<int>(rows.record)) % kFolds);
     result.record.push_back(static_cast<int>(rows.record));
-    result.weight.push_back(static_cast<double>(rows.last - rows.first) /
-                            static_cast<double>(records[rows.record].size() * logs));
+    result.weight.push_back(record.counted(rows.first, rows.last - rows.first) /
+                            (record.counted() * static_cast<double>(logs)));
   }
   return result;
 }

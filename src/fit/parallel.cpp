@@ -1,5 +1,5 @@
 // A loop shared by some threads.
-#include "rubber_suspension/fit/parallel.h"
+#include "fit/parallel.h"
 
 #include <algorithm>
 #include <atomic>

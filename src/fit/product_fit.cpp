@@ -43,8 +43,8 @@ double promise(const ProjectedCost::Value& value, const Eigen::VectorXd& step) {
 
 }  // namespace
 
-ProductFit::ProductFit(const ForceModel& model, const std::vector<Measurement>& measurements)
-    : cost_(model, measurements), lower_(model.nonlinear().size()), upper_(model.nonlinear().size()) {
+ProductFit::ProductFit(const ForceModel& model, const std::vector<log::Log>& logs)
+    : cost_(model, logs), lower_(model.nonlinear().size()), upper_(model.nonlinear().size()) {
   for (std::size_t i = 0; i < model.nonlinear().size(); ++i) {
     const Unknown& unknown = model.nonlinear()[i];
     lower_[static_cast<Eigen::Index>(i)] = unknown.toSearch(unknown.lower);
@@ -53,7 +53,7 @@ ProductFit::ProductFit(const ForceModel& model, const std::vector<Measurement>& 
 }
 
 // The least of the damped quadratic model within the limits: coordinates that a step would take beyond theirs are set
-// to it, one round after the other, and the step of the others is sought anew.
+// to it, one round after the other, and the step of the others is sought again.
 Eigen::VectorXd ProductFit::stepFrom(const Eigen::VectorXd& x, const ProjectedCost::Value& here, double radius) const {
   Eigen::MatrixXd damped = here.curvature;
   damped.diagonal() += here.curvature.diagonal().cwiseMax(kLeastDamped * cost_.unit()) / radius;

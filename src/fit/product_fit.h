@@ -12,11 +12,11 @@ namespace rubber_suspension::fit {
 class ProductFit final : public FitMethod {
  public:
   /// Whether it can fit this; see ProjectedCost.
-  static bool appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements) {
-    return ProjectedCost::appliesTo(model, measurements);
+  static bool appliesTo(const ForceModel& model, const std::vector<log::Log>& logs) {
+    return ProjectedCost::appliesTo(model, logs);
   }
 
-  ProductFit(const ForceModel& model, const std::vector<Measurement>& measurements);
+  ProductFit(const ForceModel& model, const std::vector<log::Log>& logs);
 
   Optimum search(const Eigen::VectorXd& start) override;
   ModelFit fitAt(const Eigen::VectorXd& search) override;

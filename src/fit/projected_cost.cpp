@@ -2,13 +2,13 @@
 #include "fit/projected_cost.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "fit/bounded_least_squares.h"
 #include "fit/fit_method.h"
-#include "fit/linear_least_squares.h"
+#include "fit/least_norm.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -61,7 +61,7 @@ struct Scaled {
 };
 
 // Where the columns are independent and no coefficient meets its bound, the plain solution is the bounded one.
-Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& moments, double length,
+Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& moments,
                       const std::vector<bool>& signed_columns) {
   const Scaled scaled(products);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled.products);
@@ -75,29 +75,29 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& mo
       return x;
     }
   }
-  return solveNormalEquations(products, moments, length, signed_columns);
+  return nonNegativeLeastSquares(products, moments, signed_columns);
 }
 
 }  // namespace
 
-bool ProjectedCost::appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements) {
-  return !model.nonlinear().empty() && UnitColumns::steady(measurements) &&
+bool ProjectedCost::appliesTo(const ForceModel& model, const std::vector<log::Log>& logs) {
+  return !model.nonlinear().empty() && UnitColumns::steady(logs) &&
          std::all_of(model.elements().begin(), model.elements().end(), [](const element::ElementDescription& element) {
            return element.type == "spring" || (element.type == "dashpot" && element.value("order") == 1.0) ||
                   element.type == kMaxwellName.type || element.type == kFrictionName.type;
          });
 }
 
-ProjectedCost::ProjectedCost(const ForceModel& model, const std::vector<Measurement>& measurements)
-    : columns_(measurements, ofType(model, kMaxwellName.type).size(), deadBands(model)),
+ProjectedCost::ProjectedCost(const ForceModel& model, const std::vector<log::Log>& logs)
+    : columns_(logs, ofType(model, kMaxwellName.type).size(), deadBands(model)),
       signed_columns_(model.signedColumns()),
       owner_(model.nonlinear().size(), kNone) {
   const auto basis = static_cast<Eigen::Index>(signed_columns_.size());
   combination_ = Eigen::MatrixXd::Zero(columns_.count(), 1 + basis + static_cast<Eigen::Index>(owner_.size()));
   combination_(UnitColumns::kForce, 0) = 1.0;
   combination_(UnitColumns::kOne, basis) = 1.0;
-  for (const Measurement& measurement : measurements) {
-    unit_ += std::inner_product(measurement.force.begin(), measurement.force.end(), measurement.force.begin(), 0.0);
+  for (const log::Log& log : logs) {
+    unit_ += std::inner_product(log.force.begin(), log.force.end(), log.force.begin(), 0.0);
   }
   for (std::size_t i = 0; i < model.elements().size(); ++i) {
     addElement(model, i);
@@ -161,8 +161,8 @@ Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const 
       scaled.scale[i] = 0.0;
     }
   }
-  const auto decomposition = scaled.products.completeOrthogonalDecomposition();
-  return scaled.scale.asDiagonal() * decomposition.solve(scaled.scale.asDiagonal() * shared);
+  const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
+  return scaled.scale.asDiagonal() * LeastNorm(scaled.products).solve(moments);
 }
 
 // By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.
@@ -191,7 +191,7 @@ ProjectedCost::Value ProjectedCost::at(const Eigen::VectorXd& search) {
   const Eigen::MatrixXd derivatives = products.bottomRightCorner(search.size(), search.size());
   const Eigen::MatrixXd shared = products.block(1, 1 + size, size, search.size());
   Value value;
-  value.coefficients = solve(basis, moments, std::sqrt(products(0, 0)), signed_columns_);
+  value.coefficients = solve(basis, moments, signed_columns_);
   const Eigen::VectorXd& x = value.coefficients;
   value.cost = products(0, 0) - 2.0 * x.dot(moments) + x.dot(basis * x);
   const Eigen::VectorXd scale = scales(x);

@@ -22,10 +22,10 @@ class ProjectedCost {
 
   /// True for springs, dashpots, Maxwell elements and Berg friction over logs with few step lengths, if there is
   /// anything to search for.
-  static bool appliesTo(const ForceModel& model, const std::vector<Measurement>& measurements);
+  static bool appliesTo(const ForceModel& model, const std::vector<log::Log>& logs);
 
   /// For a model that it applies to.
-  ProjectedCost(const ForceModel& model, const std::vector<Measurement>& measurements);
+  ProjectedCost(const ForceModel& model, const std::vector<log::Log>& logs);
 
   Value at(const Eigen::VectorXd& search);
 

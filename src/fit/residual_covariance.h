@@ -12,7 +12,7 @@ struct Autoregression {
   double innovation = 0.0;
 };
 
-/// Fit by the Yule-Walker equations over runs that each start anew (runs: lengths, in order); the order, up to
+/// Fit by the Yule-Walker equations over independent runs (runs: lengths, in order); the order, up to
 /// min(30, longest run/20), is that of the lowest Bayesian information criterion.
 Autoregression fitAutoregression(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& runs);
 

@@ -3,7 +3,8 @@
 
 #include <ceres/ceres.h>
 
-#include "fit/linear_least_squares.h"
+#include "fit/bounded_least_squares.h"
+#include "fit/least_norm.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -12,7 +13,9 @@ ModelFit evaluate(ForceModel& model, const Eigen::VectorXd& force, const Eigen::
   model.evaluate(search);
   ModelFit fit;
   fit.search = search;
-  fit.coefficients = solveLeastSquares(model.basis(), force - model.rest(), model.signedColumns());
+  const Eigen::MatrixXd& basis = model.basis();
+  fit.coefficients = nonNegativeLeastSquares(basis.transpose() * basis, basis.transpose() * (force - model.rest()),
+                                             model.signedColumns());
   fit.residual = force - model.rest() - model.basis() * fit.coefficients;
   return fit;
 }
@@ -34,7 +37,7 @@ Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coe
   }
   const Eigen::MatrixXd gram = basis.transpose() * basis;
   const Eigen::MatrixXd moment = basis.transpose() * columns;
-  return columns - basis * gram.completeOrthogonalDecomposition().solve(moment);
+  return columns - basis * LeastNorm(gram).solve(moment);
 }
 
 // The projected residual as Ceres calls it, made free of units. Its Jacobian is that of L. Kaufman, BIT 15 (1975)

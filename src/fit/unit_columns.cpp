@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::fit {
@@ -28,7 +29,7 @@ struct RelaxationStep {
 
   // x = dt/tau is proportional to f_b, and with it d exp(-x)/d ln x = -x exp(-x), d mean/d ln x = exp(-x) - mean.
   RelaxationStep(double dt, double break_frequency) {
-    const double x = dt * 2.0 * M_PI * break_frequency;
+    const double x = dt * 2.0 * element::kPi * break_frequency;
     const element::Relaxation relaxation = element::Relaxation::over(x);
     decay = relaxation.decay;
     gain = relaxation.mean * dt;
@@ -66,7 +67,7 @@ struct FrictionBranch {
 // Steps of Maxwell elements for each step length of a log.
 class RelaxationSteps {
  public:
-  RelaxationSteps(const SteadyLog& log, const std::vector<double>& break_frequency)
+  RelaxationSteps(const SteadyColumns& log, const std::vector<double>& break_frequency)
       : elements_(break_frequency.size()), one_(log.dt.size() == 1), which_(log.which.data()) {
     for (const double dt : log.dt) {
       for (const double frequency : break_frequency) {
@@ -160,26 +161,26 @@ std::vector<std::int64_t> stepLengths(const std::vector<std::int64_t>& stamp) {
 }
 
 // Step lengths and rates of the displacement.
-void addSteps(const Measurement& measurement, SteadyLog& log) {
-  const std::vector<std::int64_t> lengths = stepLengths(measurement.stamp);
+void addSteps(const log::Log& recorded, SteadyColumns& log) {
+  const std::vector<std::int64_t> lengths = stepLengths(recorded.stamp);
   for (const std::int64_t length : lengths) {
     log.dt.push_back(1e-9 * static_cast<double>(length));
   }
   log.which.resize(log.size, 0);
   AlignedNumbers rate(log.size, 0.0);
   for (std::size_t i = 1; i < log.size; ++i) {
-    const std::int64_t length = measurement.stamp[i] - measurement.stamp[i - 1];
+    const std::int64_t length = recorded.stamp[i] - recorded.stamp[i - 1];
     log.which[i] = static_cast<std::uint8_t>(std::find(lengths.begin(), lengths.end(), length) - lengths.begin());
-    rate[i] = (measurement.displacement[i] - measurement.displacement[i - 1]) / log.dt[log.which[i]];
+    rate[i] = (recorded.displacement[i] - recorded.displacement[i - 1]) / log.dt[log.which[i]];
   }
   log.column.push_back(std::move(rate));
 }
 
 // The branch that begins where another one is left.
 FrictionBranch turned(const FrictionBranch& before, const FrictionStretch& stretch, double displacement) {
-  const FrictionBranch towards(0, before.force, before.force_change, stretch.turning_side, displacement);
-  const double inverse = 1.0 / (towards.reach + stretch.turning_way + std::numeric_limits<double>::min());
-  const double part = stretch.turning_way * inverse;
+  const FrictionBranch towards(0, before.force, before.force_change, stretch.reversal_side, displacement);
+  const double inverse = 1.0 / (towards.reach + stretch.reversal_travel + std::numeric_limits<double>::min());
+  const double part = stretch.reversal_travel * inverse;
   const double force = std::clamp(towards.force + part * towards.left, -1.0, 1.0);
   const double change =
       towards.force_change + part * (towards.left_change - towards.left * towards.reach_change * inverse);
@@ -191,8 +192,8 @@ std::vector<FrictionBranch> branchesOf(const FrictionPath& path, double displace
   branches.reserve(path.stretches().size());
   FrictionBranch last(0, 0.0, 0.0, 1.0, displacement);
   for (const FrictionStretch& stretch : path.stretches()) {
-    last = stretch.turns ? turned(last, stretch, displacement)
-                         : FrictionBranch(stretch.end, last.force, last.force_change, stretch.side, displacement);
+    last = stretch.reverses ? turned(last, stretch, displacement)
+                            : FrictionBranch(stretch.end, last.force, last.force_change, stretch.side, displacement);
     branches.push_back(last);
   }
   return branches;
@@ -201,7 +202,7 @@ std::vector<FrictionBranch> branchesOf(const FrictionPath& path, double displace
 // The columns of one pass of a log: those of the laws, a block at a time.
 class ColumnPass {
  public:
-  ColumnPass(const SteadyLog& log, const UnitColumnValues& values)
+  ColumnPass(const SteadyColumns& log, const UnitColumnValues& values)
       : log_(log), steps_(log, values.break_frequency), state_(steps_.elements()) {
     for (std::size_t k = 0; k < log.path.size(); ++k) {
       branches_.push_back(branchesOf(log.path[k], values.displacement[k]));
@@ -218,7 +219,7 @@ class ColumnPass {
     column += 2 * steps_.elements() * kColumnStride;
     for (std::size_t k = 0; k < branches_.size(); ++k) {
       branch_[k] =
-          RUBBER_SUSPENSION_KERNEL(followBranches)(branch_[k], log_.path[k].way().data(), first, count, column);
+          RUBBER_SUSPENSION_KERNEL(followBranches)(branch_[k], log_.path[k].travel().data(), first, count, column);
       column += 2 * kColumnStride;
     }
     for (double* law = block_.data(); law < column; law += kColumnStride) {
@@ -241,7 +242,7 @@ class ColumnPass {
   }
 
  private:
-  const SteadyLog& log_;
+  const SteadyColumns& log_;
   RelaxationSteps steps_;
   std::vector<RelaxationState> state_;
   std::vector<std::vector<FrictionBranch>> branches_;
@@ -249,38 +250,36 @@ class ColumnPass {
   AlignedNumbers block_;
 };
 
-SteadyLog steadyLog(const Measurement& measurement, const std::vector<double>& dead_bands) {
-  SteadyLog log;
-  log.size = measurement.stamp.size();
-  log.column.emplace_back(measurement.force.begin(), measurement.force.end());
-  log.column.emplace_back(measurement.displacement.begin(), measurement.displacement.end());
+SteadyColumns steadyColumns(const log::Log& recorded, const std::vector<double>& dead_bands) {
+  SteadyColumns log;
+  log.size = recorded.stamp.size();
+  log.column.emplace_back(recorded.force.begin(), recorded.force.end());
+  log.column.emplace_back(recorded.displacement.begin(), recorded.displacement.end());
   log.column.emplace_back(log.size, 1.0);
-  addSteps(measurement, log);
+  addSteps(recorded, log);
   for (AlignedNumbers& column : log.column) {
     column.resize(padded(log.size), 0.0);
   }
   for (const double dead_band : dead_bands) {
-    log.path.emplace_back(measurement.displacement, dead_band);
+    log.path.emplace_back(recorded.displacement, dead_band);
   }
   return log;
 }
 
 }  // namespace
 
-bool UnitColumns::steady(const std::vector<Measurement>& measurements) {
-  return std::all_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
-    return stepLengths(measurement.stamp).size() <= kMostSteps;
-  });
+bool UnitColumns::steady(const std::vector<log::Log>& logs) {
+  return std::all_of(logs.begin(), logs.end(),
+                     [](const log::Log& recorded) { return stepLengths(recorded.stamp).size() <= kMostSteps; });
 }
 
-UnitColumns::UnitColumns(const std::vector<Measurement>& measurements, std::size_t maxwells,
-                         const std::vector<double>& dead_bands)
+UnitColumns::UnitColumns(const std::vector<log::Log>& logs, std::size_t maxwells, const std::vector<double>& dead_bands)
     : maxwells_(maxwells),
       frictions_(dead_bands.size()),
       tiles_((static_cast<std::size_t>(count()) + kTile - 1) / kTile),
       fixed_sums_(tiles_ * (tiles_ + 1) / 2 * kTileSums, 0.0) {
-  for (const Measurement& measurement : measurements) {
-    logs_.push_back(steadyLog(measurement, dead_bands));
+  for (const log::Log& recorded : logs) {
+    logs_.push_back(steadyColumns(recorded, dead_bands));
     const std::array<const double*, kTile> first = {logs_.back().column[0].data(), logs_.back().column[1].data(),
                                                     logs_.back().column[2].data()};
     RUBBER_SUSPENSION_KERNEL(addTile)(first.data(), first.data(), padded(logs_.back().size), fixed_sums_.data());
@@ -289,7 +288,7 @@ UnitColumns::UnitColumns(const std::vector<Measurement>& measurements, std::size
 
 Eigen::MatrixXd UnitColumns::products(const UnitColumnValues& values) const {
   std::vector<double> sums = fixed_sums_;
-  for (const SteadyLog& log : logs_) {
+  for (const SteadyColumns& log : logs_) {
     ColumnPass pass(log, values);
     for (std::size_t first = 0; first < log.size; first += kColumnBlock) {
       const std::size_t size = std::min(kColumnBlock, log.size - first);
@@ -317,10 +316,10 @@ Eigen::MatrixXd UnitColumns::products(const UnitColumnValues& values) const {
 
 Eigen::MatrixXd UnitColumns::combined(const UnitColumnValues& values, const Eigen::MatrixXd& weights) const {
   const std::size_t samples = std::accumulate(logs_.begin(), logs_.end(), std::size_t{0},
-                                              [](std::size_t sum, const SteadyLog& log) { return sum + log.size; });
+                                              [](std::size_t sum, const SteadyColumns& log) { return sum + log.size; });
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples), weights.cols());
   Eigen::Index row = 0;
-  for (const SteadyLog& log : logs_) {
+  for (const SteadyColumns& log : logs_) {
     ColumnPass pass(log, values);
     for (std::size_t first = 0; first < log.size; first += kColumnBlock) {
       const std::size_t size = std::min(kColumnBlock, log.size - first);

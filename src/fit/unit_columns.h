@@ -21,8 +21,8 @@ struct UnitColumnValues {
 /// Numbers that vectors of eight are read from: these begin at a line of the cache.
 using AlignedNumbers = std::vector<double, boost::alignment::aligned_allocator<double, 64>>;
 
-/// A log whose steps have few lengths: of constant rate, but for stamps that are rounded, and gaps.
-struct SteadyLog {
+/// Columns of a log whose steps have few lengths: of constant rate, but for stamps that are rounded, and time gaps.
+struct SteadyColumns {
   std::size_t size;
   std::vector<double> dt;              // different step lengths [s]
   std::vector<std::uint8_t> which;     // of these the step to each sample has
@@ -30,7 +30,7 @@ struct SteadyLog {
   std::vector<FrictionPath> path;      // of each friction
 };
 
-/// Columns over steady logs, each specimen at rest at its first sample: measured force, displacement, ones,
+/// Columns over steady logs, each component at rest at its first sample: measured force, displacement, ones,
 /// rate of the displacement; then for each Maxwell element the force at unit stiffness and its derivative by ln(f_b);
 /// then for each Berg friction the force at unit maximum and its derivative by ln(z2).
 ///
@@ -41,11 +41,10 @@ class UnitColumns {
   enum Fixed : Eigen::Index { kForce, kDisplacement, kOne, kRate, kFirstLaw };
 
   /// Whether each log has sixteen step lengths at most.
-  static bool steady(const std::vector<Measurement>& measurements);
+  static bool steady(const std::vector<log::Log>& logs);
 
   /// For steady logs; dead bands [m] of the frictions.
-  UnitColumns(const std::vector<Measurement>& measurements, std::size_t maxwells,
-              const std::vector<double>& dead_bands);
+  UnitColumns(const std::vector<log::Log>& logs, std::size_t maxwells, const std::vector<double>& dead_bands);
 
   static Eigen::Index maxwell(std::size_t k) { return kFirstLaw + 2 * static_cast<Eigen::Index>(k); }
   Eigen::Index friction(std::size_t k) const { return maxwell(maxwells_ + k); }
@@ -63,7 +62,7 @@ class UnitColumns {
   std::size_t maxwells_;
   std::size_t frictions_;
   std::size_t tiles_;  // of columns
-  std::vector<SteadyLog> logs_;
+  std::vector<SteadyColumns> logs_;
   std::vector<double> fixed_sums_;  // those of the tiles, where no law has a part
 };
 

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "io/progress.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::gap {
 namespace {
@@ -107,24 +106,6 @@ std::vector<double> simulateLog(const component::Component& component, const log
     *counters = stream.counters();
   }
   return force;
-}
-
-double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated) {
-  if (measured.empty() || measured.size() != simulated.size()) {
-    throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: as many, at least one",
-                                            measured.size(), simulated.size()));
-  }
-  const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
-  double gap = 0.0;
-  double deviation = 0.0;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    gap += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
-    deviation += (measured[i] - mean) * (measured[i] - mean);
-  }
-  if (!(deviation > 0.0)) {
-    throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: one that varies", mean));
-  }
-  return std::sqrt(gap / deviation);
 }
 
 Replay replay(const component::Component& component, const log::Log& log) {

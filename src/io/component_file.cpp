@@ -46,12 +46,6 @@ std::vector<std::string> elementTypeNames() {
   return names;
 }
 
-const element::ParameterInfo* findRow(const std::vector<element::ParameterInfo>& table, const std::string& name) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const element::ParameterInfo& parameter) { return parameter.name == name; });
-  return found == table.end() ? nullptr : &*found;
-}
-
 std::string accepted(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool bounded = std::isfinite(range.lower) || std::isfinite(range.upper);
@@ -241,11 +235,14 @@ class Loader {
     if (!node.IsMap()) {
       refuse(node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
     }
-    ComponentDescription description;
-    description.name = component_;
     checkUnique(node, "");
-    description.model = loadModel(node);
-    loadContent(node, description);
+    ComponentDescription description = loadContent(node, loadModel(node));
+    if (const YAML::Node add = node["add"]) {
+      description.add = loadEntries(add, "add");
+    }
+    if (const YAML::Node rig = node["rig"]) {
+      description.rig = loadRig(rig);
+    }
     try {
       description.makeComponent();
     } catch (const std::invalid_argument& error) {
@@ -264,23 +261,50 @@ class Loader {
     return *found;
   }
 
-  void loadContent(const YAML::Node& node, ComponentDescription& description) {
-    if (description.model == estimation::Model::elements) {
-      checkKeys(node, "", {"model", "elements", "add"});
-      description.elements = loadEntries(require(node, "", "elements", "a list of elements"), "elements");
-      if (description.elements.empty()) {
-        refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
-      }
-    } else {
-      checkKeys(node, "", {"model", "specification", "add"});
-      description.specification = loadSpecification(require(node, "", "specification", "a map"), description.model);
+  ComponentDescription loadContent(const YAML::Node& node, estimation::Model model) {
+    if (model != estimation::Model::elements) {
+      checkKeys(node, "", {"model", "specification", "add", "rig"});
+      return loadSpecification(require(node, "", "specification", "a map"), model);
     }
-    if (const YAML::Node add = node["add"]) {
-      description.add = loadEntries(add, "add");
+    checkKeys(node, "", {"model", "elements", "add", "rig"});
+    std::vector<element::ElementDescription> elements =
+        loadEntries(require(node, "", "elements", "a list of elements"), "elements");
+    if (elements.empty()) {
+      refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
+    }
+    return {component_, std::move(elements)};
+  }
+
+  RigTolerances loadRig(const YAML::Node& node) {
+    if (!node.IsMap()) {
+      refuse(node, "rig", fmt::format("{}; accepted: a map", kindOf(node)));
+    }
+    std::vector<std::string> names;
+    for (const RigToleranceInfo& row : rigToleranceTable()) {
+      names.push_back(row.name);
+    }
+    checkKeys(node, "rig", names);
+    RigTolerances tolerances;
+    for (const RigToleranceInfo& row : rigToleranceTable()) {
+      if (const YAML::Node value = node[row.name]) {
+        tolerances.*row.member = loadTolerance(value, row.name);
+      }
+    }
+    return tolerances;
+  }
+
+  RigTolerance loadTolerance(const YAML::Node& node, const std::string& key) const {
+    if (!node.IsScalar()) {
+      refuse(node, child("rig", key), fmt::format("{} is not a number; accepted: a number or text", kindOf(node)));
+    }
+    try {
+      return parseRigTolerance(key, node.Scalar());
+    } catch (const std::invalid_argument& error) {
+      refuse(node, "", fmt::format("rig.{}", error.what()));
     }
   }
 
-  estimation::Specification loadSpecification(const YAML::Node& node, estimation::Model model) {
+  ComponentDescription loadSpecification(const YAML::Node& node, estimation::Model model) {
     if (!node.IsMap()) {
       refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
     }
@@ -289,18 +313,17 @@ class Loader {
     estimation::Specification specification;
     for (const auto& entry : node) {
       const std::string& key = entry.first.Scalar();
-      specification.set(key, loadNumber(entry.second, child("specification", key), *findRow(table, key)));
+      specification.set(key,
+                        loadNumber(entry.second, child("specification", key), *element::findParameter(table, key)));
     }
     for (const std::string& key : estimation::modelInfo(model).required) {
-      require(node, "specification", key, accepted(*findRow(table, key)));
+      require(node, "specification", key, accepted(*element::findParameter(table, key)));
     }
     try {
-      estimation::checkSpecification(model, specification);
-      estimation::estimate(model, specification);
+      return {component_, model, std::move(specification)};
     } catch (const std::invalid_argument& error) {
       refuseSpecification(node, error.what());
     }
-    return specification;
   }
 
   // The message begins with the key that is to blame, whose line it gets; without one, that of the whole map.
@@ -422,6 +445,14 @@ std::string entriesYaml(const std::string& key, const std::vector<element::Eleme
   return text;
 }
 
+std::string rigYaml(const RigTolerances& tolerances) {
+  std::string text = "    rig:\n";
+  for (const RigToleranceInfo& row : rigToleranceTable()) {
+    text += fmt::format("      {}: {}\n", row.name, toString(row, tolerances.*row.member));
+  }
+  return text;
+}
+
 std::string specificationYaml(const estimation::Specification& specification) {
   std::string text = "    specification:\n";
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
@@ -437,9 +468,22 @@ std::string specificationYaml(const estimation::Specification& specification) {
 
 ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 
+ComponentDescription::ComponentDescription(std::string component, estimation::Model model,
+                                           estimation::Specification specification)
+    : name(std::move(component)), model_(model) {
+  specify(std::move(specification));
+}
+
+void ComponentDescription::specify(estimation::Specification specification) {
+  if (model_ == estimation::Model::elements) {
+    throw std::logic_error("the model elements has no specification");
+  }
+  elements_ = estimation::estimate(model_, specification);
+  specification_ = std::move(specification);
+}
+
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {
-  std::vector<element::ElementDescription> all =
-      model == estimation::Model::elements ? elements : estimation::estimate(model, specification);
+  std::vector<element::ElementDescription> all = elements_;
   all.insert(all.end(), add.begin(), add.end());
   return all;
 }
@@ -478,10 +522,11 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
 std::string toYaml(const std::vector<ComponentDescription>& components) {
   std::string text = "components:\n";
   for (const ComponentDescription& component : components) {
-    text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model));
-    text += component.model == estimation::Model::elements ? entriesYaml("elements", component.elements)
-                                                           : specificationYaml(component.specification);
+    text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
+    text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
+                                                             : specificationYaml(component.specification());
     text += entriesYaml("add", component.add);
+    text += component.rig ? rigYaml(*component.rig) : "";
   }
   return text;
 }

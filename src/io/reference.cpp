@@ -6,6 +6,7 @@
 #include "log/text.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
 namespace {
@@ -50,13 +51,13 @@ std::string modelRow(estimation::Model model) {
 }
 
 std::string parameterTable(const std::vector<element::ParameterInfo>& parameters) {
-  std::string text = "| key | unit | accepted | default | meaning |\n|---|---|---|---|---|\n";
+  std::string text = "| key | unit | role | accepted | default | meaning |\n|---|---|---|---|---|---|\n";
   for (const element::ParameterInfo& parameter : parameters) {
     const std::string unit = parameter.unit == "1" ? "-" : parameter.unit;
-    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", parameter.name, unit,
-                        parameter.is_list ? "list, each " : "", element::describe(parameter.range),
-                        parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "",
-                        escaped(parameter.documentation));
+    text += fmt::format(
+        "| `{}` | {} | {} | {}{} | {} | {} |\n", parameter.name, unit, element::toString(parameter.role),
+        parameter.is_list ? "list, each " : "", element::describe(parameter.range),
+        parameter.default_value ? fmt::format("{:g}", *parameter.default_value) : "", escaped(parameter.documentation));
   }
   return text;
 }
@@ -64,6 +65,16 @@ std::string parameterTable(const std::vector<element::ParameterInfo>& parameters
 std::string elementSection(const element::ElementType& type) {
   return fmt::format("\n### {}\n\n{}\n\n{}", type.name, escaped(sentence(type.documentation)),
                      parameterTable(type.parameters));
+}
+
+std::string toleranceTable() {
+  std::string text = "| key | unit | % of | default | meaning |\n|---|---|---|---|---|\n";
+  const RigTolerances defaults;
+  for (const RigToleranceInfo& row : rigToleranceTable()) {
+    text += fmt::format("| `{}` | {} | {} | {:g} % | {} |\n", row.name, row.unit == "1" ? "-" : row.unit, row.share_of,
+                        (defaults.*row.member).value * 100.0, row.documentation);
+  }
+  return text;
 }
 
 }  // namespace
@@ -75,13 +86,27 @@ std::string parameterReference() {
       "Numbers are SI, in the units below; text carries its own unit, as `\"3 kN/mm\"`, `\"5.7 deg\"` or `\"5 %\"`.\n\n"
       "A component has a `model`, a `specification` (or a list of `elements`, for the model of that name), and may "
       "have\n"
-      "effects on top in a list `add`.\n\n"
+      "effects on top in a list `add` and the tolerances of the rig that measures it in a map `rig`.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {
     text += modelRow(static_cast<estimation::Model>(i));
   }
+  text +=
+      "\n## Roles\n\n"
+      "The tables below give each key a role, which says what `estimate --from-log` and `diagnose` do with it.\n\n"
+      "| role | meaning | moved by a fit |\n|---|---|---|\n"
+      "| scale | the force is linear in it, the others kept | yes |\n"
+      "| shape | acts on the force in any other way | yes |\n"
+      "| choice | a count, a switch, a dead band, the span or the points over which a law is realised | no |\n"
+      "| reference | the point at which another value holds, which would do as well | no |\n\n"
+      "A value at an end of its accepted range (a coefficient of 0, say) is kept, and so is a list.\n";
   text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters());
+  text +=
+      "\n## Keys of `rig`, and of the option `--rig KEY=VALUE` of a diagnosis\n\n"
+      "Standard deviations of what a rig may do to a log and is no cause in the component, new in each log; 0: it does "
+      "not do it.\n\n" +
+      toleranceTable();
   text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);

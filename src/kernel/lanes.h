@@ -47,26 +47,12 @@ inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(positive) | (reinterpret_cast<LaneMask>(sign) & INT64_MIN));
 }
 
-inline bool all(const LaneMask& mask) {
-  auto seen = mask[0];
-  for (std::size_t i = 1; i < kWidth; ++i) {
-    seen &= mask[i];
-  }
-  return seen != 0;
-}
-
 /// BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
 inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
                             const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
   constexpr double kTiny = std::numeric_limits<double>::min();
-  const Lanes way = displacement - reference_displacement;
-  const Lanes left = withSignOf(maximum_force, way) - reference_force;
+  const Lanes travel = displacement - reference_displacement;
+  const Lanes left = withSignOf(maximum_force, travel) - reference_force;
   const Lanes reach = compliance * magnitude(left) + kTiny;
-  return reference_force + magnitude(way) * left / (reach + magnitude(way));
-}
-
-/// A force no larger than the maximum, as std::clamp has it.
-inline Lanes limited(const Lanes& force, const Lanes& maximum_force) {
-  const Lanes above = select(force < -maximum_force, -maximum_force, force);
-  return select(maximum_force < above, maximum_force, above);
+  return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
 }

@@ -2,14 +2,14 @@
 #include "kernel/lanes.h"
 #include "rubber_suspension/element/relaxation_mean.h"
 
-/// MaxwellStep with Relaxation::small for so many elements, of rates [1/s] and stiffnesses [N/m].
+/// MaxwellStep with Relaxation::small for `count` elements, of rates [1/s] and stiffnesses [N/m].
 inline void prepareSmall(double dt, const double* rate, const double* stiffness, std::size_t count,
-                         kernel::MaxwellBlock* block) {
+                         MaxwellBlock* block) {
   for (std::size_t i = 0; i < count; i += kWidth) {
     const Lanes ratio = dt * load(rate + i);
     const Lanes mean = meanOverSmallStep(ratio);
-    kernel::MaxwellBlock& target = block[i / kernel::MaxwellBlock::kSize];
-    const std::size_t place = i % kernel::MaxwellBlock::kSize;
+    MaxwellBlock& target = block[i / MaxwellBlock::kSize];
+    const std::size_t place = i % MaxwellBlock::kSize;
     store(1.0 - ratio * mean, reinterpret_cast<double*>(target.decay) + place);
     store(load(stiffness + i) * mean, reinterpret_cast<double*>(target.gain) + place);
   }

@@ -1,5 +1,6 @@
-// Many steps of one component, for one kind of processor. See instruction_sets.h.
+// Many steps of basic laws, for one kind of processor. See instruction_sets.h.
 #include "kernel/lanes.h"
+#include "rubber_suspension/element/maxwell_force.h"
 
 // Maxwell elements side by side, each one sample behind the one before it: what it adds to the sum of a sample then
 // goes with it from lane to lane. Lane 0 is the last element, and the sums leave it finished.
@@ -11,7 +12,7 @@ class MaxwellPipeline {
   // Steps from where a sample comes in to where its sum is finished. Lanes without element add 0.
   static constexpr std::size_t kLag = elements == 0 ? 0 : kVectors * kWidth - 1;
 
-  MaxwellPipeline(const kernel::MaxwellBlock& block, const double* force) {
+  MaxwellPipeline(const MaxwellBlock& block, const double* force) {
     for (std::size_t i = 0; i < elements; ++i) {
       lane(decay_, i) = block.decay[i / 2][i % 2];
       lane(gain_, i) = block.gain[i / 2][i % 2];
@@ -52,7 +53,7 @@ class MaxwellPipeline {
                                            double* sum) {
     const double* oldest = increment + sample - kLag;
     for (std::size_t k = 0; k < kVectors; ++k) {
-      const Lanes force = decay_[k] * force_[k] + gain_[k] * load(oldest + k * kWidth);
+      const Lanes force = maxwellForce(decay_[k], gain_[k], force_[k], load(oldest + k * kWidth));
       force_[k] = inside ? force : select(isInside(sample, count, k), force, force_[k]);
       sum_[k] = shifted(sum_[k], k + 1 < kVectors ? sum_[k + 1] : spread(sum[sample])) + force_[k];
     }
@@ -79,7 +80,7 @@ template <>
 class MaxwellPipeline<0> {
  public:
   static constexpr std::size_t kLag = 0;
-  MaxwellPipeline(const kernel::MaxwellBlock& /*block*/, const double* /*force*/) {}
+  MaxwellPipeline(const MaxwellBlock& /*block*/, const double* /*force*/) {}
   void run(std::size_t /*from*/, std::size_t /*to*/, std::size_t /*count*/, const double* /*increment*/,
            double* /*sum*/) {}
   void save(double* /*force*/) const {}
@@ -102,7 +103,7 @@ inline void addBranch(const element::BergFriction& berg, const double* memory, c
 }
 
 // The samples of a block that rise, that fall, and that are no numbers: a bit for each.
-struct Ways {
+struct Directions {
   std::uint64_t rising;
   std::uint64_t falling;
   std::uint64_t unknown;
@@ -116,7 +117,7 @@ inline std::uint64_t joined(const LaneMask& bits) {
   return all;
 }
 
-inline Ways waysOf(const double* increment) {
+inline Directions directionsOf(const double* increment) {
   LaneMask bit;
   for (std::size_t i = 0; i < kWidth; ++i) {
     bit[i] = std::int64_t{1} << i;
@@ -125,10 +126,10 @@ inline Ways waysOf(const double* increment) {
   LaneMask falling = {};
   LaneMask unknown = {};
   for (std::size_t i = 0; i < kSimulationBlock; i += kWidth) {
-    const Lanes way = load(increment + i);
-    rising |= (way > Lanes{}) & bit;
-    falling |= (way < Lanes{}) & bit;
-    unknown |= (way != way) & bit;
+    const Lanes travel = load(increment + i);
+    rising |= (travel > Lanes{}) & bit;
+    falling |= (travel < Lanes{}) & bit;
+    unknown |= (travel != travel) & bit;
     bit <<= kWidth;
   }
   return {joined(rising), joined(falling), joined(unknown)};
@@ -152,10 +153,10 @@ struct BlockNumbers {
   }
 };
 
-// Friction without dead band that has moved before: it turns where the sign of the increments changes, so that the
+// Friction without dead band that has moved before: it reverses where the sign of the increments changes, so that the
 // reference points of a whole block are known before any of its forces.
-inline void addFrictionOfBlock(const element::BergFriction& berg, const double* displacement, const Ways& ways,
-                               double* memory, double* force) {
+inline void addFrictionOfBlock(const element::BergFriction& berg, const double* displacement,
+                               const Directions& directions, double* memory, double* force) {
   BlockNumbers reference_displacement;
   BlockNumbers reference_force;
   for (std::size_t i = 0; i < kSimulationBlock / kWidth; ++i) {
@@ -164,11 +165,11 @@ inline void addFrictionOfBlock(const element::BergFriction& berg, const double* 
   }
   const std::uint64_t up =
       std::uint64_t{0} - static_cast<std::uint64_t>(memory[element::BergFriction::kDirection] > 0.0);
-  std::uint64_t against = (ways.falling & up) | (ways.rising & ~up);
-  std::uint64_t along = (ways.falling & ~up) | (ways.rising & up);
+  std::uint64_t against = (directions.falling & up) | (directions.rising & ~up);
+  std::uint64_t along = (directions.falling & ~up) | (directions.rising & up);
   while (against != 0) {
     const auto sample = static_cast<std::size_t>(__builtin_ctzll(against));
-    berg.turnAt(displacement[static_cast<std::ptrdiff_t>(sample) - 1], memory);
+    berg.reverseAt(displacement[static_cast<std::ptrdiff_t>(sample) - 1], memory);
     reference_displacement.set(memory[element::BergFriction::kReferenceDisplacement], sample);
     reference_force.set(memory[element::BergFriction::kReferenceForce], sample);
     const std::uint64_t left = along & (~std::uint64_t{0} << sample);
@@ -184,10 +185,10 @@ inline void addFrictionOfBlock(const element::BergFriction& berg, const double* 
   }
 }
 
-inline void addFrictionInTurn(const element::BergFriction& berg, const double* displacement, std::size_t count,
-                              double* memory, double* force) {
+inline void addFrictionOneByOne(const element::BergFriction& berg, const double* displacement, std::size_t count,
+                                double* memory, double* force) {
   for (std::size_t first = 0; first < count; ++first) {
-    const std::size_t size = berg.followUntilTurn(displacement + first, count - first, memory);
+    const std::size_t size = berg.followUntilReversal(displacement + first, count - first, memory);
     addBranch(berg, memory, displacement + first, size, force + first);
     first += size;
     if (first < count) {
@@ -196,30 +197,30 @@ inline void addFrictionInTurn(const element::BergFriction& berg, const double* d
   }
 }
 
-inline void addFriction(const PlainSteps& steps, std::size_t first, std::size_t count, const double* increment,
+inline void addFriction(const LogSteps& steps, std::size_t first, std::size_t count, const double* increment,
                         double* force) {
   const double* displacement = steps.displacement + first;
   const bool whole = count == kSimulationBlock && first > 0;
-  const Ways ways = whole ? waysOf(increment) : Ways{0, 0, ~std::uint64_t{0}};
-  for (std::size_t k = 0; k < steps.bergs; ++k) {
-    const element::BergFriction& berg = steps.berg[k];
-    double* memory = steps.berg_memory + k * element::BergFriction::kMemorySize;
-    if (ways.unknown == 0 && berg.deadBand() == 0.0 && memory[element::BergFriction::kDirection] != 0.0 &&
+  const Directions directions = whole ? directionsOf(increment) : Directions{0, 0, ~std::uint64_t{0}};
+  for (std::size_t k = 0; k < steps.frictions; ++k) {
+    const element::BergFriction& berg = steps.friction[k];
+    double* memory = steps.friction_memory + k * element::BergFriction::kMemorySize;
+    if (directions.unknown == 0 && berg.deadBand() == 0.0 && memory[element::BergFriction::kDirection] != 0.0 &&
         memory[element::BergFriction::kExtremum] == displacement[-1]) {
-      addFrictionOfBlock(berg, displacement, ways, memory, force);
+      addFrictionOfBlock(berg, displacement, directions, memory, force);
     } else {
-      addFrictionInTurn(berg, displacement, count, memory, force);
+      addFrictionOneByOne(berg, displacement, count, memory, force);
     }
   }
 }
 
-// Samples on their way: their increments, and the sums of what dashpots and Maxwell elements give for them.
+// Samples on their travel: their increments, and the sums of what dashpots and Maxwell elements give for them.
 class Portion {
  public:
   static constexpr std::size_t kSize = 16 * kSimulationBlock;
 
   // Goes to the samples from `first` on; there are none after the end.
-  void start(const PlainSteps& steps, std::size_t first) {
+  void start(const LogSteps& steps, std::size_t first) {
     first_ = first;
     count_ = first >= steps.count ? 0 : steps.count - first < kSize ? steps.count - first : kSize;
     std::memset(increment_ + kRoom + count_, 0, kRoom * sizeof(double));
@@ -227,7 +228,7 @@ class Portion {
   }
 
   // Increments and dashpots of a block.
-  void prepare(const PlainSteps& steps, std::size_t from) {
+  void prepare(const LogSteps& steps, std::size_t from) {
     if (from + kSimulationBlock <= count_) {
       prepare(steps, from, kSimulationBlock);
     } else if (from < count_) {
@@ -246,7 +247,7 @@ class Portion {
   }
 
   // Friction and springs of a block.
-  void finish(const PlainSteps& steps, std::size_t from) const {
+  void finish(const LogSteps& steps, std::size_t from) const {
     if (from + kSimulationBlock <= count_) {
       finish(steps, from, kSimulationBlock);
     } else if (from < count_) {
@@ -257,7 +258,7 @@ class Portion {
  private:
   static constexpr std::size_t kRoom = kMostMaxwells;  // for the lag
 
-  __attribute__((always_inline)) void prepare(const PlainSteps& steps, std::size_t from, std::size_t count) {
+  __attribute__((always_inline)) void prepare(const LogSteps& steps, std::size_t from, std::size_t count) {
     const double* displacement = steps.displacement + first_ + from;
     double* increment = increment_ + kRoom + from;
     double* sum = sum_ + kRoom + from;
@@ -267,15 +268,15 @@ class Portion {
       sum[0] = steps.dashpot_gain * increment[0];
     }
     for (std::size_t i = known; i < count; ++i) {
-      const double way = displacement[i] - *(displacement + i - 1);
-      increment[i] = way;
-      sum[i] = steps.dashpot_gain * way;
+      const double travel = displacement[i] - *(displacement + i - 1);
+      increment[i] = travel;
+      sum[i] = steps.dashpot_gain * travel;
     }
   }
 
-  __attribute__((always_inline)) void finish(const PlainSteps& steps, std::size_t from, std::size_t count) const {
+  __attribute__((always_inline)) void finish(const LogSteps& steps, std::size_t from, std::size_t count) const {
     double friction[kSimulationBlock] = {};
-    if (steps.bergs > 0) {
+    if (steps.frictions > 0) {
       addFriction(steps, first_ + from, count, increment_ + kRoom + from, friction);
     }
     const double* displacement = steps.displacement + first_ + from;
@@ -296,7 +297,7 @@ class Portion {
 // go with each portion. Each step of theirs waits eight cycles for the one before it. In that time the processor
 // prepares the next portion and finishes the one before, block by block, since it does not look further ahead.
 template <std::size_t last>
-inline void simulatePlain(const PlainSteps& steps) {
+inline void simulateWith(const LogSteps& steps) {
   const std::size_t before = steps.maxwells - last;
   MaxwellPipeline<last> maxwells(steps.maxwell[before / kMostMaxwells], steps.maxwell_force + before);
   Portion portions[3];
@@ -320,25 +321,25 @@ inline void simulatePlain(const PlainSteps& steps) {
   maxwells.save(steps.maxwell_force + before);
 }
 
-inline void simulatePlainSteps(const PlainSteps& steps) {
+inline void simulateLogSteps(const LogSteps& steps) {
   switch (steps.maxwells == 0 ? 0 : (steps.maxwells - 1) % kMostMaxwells + 1) {
     case 0:
-      return simulatePlain<0>(steps);
+      return simulateWith<0>(steps);
     case 1:
-      return simulatePlain<1>(steps);
+      return simulateWith<1>(steps);
     case 2:
-      return simulatePlain<2>(steps);
+      return simulateWith<2>(steps);
     case 3:
-      return simulatePlain<3>(steps);
+      return simulateWith<3>(steps);
     case 4:
-      return simulatePlain<4>(steps);
+      return simulateWith<4>(steps);
     case 5:
-      return simulatePlain<5>(steps);
+      return simulateWith<5>(steps);
     case 6:
-      return simulatePlain<6>(steps);
+      return simulateWith<6>(steps);
     case 7:
-      return simulatePlain<7>(steps);
+      return simulateWith<7>(steps);
     default:
-      return simulatePlain<kMostMaxwells>(steps);
+      return simulateWith<kMostMaxwells>(steps);
   }
 }

@@ -10,6 +10,8 @@
 #include <random>
 #include <unsupported/Eigen/FFT>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::log {
 namespace {
 
@@ -88,7 +90,7 @@ Eigen::VectorXd lowPass(double dt, double frequency) {
   Eigen::VectorXd weights(2 * half + 1);
   for (Eigen::Index k = -half; k <= half; ++k) {
     const double place = static_cast<double>(k) / static_cast<double>(half);
-    const double angle = 2.0 * M_PI * middle * static_cast<double>(k);
+    const double angle = 2.0 * element::kPi * middle * static_cast<double>(k);
     const double sinc = k == 0 ? 1.0 : std::sin(angle) / angle;
     weights[k + half] = sinc * boost::math::cyl_bessel_i(0, kShape * std::sqrt(1.0 - place * place));
   }
@@ -155,6 +157,25 @@ double visibleUpTo(const Eigen::VectorXd& displacement, double dt, double noise)
   return static_cast<double>(last) / (static_cast<double>(segment) * dt);
 }
 
+// The frequency below which there is next to no power: a ten-thousandth of all.
+double excitedFrom(const Eigen::VectorXd& displacement, double dt) {
+  const Eigen::Index segment = segmentLength(displacement.size());
+  const Eigen::VectorXd density = powerSpectralDensity(displacement, dt, segment);
+  const double least = 1e-4 * density.sum();
+  double sum = 0.0;
+  Eigen::Index i = 0;
+  while (i + 1 < density.size() && (sum += density[i]) < least) {
+    ++i;
+  }
+  return static_cast<double>(i) / (static_cast<double>(segment) * dt);
+}
+
+double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
+  const Eigen::Index steps = displacement.size() - 1;
+  const double squares = (displacement.tail(steps) - displacement.head(steps)).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(steps)) / dt / (2.0 * M_PI * deviation(displacement));
+}
+
 void smoothDisplacement(Record& record) {
   const double nyquist = 0.5 / record.dt;
   record.displacement_noise = whiteNoiseAbove(record.raw_displacement, record.dt, 0.6 * nyquist);
@@ -185,10 +206,16 @@ void noteSaturation(Record& record) {
 
 }  // namespace
 
-double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual) {
-  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
-  return std::min(whiteNoiseAbove(residual, record.dt, edge), whiteNoiseAbove(record.force, record.dt, edge)) /
-         record.force_deviation;
+double Record::counted(Eigen::Index first, Eigen::Index count) const {
+  return counts.size() == 0 ? static_cast<double>(count) : counts.segment(first, count).sum();
+}
+
+Eigen::VectorXd Record::withoutRig(const Eigen::VectorXd& column) const {
+  Eigen::VectorXd result = counts.size() == 0 ? column : column.cwiseProduct(counts).eval();
+  if (nuisances.cols() > 0) {
+    result -= nuisances * (nuisances.transpose() * result).eval();
+  }
+  return result;
 }
 
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
@@ -207,7 +234,8 @@ Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, E
   Eigen::VectorXd density = Eigen::VectorXd::Zero(lines);
   Eigen::ArrayXd window(segment);
   for (Eigen::Index i = 0; i < segment; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(2.0 * M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(segment));
+    window[i] =
+        0.5 - 0.5 * std::cos(2.0 * element::kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(segment));
   }
   const double scale = 2.0 * dt / window.square().sum();
   Eigen::Index segments = 0;
@@ -257,6 +285,8 @@ Record makeRecord(const Log& log) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
   smoothDisplacement(record);
+  record.lowest_frequency = excitedFrom(record.displacement, record.dt);
+  record.mean_frequency = meanFrequency(record.displacement, record.dt);
   noteSaturation(record);
   return record;
 }

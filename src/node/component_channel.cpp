@@ -58,7 +58,7 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
       return false;
     }
     const component::StreamForce answer = model_->stream.push(stamp, displacement);
-    if (!component::isAccepted(answer.verdict)) {
+    if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
     force = answer.force;
@@ -114,7 +114,7 @@ void ComponentChannel::checkState(const SavedState& state) const {
     throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
   }
   try {
-    model->component.makeState().restore(state.displacement, state.memory);
+    model->component.makeState().deserialise(state.displacement, state.memory);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
   }
@@ -125,7 +125,7 @@ void ComponentChannel::load(const SavedState& state) {
   gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state.started) {
-    model_->stream.restore(state.stamp, state.displacement, state.memory);
+    model_->stream.deserialise(state.stamp, state.displacement, state.memory);
   } else {
     model_->stream.reset();
   }
@@ -137,7 +137,7 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const component::SampleStream& stream = model_->stream;
   if (stream.started() && sameElements(model_->component.elements(), model->component.elements())) {
-    model->stream.restore(stream.lastStamp(), stream.state().displacement(), stream.state().memory());
+    model->stream.deserialise(stream.lastStamp(), stream.state().displacement(), stream.state().memory());
   }
   earlier_ = sum(earlier_, stream.counters());
   std::swap(model_, old);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
@@ -29,10 +30,9 @@ void measure(const std::vector<MatchedSample>& samples, LiveGap& gap) {
   const log::Record measured = log::makeRecord(logOf(samples, &MatchedSample::measured));
   const log::Record simulated = log::makeRecord(logOf(samples, &MatchedSample::simulated));
   const Eigen::VectorXd residual = measured.force - simulated.force;
-  gap.gap = std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size())) / measured.force_deviation;
-  gap.noise_floor = log::whiteNoiseAbove(residual, measured.dt, 0.3 / measured.dt) / measured.force_deviation;
-  gap.noise_floor = std::min(gap.noise_floor, gap.gap);
-  gap.beyond_noise = std::sqrt(gap.gap * gap.gap - gap.noise_floor * gap.noise_floor);
+  gap.gap = gap::relativeGap(residual, measured.force_deviation);
+  gap.noise_floor = std::min(gap::whiteNoiseFloor(measured, residual), gap.gap);
+  gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({measured}, {residual}, {gap.noise_floor});
   for (const gap::GapCell& cell : gap.cells) {
     gap.share[static_cast<std::size_t>(cell.quantity)] += cell.share;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::response {
 namespace {
 
@@ -51,7 +53,7 @@ Characteristics characteristicsOfLoop(const std::vector<double>& displacement, c
     throw std::invalid_argument(fmt::format("loop: {} does not change", way == 0.0 ? "displacement" : "force"));
   }
   const double loss = polygonArea(displacement, force);
-  const double sine = loss / (0.25 * M_PI * range * way);
+  const double sine = loss / (0.25 * element::kPi * range * way);
   if (std::abs(sine) > 1.0) {
     throw std::invalid_argument(
         fmt::format("loop: its area is {:.4g} times that of the ellipse in its bounding box, so it has no loss angle; "
@@ -65,7 +67,7 @@ Characteristics characteristicsOfLoop(const std::vector<double>& displacement, c
 Characteristics characteristicsOfEllipse(std::complex<double> complex_stiffness, double amplitude) {
   const double stiffness = std::abs(complex_stiffness);
   return {stiffness, std::asin(complex_stiffness.imag() / stiffness),
-          M_PI * complex_stiffness.imag() * amplitude * amplitude};
+          element::kPi * complex_stiffness.imag() * amplitude * amplitude};
 }
 
 }  // namespace rubber_suspension::response

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::response {
 namespace {
@@ -33,7 +34,7 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
 std::vector<double> sineDisplacement(double amplitude, int samples) {
   std::vector<double> displacement(samples);
   for (int i = 0; i < samples; ++i) {
-    displacement[i] = -amplitude * std::cos(2.0 * M_PI * i / samples);
+    displacement[i] = -amplitude * std::cos(2.0 * element::kPi * i / samples);
   }
   displacement[0] = -amplitude;
   displacement[samples / 2] = amplitude;
@@ -102,7 +103,7 @@ struct RunningLaw {
     if (const auto* berg = dynamic_cast<const element::BergFriction*>(law.get())) {
       berg->startSettled(amplitude, 0.0, memory.data());
     } else {
-      law->rest(-amplitude, memory.data());
+      law->initialise(-amplitude, memory.data());
     }
   }
 };
@@ -111,13 +112,13 @@ struct RunningLaw {
 void addEllipse(SettledLoop& loop, std::complex<double> stiffness) {
   const int samples = static_cast<int>(loop.force.size());
   for (int i = 0; i < samples; ++i) {
-    const double phase = 2.0 * M_PI * i / samples;
+    const double phase = 2.0 * element::kPi * i / samples;
     loop.force[i] += stiffness.real() * loop.displacement[i] + stiffness.imag() * loop.amplitude * std::sin(phase);
   }
 }
 
 void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& laws, const LoopOptions& options) {
-  const double omega = 2.0 * M_PI * loop.frequency;
+  const double omega = 2.0 * element::kPi * loop.frequency;
   std::complex<double> linear = 0.0;
   std::vector<RunningLaw> running;
   for (const ParallelPointer& law : laws) {
@@ -152,7 +153,7 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
 void simulateWhole(SettledLoop& loop, const component::Component& component, const LoopOptions& options) {
   const double dt = 1.0 / (loop.frequency * options.samples);
   component::ComponentState state = component.makeState();
-  component.rest(state, loop.displacement[0]);
+  component.initialise(state, loop.displacement[0]);
   settle(loop, options, [&](std::vector<double>& force) {
     for (int i = 1; i <= options.samples; ++i) {
       const int sample = i % options.samples;
@@ -190,7 +191,7 @@ double peak(const std::vector<double>& force, std::size_t at) {
 Characteristics SettledLoop::characteristics() const {
   const auto [low, high] = std::minmax_element(force.begin(), force.end());
   const double range = peak(force, high - force.begin()) - peak(force, low - force.begin());
-  const double step = 2.0 * M_PI / static_cast<double>(force.size());
+  const double step = 2.0 * element::kPi / static_cast<double>(force.size());
   double loss = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
     loss += force[i] * amplitude * std::sin(step * static_cast<double>(i)) * step;
@@ -199,7 +200,7 @@ Characteristics SettledLoop::characteristics() const {
     return {};  // nothing resists, as within free play
   }
   // Coulomb friction fills its bounding box: the loss angle stops at 90 degrees.
-  const double sine = std::clamp(loss / (0.5 * M_PI * range * amplitude), -1.0, 1.0);
+  const double sine = std::clamp(loss / (0.5 * element::kPi * range * amplitude), -1.0, 1.0);
   return {0.5 * range / amplitude, std::asin(sine), loss};
 }
 

@@ -1,5 +1,5 @@
 // The other end of the bundled topics.
-#include "ros_interface/bundle_client.h"
+#include "rubber_suspension/ros_interface/bundle_client.h"
 
 #include <fmt/format.h>
 #include <ros/init.h>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::ros_interface {

@@ -17,7 +17,7 @@ void LibraryExchange::send(std::int64_t stamp, const PerStrut& displacement) {
   Answer answer{stamp, {}};
   for (std::size_t i = 0; i < kStruts; ++i) {
     const component::StreamForce result = streams_[i].push(stamp, displacement[i]);
-    if (!component::isAccepted(result.verdict)) {
+    if (!component::isAccepted(result.acceptance)) {
       throw std::runtime_error(
           fmt::format("{}: displacement {:g} m at {} ns was not accepted", strutNames()[i], displacement[i], stamp));
     }

@@ -29,9 +29,9 @@ class TrialLaw final : public StrutLaw {
     return steppers_[strut].attempt(time, compression).total;
   }
 
-  void rest(double time, const PerStrut& compression) {
+  void initialise(double time, const PerStrut& compression) {
     for (std::size_t i = 0; i < kStruts; ++i) {
-      steppers_[i].rest(time, compression[i]);
+      steppers_[i].initialise(time, compression[i]);
     }
   }
 
@@ -186,7 +186,7 @@ History runVariableStep(const Scene& scene, const std::vector<component::Compone
   TrialLaw law(components);
   const HalfBogie bogie(scene.parameters, scene.track, law);
   State start = startOf(scene, bogie);
-  law.rest(0.0, bogie.compressions(start));
+  law.initialise(0.0, bogie.compressions(start));
   SimTK::RungeKuttaMersonIntegrator integrator(bogie.system());
   prepare(integrator, options);
   integrator.initialize(start);
@@ -208,7 +208,7 @@ History runImplicit(const Scene& scene, const std::vector<component::Component>&
   TrialLaw law(components);
   const HalfBogie bogie(scene.parameters, scene.track, law);
   State state = startOf(scene, bogie);
-  law.rest(0.0, bogie.compressions(state));
+  law.initialise(0.0, bogie.compressions(state));
   Newmark newmark(bogie, law, state);
   History history;
   history.add(bogie, state, law.accept(0.0, bogie.compressions(state)));

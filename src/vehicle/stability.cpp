@@ -10,6 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension::vehicle {
 namespace {
 
@@ -32,7 +34,7 @@ struct LinearVehicle {
   Roots factors(double omega) const {
     Matrix stiffness = Matrix::Zero();
     for (std::size_t i = 0; i < kStruts; ++i) {
-      const auto dynamic = components[i].complexStiffness(omega / (2.0 * M_PI));
+      const auto dynamic = components[i].complexStiffness(omega / (2.0 * element::kPi));
       if (!dynamic) {
         throw std::invalid_argument(
             fmt::format("component {} is not linear; a delay margin is that of linear components", strutNames()[i]));
@@ -59,7 +61,7 @@ Complex nearest(const Roots& roots, Complex to) {
 // The delay that belongs to a factor of magnitude 1.
 double delayOf(Complex factor, double omega) {
   const double phase = -std::arg(factor);
-  return (phase > 0.0 ? phase : phase + 2.0 * M_PI) / omega;
+  return (phase > 0.0 ? phase : phase + 2.0 * element::kPi) / omega;
 }
 
 // Follow a branch of factors from one frequency to the next; where it crosses magnitude 1, bisect.
@@ -78,7 +80,7 @@ void takeCrossing(const LinearVehicle& vehicle, double low, double high, Complex
   }
   const double delay = delayOf(at_low, low);
   if (delay < margin.delay) {
-    margin = {delay, low / (2.0 * M_PI)};
+    margin = {delay, low / (2.0 * element::kPi)};
   }
 }
 
@@ -104,8 +106,8 @@ double meanEnergy(const VehicleParameters& parameters, const History& history, s
 }  // namespace
 
 DelayMargin delayMargin(const VehicleParameters& parameters, const std::vector<component::Component>& components) {
-  constexpr double kLowest = 2.0 * M_PI * 0.05;
-  constexpr double kHighest = 2.0 * M_PI * 500.0;
+  constexpr double kLowest = 2.0 * element::kPi * 0.05;
+  constexpr double kHighest = 2.0 * element::kPi * 500.0;
   constexpr int kPoints = 4000;
   const LinearVehicle vehicle(parameters, components);
   DelayMargin margin{std::numeric_limits<double>::infinity(), 0.0};

@@ -11,13 +11,18 @@ for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(variable, "1")
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from virtual_rig import case  # noqa: E402
+import numpy as np  # noqa: E402
+
+from virtual_rig import bench, case  # noqa: E402
 
 
 def one(job):
     """Build and write case number `number`; returns its name."""
-    case_set, seed, number, (kind, effects, small), output, labels = job
+    case_set, seed, number, (kind, effects, small), output, labels, (faults, size) = job
     built = case.build(case_set, seed, number, kind, effects, small)
+    if faults:
+        rng = np.random.default_rng([seed, number, len(faults)])
+        built["logs"], built["label"]["bench"] = bench.apply(built["logs"], faults, size, rng)
     name = built["label"]["case"]
     case.write(built, os.path.join(output, name), labels)
     return name
@@ -32,6 +37,10 @@ def main():
     parser.add_argument("--output", required=True, help="folder of the cases")
     parser.add_argument("--labels", help="folder of the sealed labels (default: OUTPUT_labels)")
     parser.add_argument("--only", type=int, action="append", help="number of a single case (may be repeated)")
+    parser.add_argument("--bench", default="", metavar="FAULT,...",
+                        help="what the bench does to each log: " + ", ".join([*bench.NUISANCES, *bench.FAULTS]))
+    parser.add_argument("--size", type=float, default=1.0, help="of these nuisances; 1 is usual")
+    parser.add_argument("--kind", help="cases of this kind only: single, pair, none, parameter_error, unknown")
     parser.add_argument("--jobs", type=int, default=1)
     arguments = parser.parse_args()
     if arguments.cases < 1 or arguments.jobs < 1:
@@ -39,7 +48,10 @@ def main():
     labels = arguments.labels or arguments.output.rstrip("/") + "_labels"
     plan = case.plan(arguments.set, arguments.cases, arguments.seed)
     numbers = range(arguments.cases) if arguments.only is None else arguments.only
-    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels) for i in numbers]
+    numbers = [i for i in numbers if arguments.kind in (None, plan[i][0])]
+    faults = tuple(name for name in arguments.bench.split(",") if name)
+    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels, (faults, arguments.size))
+            for i in numbers]
     with multiprocessing.Pool(arguments.jobs) as pool:
         for done, name in enumerate(pool.imap(one, jobs), 1):
             print(f"{done}/{len(jobs)} {name}", flush=True)

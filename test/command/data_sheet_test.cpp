@@ -41,8 +41,8 @@ TEST(DataSheetFile, BecomesAComponentFile) {
   const auto components = io::parseComponentFile(file, "written");
   ASSERT_EQ(components.size(), 1u);
   EXPECT_EQ(components[0].name, "bush");
-  EXPECT_EQ(components[0].model, estimation::Model::maxwell);
-  EXPECT_NEAR(components[0].specification.at("static_stiffness"),
+  EXPECT_EQ(components[0].model(), estimation::Model::maxwell);
+  EXPECT_NEAR(components[0].specification().at("static_stiffness"),
               estimation::modulusFromShoreA(60.0) * estimation::compressionFactor(1.25) * 0.5, 1.0);
   EXPECT_TRUE(components[0].makeComponent().linear());
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension {
@@ -31,7 +33,7 @@ log::Log measuredLog() {
   for (int i = 0; i < 2000; ++i) {
     const double t = i * 0.005;
     log.stamp.push_back(static_cast<std::int64_t>(i) * 5000000);
-    log.displacement.push_back(1e-3 * std::sin(2.0 * M_PI * (0.2 + 0.5 * t) * t));
+    log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * (0.2 + 0.5 * t) * t));
   }
   log.force = gap::simulateLog(description().makeComponent(), log);
   for (double& force : log.force) {

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -34,7 +36,7 @@ const response::SweepPoint& pointAt(const command::PaperCurve& curve, double fre
   throw std::out_of_range("no point");
 }
 
-double degrees(double angle) { return angle * 180.0 / M_PI; }
+double degrees(double angle) { return angle * 180.0 / element::kPi; }
 
 TEST(PaperFigures, AreTheFiveOfThePaper) {
   std::vector<int> numbers;

@@ -1,8 +1,10 @@
-// A component: sums, mount, delay and parts against closed forms; state, trial steps, tangent.
+// A component: sums, order of the displacement path, series compliance, delay and parts against closed forms; state,
+// trial steps, tangent.
 #include "rubber_suspension/component/component.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -10,6 +12,9 @@
 #include <thread>
 
 #include "element/typical_elements.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/free_play.h"
+#include "rubber_suspension/element/time_delay.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -20,7 +25,7 @@ const element::ElementDescription kDashpot{"dashpot", {{"damping", {1e4}}}};
 const element::ElementDescription kMaxwell{"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}};
 const element::ElementDescription kFastMaxwell{"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {15.0}}}};
 const element::ElementDescription kFriction{"friction", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}};
-const element::ElementDescription kMount{"series_compliance", {{"stiffness", {3e7}}}};
+const element::ElementDescription kSeriesCompliance{"series_compliance", {{"stiffness", {3e7}}}};
 
 /// One of each kind, all slots of the memory in use.
 std::vector<element::ElementDescription> everything() {
@@ -32,7 +37,7 @@ std::vector<element::ElementDescription> everything() {
 }
 
 double sineAt(int i, int samples, double amplitude) {
-  return amplitude * std::sin(2.0 * M_PI * (i % samples) / samples);
+  return amplitude * std::sin(2.0 * element::kPi * (i % samples) / samples);
 }
 
 /// First harmonic of the settled force over a sampled sine [N/m].
@@ -44,7 +49,7 @@ std::complex<double> simulatedStiffness(const component::Component& component, d
   for (int i = 1; i <= cycles * samples; ++i) {
     const double force = component.step(state, 1.0 / (frequency * samples), sineAt(i, samples, kAmplitude)).total;
     if (i > (cycles - 1) * samples) {
-      sum += force * std::polar(1.0, -2.0 * M_PI * i / samples);
+      sum += force * std::polar(1.0, -2.0 * element::kPi * i / samples);
     }
   }
   return sum * std::complex<double>(0.0, 2.0 / (kAmplitude * samples));
@@ -53,8 +58,8 @@ std::complex<double> simulatedStiffness(const component::Component& component, d
 /// What exact steps give under a sampled sine, in closed form: for a Maxwell element the difference equation
 /// F+ = e F + g (z+ - z) has the response g (1 - q)/(1 - e q), q = exp(-i w dt).
 std::complex<double> sampledMaxwell(double stiffness, double break_frequency, double frequency, int samples) {
-  const std::complex<double> q = std::polar(1.0, -2.0 * M_PI / samples);
-  const double ratio = 2.0 * M_PI * break_frequency / (frequency * samples);
+  const std::complex<double> q = std::polar(1.0, -2.0 * element::kPi / samples);
+  const double ratio = 2.0 * element::kPi * break_frequency / (frequency * samples);
   const double decay = std::exp(-ratio);
   return stiffness * (1.0 - decay) / ratio * (1.0 - q) / (1.0 - decay * q);
 }
@@ -84,8 +89,8 @@ TEST(Component, LinearElementsMeetTheirSampledStiffnessExactly) {
 
 TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
   const component::Component component({kSpring, kDashpot, kMaxwell});
-  const double omega = 2.0 * M_PI * 4.0;
-  const std::complex<double> iwt(0.0, omega / (2.0 * M_PI * 1.43));
+  const double omega = 2.0 * element::kPi * 4.0;
+  const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * 1.43));
   const std::complex<double> expected = 3e6 + std::complex<double>(0.0, 1e4 * omega) + 1.3e6 * iwt / (1.0 + iwt);
   EXPECT_TRUE(component.linear());
   EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-15);
@@ -97,7 +102,7 @@ TEST(Component, MeetsThePapersExample) {
       {kSpring, {"maxwell", {{"stiffness", {1.3295e6}}, {"break_frequency", {1.43}}}}});
   const std::complex<double> k = *component.complexStiffness(4.0);
   EXPECT_NEAR(std::abs(k), 4.2e6, 1e3);
-  EXPECT_NEAR(std::arg(k) * 180.0 / M_PI, 5.76, 0.01);
+  EXPECT_NEAR(std::arg(k) * 180.0 / element::kPi, 5.76, 0.01);
 }
 
 TEST(Component, NonlinearElementsHaveNoComplexStiffness) {
@@ -149,20 +154,20 @@ TEST(Component, WithoutElementsIsWithoutForce) {
 }
 
 // Springs in series: 1/(1/K + 1/K_s), at once and to the solver's last digits.
-TEST(SeriesMount, TwoSpringsInSeries) {
-  const component::Component component({kSpring, kMount});
+TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
+  const component::Component component({kSpring, kSeriesCompliance});
   component::ComponentState state = component.makeState();
   const double stiffness = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
   for (const double z : {1e-3, -2e-3, 1e-9, 0.0, 0.5}) {
     EXPECT_NEAR(component.step(state, 1e-3, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
-    EXPECT_NEAR(component.rest(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
+    EXPECT_NEAR(component.initialise(state, z).total, stiffness * z, 1e-12 * stiffness * std::abs(z));
   }
 }
 
-// Spring and Maxwell element behind a mount are a spring and a Maxwell element of other values:
+// Spring and Maxwell element behind a series compliance are a spring and a Maxwell element of other values:
 // K = K_s (k0 + M)/(K_s + k0 + M); in the time domain the specimen's displacement is taken as linear in between.
-TEST(SeriesMount, TendsToTheClosedFormWithTheStep) {
-  const component::Component component({kSpring, kMaxwell, kMount});
+TEST(SeriesCompliance, TendsToTheClosedFormWithTheStep) {
+  const component::Component component({kSpring, kMaxwell, kSeriesCompliance});
   const std::complex<double> specimen = *component::Component({kSpring, kMaxwell}).complexStiffness(4.0);
   const std::complex<double> expected = specimen / (1.0 + specimen / 3e7);
   EXPECT_LE(std::abs(*component.complexStiffness(4.0) / expected - 1.0), 1e-14);
@@ -172,52 +177,55 @@ TEST(SeriesMount, TendsToTheClosedFormWithTheStep) {
   EXPECT_LE(fine, 1e-3 * std::abs(expected));
 }
 
-TEST(SeriesMount, ForceBalanceHoldsWithFriction) {
-  const component::Component mounted({kSpring, kMaxwell, kFriction, kMount});
+TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
+  const component::Component compliant({kSpring, kMaxwell, kFriction, kSeriesCompliance});
   const component::Component bare({kSpring, kMaxwell, kFriction});
-  component::ComponentState state = mounted.makeState();
+  component::ComponentState state = compliant.makeState();
   component::ComponentState specimen = bare.makeState();
   for (int i = 1; i <= 400; ++i) {
     const double z = sineAt(i, 100, 2e-3);
-    const double force = mounted.step(state, 1e-3, z).total;
-    // The bare specimen moved by what the mount leaves must give the same force.
+    const double force = compliant.step(state, 1e-3, z).total;
+    // The bare specimen moved by what the compliance leaves must give the same force.
     EXPECT_NEAR(bare.step(specimen, 1e-3, z - force / 3e7).total, force, 1e-8 * 1e4) << i;
   }
 }
 
-// With an idle stop the general way is taken, without it that of springs, Maxwell elements and friction.
-TEST(SeriesMount, ForceBalanceHoldsForUnevenAndClosingJointsWithFriction) {
+// With an idle stop the general path is taken, without it that of springs, Maxwell elements and friction.
+TEST(SeriesCompliance, ForceBalanceHoldsWithFrictionIfUnevenOrClosing) {
   const element::ElementDescription opens{"series_compliance", {{"stiffness", {8e6}}, {"side", {1.0}}}};
   const element::ElementDescription closes{"series_compliance", {{"stiffness", {5e6}}, {"closing_force", {2e3}}}};
   const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
   const auto opening = [](double force) { return std::max(force, 0.0) / 8e6 + force / 3e7; };
   const auto closing = [](double force) { return force / (5e6 * (1.0 + std::abs(force) / 2e3)); };
   const auto both = [&](double force) { return std::max(force, 0.0) / 8e6 + closing(force); };
-  const std::vector<std::pair<std::vector<element::ElementDescription>, std::function<double(double)>>> mounts = {
-      {{opens, kMount}, opening}, {{opens, closes}, both}, {{opens, kMount, idle}, opening}, {{closes, idle}, closing}};
-  for (const auto& [mount, deflection] : mounts) {
+  const std::vector<std::pair<std::vector<element::ElementDescription>, std::function<double(double)>>> cases = {
+      {{opens, kSeriesCompliance}, opening},
+      {{opens, closes}, both},
+      {{opens, kSeriesCompliance, idle}, opening},
+      {{closes, idle}, closing}};
+  for (const auto& [compliance, deflection] : cases) {
     std::vector<element::ElementDescription> laws = {kSpring, kMaxwell, kFriction};
     const component::Component bare(laws);
-    laws.insert(laws.end(), mount.begin(), mount.end());
-    const component::Component mounted(laws);
-    component::ComponentState state = mounted.makeState();
+    laws.insert(laws.end(), compliance.begin(), compliance.end());
+    const component::Component compliant(laws);
+    component::ComponentState state = compliant.makeState();
     component::ComponentState specimen = bare.makeState();
     for (int i = 1; i <= 400; ++i) {
       const double z = sineAt(i, 100, 2e-3);
-      const double force = mounted.step(state, 1e-3, z).total;
+      const double force = compliant.step(state, 1e-3, z).total;
       ASSERT_NEAR(bare.step(specimen, 1e-3, z - deflection(force)).total, force, 1e-8 * 1e4) << i;
     }
   }
 }
 
-TEST(SeriesMount, SeveralMountsAddTheirCompliance) {
-  const component::Component component({kSpring, kMount, {"series_compliance", {{"stiffness", {6e6}}}}});
+TEST(SeriesCompliance, SeveralAddUp) {
+  const component::Component component({kSpring, kSeriesCompliance, {"series_compliance", {{"stiffness", {6e6}}}}});
   component::ComponentState state = component.makeState();
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
 }
 
 // F = K z' and z = z' + F/(K_s (1 + |F|/F_c)) make a quadratic equation in F.
-TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
+TEST(SeriesCompliance, ThatClosesUnderLoadMeetsTheClosedForm) {
   constexpr double kStiffness = 4e6;
   constexpr double kClosing = 800.0;
   const component::Component component(
@@ -229,14 +237,14 @@ TEST(SeriesMount, ThatClosesUnderLoadMeetsTheClosedForm) {
     const double half = 0.5 * (1.0 / 3e6 + 1.0 / kStiffness - std::abs(z) / kClosing);
     const double force = std::copysign(std::abs(z) / (half + std::sqrt(half * half + square * std::abs(z))), z);
     EXPECT_NEAR(component.step(state, 1e-3, z).total / force, 1.0, 1e-11) << z;
-    EXPECT_NEAR(component.rest(state, z).total / force, 1.0, 1e-11) << z;
+    EXPECT_NEAR(component.initialise(state, z).total / force, 1.0, 1e-11) << z;
   }
   EXPECT_FALSE(component.linear());
 }
 
-TEST(SeriesMount, OfOneSideYieldsThereAlone) {
+TEST(SeriesCompliance, OfOneSideYieldsThereAlone) {
   const component::Component component(
-      {kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kMount});
+      {kSpring, {"series_compliance", {{"stiffness", {6e6}}, {"side", {1.0}}}}, kSeriesCompliance});
   component::ComponentState state = component.makeState();
   EXPECT_NEAR(component.step(state, 1e-3, 1e-3).total, 1e-3 / (1.0 / 3e6 + 1.0 / 3e7 + 1.0 / 6e6), 1e-9);
   EXPECT_NEAR(component.step(state, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 3e7), 1e-9);
@@ -250,8 +258,8 @@ TEST(SeriesMount, OfOneSideYieldsThereAlone) {
   EXPECT_NEAR(both.step(of_both, 1e-3, -1e-3).total, -1e-3 / (1.0 / 3e6 + 1.0 / 6e6), 1e-9);
 }
 
-// A stop that is never reached adds nothing, but is no law that the mount's balance has a closed form for.
-TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
+// A stop that is never reached adds nothing, but is no law that the series balance has a closed form for.
+TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
   const element::ElementDescription idle{"bump_stop", {{"stiffness", {1e6}}, {"gap", {1.0}}}};
   for (unsigned trial = 0; trial < 60; ++trial) {
     std::mt19937 random(trial);
@@ -288,15 +296,66 @@ TEST(SeriesMount, IsSolvedAlikeWithAndWithoutOtherElements) {
   }
 }
 
-TEST(SeriesMount, SolvesWhereTheSpecimenSoftens) {
-  // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the mount of 3e7 can hold.
-  const component::Component component({kSpring, kMount, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
+TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
+  // Tangent stiffness of the specimen 3e6 + 2 k2 z falls to -1e6 at z = -2 mm, within what the compliance of 1/3e7 can
+  // hold.
+  const component::Component component({kSpring, kSeriesCompliance, {"asymmetric_stiffness", {{"quadratic", {1e9}}}}});
   component::ComponentState state = component.makeState();
   for (int i = 1; i <= 100; ++i) {
     const double z = -2e-3 * i / 100;
     const double force = component.step(state, 1e-3, z).total;
     const double specimen = z - force / 3e7;
     EXPECT_NEAR(force, 3e6 * specimen + 1e9 * specimen * specimen, 1e-7) << i;
+  }
+}
+
+/// Entries of a displacement path, in each order.
+std::vector<std::vector<element::ElementDescription>> inEachOrder(std::vector<element::ElementDescription> path) {
+  const auto byType = [](const element::ElementDescription& one, const element::ElementDescription& other) {
+    return one.type < other.type;
+  };
+  std::vector<std::vector<element::ElementDescription>> orders;
+  std::sort(path.begin(), path.end(), byType);
+  do {
+    orders.push_back(path);
+  } while (std::next_permutation(path.begin(), path.end(), byType));
+  return orders;
+}
+
+// Friction and relaxation hold a force within the gap, and samples lie to either side of its edge, so that another
+// order gives other forces; the last two expectations make sure of that.
+TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
+  constexpr double kStep = 1e-3;  // [s]
+  const element::TimeDelay delay(0.4e-3);
+  const element::FreePlay play(3e-4, 0.8);
+  const component::Component behind_play({kSpring, kMaxwell, kFriction, kSeriesCompliance});
+  for (const auto& path : inEachOrder({{"time_delay", {{"delay", {0.4e-3}}}},
+                                       {"free_play", {{"gap", {3e-4}}, {"share", {0.8}}}},
+                                       kSeriesCompliance})) {
+    std::vector<element::ElementDescription> entries = {kSpring, kMaxwell, kFriction};
+    entries.insert(entries.begin() + 1, path.begin(), path.end());
+    const component::Component component(entries);
+    component::ComponentState state = component.makeState();
+    component::ComponentState expected = behind_play.makeState();
+    std::vector<double> memory(delay.memorySize());
+    delay.initialise(0.0, memory.data());
+    double of_play_first = 0.0;        // largest difference [m]
+    double of_compliance_first = 0.0;  // likewise
+    for (int i = 1; i <= 200; ++i) {
+      const double z = sineAt(i, 50, 1e-3);
+      const double before = sineAt(i - 1, 50, 1e-3);
+      const double late = delay.step({kStep, z, z - before}, memory.data());
+      const double force = component.step(state, kStep, z).total;
+      ASSERT_EQ(force, behind_play.step(expected, kStep, play.behind(late)).total) << "sample " << i;
+      const double yielded = force / 3e7;
+      const double share = (late - before) / (z - before);
+      const double delayed_after_play = play.behind(before) + share * (play.behind(z) - play.behind(before));
+      of_play_first = std::max(of_play_first, std::abs(delayed_after_play - play.behind(late)));
+      of_compliance_first =
+          std::max(of_compliance_first, std::abs(play.behind(late - yielded) - (play.behind(late) - yielded)));
+    }
+    EXPECT_GT(of_play_first, 1e-6) << "[m]";
+    EXPECT_GT(of_compliance_first, 1e-6) << "[m]";
   }
 }
 
@@ -309,7 +368,7 @@ TEST(Delay, ShiftsTheForceOfASpring) {
     EXPECT_NEAR(component.step(state, 1e-3, motion(1e-3 * i)).total, 3e6 * motion(1e-3 * i - kDelay), 1e-7) << i;
   }
   const std::complex<double> k = *component.complexStiffness(10.0);
-  EXPECT_NEAR(std::arg(k), -2.0 * M_PI * 10.0 * kDelay, 1e-12);
+  EXPECT_NEAR(std::arg(k), -2.0 * element::kPi * 10.0 * kDelay, 1e-12);
   EXPECT_NEAR(std::abs(k), 3e6, 1e-6);
 }
 
@@ -333,27 +392,28 @@ TEST(Rig, SeesTheActuatorAndNotTheSpecimen) {
   const element::ElementDescription inertia{"inertia", {{"mass", {10.0}}}};
   const element::ElementDescription offset{"force_offset", {{"offset", {100.0}}}};
   const component::Component component(
-      {kSpring, kMount, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
+      {kSpring, kSeriesCompliance, inertia, offset, {"stress_softening", {{"reduction", {0.9}}}}});
   const std::complex<double> specimen = 3e6 / (1.0 + 0.1);
-  const double omega = 2.0 * M_PI * 20.0;
-  const component::Component linear({kSpring, kMount, inertia, offset});
+  const double omega = 2.0 * element::kPi * 20.0;
+  const component::Component linear({kSpring, kSeriesCompliance, inertia, offset});
   EXPECT_NEAR(std::abs(*linear.complexStiffness(20.0) - (specimen - 10.0 * omega * omega)), 0.0, 1e-6);
   component::ComponentState state = component.makeState();
-  EXPECT_EQ(component.rest(state, 0.0).total, 100.0) << "softening leaves the offset";
+  EXPECT_EQ(component.initialise(state, 0.0).total, 100.0) << "softening leaves the offset";
 }
 
-TEST(Recover, KeepsSofteningAndForgetsTheRest) {
-  const component::Component component({kSpring, kMaxwell, kMount, {"stress_softening", {{"reduction", {0.3}}}}});
+TEST(Relax, KeepsSofteningAndForgetsTheRest) {
+  const component::Component component(
+      {kSpring, kMaxwell, kSeriesCompliance, {"stress_softening", {{"reduction", {0.3}}}}});
   component::ComponentState state = component.makeState();
   const double first = component.step(state, 1.0, 1e-3).total;
   component.step(state, 1.0, 3e-3);
-  EXPECT_EQ(component.recover(state, 0.0).total, 0.0);
+  EXPECT_EQ(component.relax(state, 0.0).total, 0.0);
   const double second = component.step(state, 1.0, 1e-3).total;
   EXPECT_LT(second, 0.8 * first);
-  const double held = component.recover(state, 1e-3).total;
+  const double held = component.relax(state, 1e-3).total;
   EXPECT_LT(held, second) << "relaxed at once";
   EXPECT_NEAR(component.step(state, 1e6, 1e-3).total, held, 1e-9 * held) << "and stays so";
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   EXPECT_EQ(component.step(state, 1.0, 1e-3).total, first) << "a new specimen";
 }
 
@@ -376,18 +436,18 @@ TEST(State, SavedNumbersContinueBitByBit) {
   const std::vector<double> memory = state.memory();
   const std::vector<double> forces = walk(component, state, 5, 100);
   component::ComponentState other = component::Component(component.elements()).makeState();
-  other.restore(displacement, memory);
+  other.deserialise(displacement, memory);
   EXPECT_EQ(walk(component, other, 5, 100), forces);
 }
 
 TEST(State, RefusesNumbersThatAreNotItsOwn) {
   const component::Component component({kSpring, kMaxwell});
   component::ComponentState state = component.makeState();
-  EXPECT_THROW(state.restore(0.0, {}), std::invalid_argument);
-  EXPECT_THROW(state.restore(0.0, {1.0, 2.0}), std::invalid_argument);
-  EXPECT_THROW(state.restore(NAN, {1.0}), std::invalid_argument);
-  EXPECT_THROW(state.restore(0.0, {INFINITY}), std::invalid_argument);
-  EXPECT_NO_THROW(state.restore(0.0, {1.0}));
+  EXPECT_THROW(state.deserialise(0.0, {}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(0.0, {1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(NAN, {1.0}), std::invalid_argument);
+  EXPECT_THROW(state.deserialise(0.0, {INFINITY}), std::invalid_argument);
+  EXPECT_NO_THROW(state.deserialise(0.0, {1.0}));
 }
 
 TEST(State, ServesOneComponentInSeveralThreads) {
@@ -413,7 +473,7 @@ TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
   component::ComponentState state = component.makeState();
   walk(component, state, 7, 20);
   component::ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
-  fresh.restore(state.displacement(), state.memory());
+  fresh.deserialise(state.displacement(), state.memory());
   component.step(state, 0.5, 1e-3);
   component.step(fresh, 0.5, 1e-3);
   EXPECT_EQ(component.step(state, 1e-3, 2e-3).total, component.step(fresh, 1e-3, 2e-3).total);
@@ -428,7 +488,7 @@ TEST(Component, StepAllocatesNothing) {
     component.step(state, 1e-3 * (1 + i % 3), sineAt(i, 30, 2e-3));
   }
   component.tangent(state, 1e-3, 1e-3, trial);
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   EXPECT_EQ(counter.count(), 0U);
 }
 
@@ -452,21 +512,21 @@ TEST(Tangent, OfLinearElementsInClosedForm) {
   component::ComponentState state = component.makeState();
   component::ComponentState trial = component.makeState();
   walk(component, state, 8, 20);
-  const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * M_PI * 1.43));
+  const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * element::kPi * 1.43));
   const component::Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
   // 1e-16 of some kN over 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);
   EXPECT_NEAR(tangent.damping, 1e4 + kDt * step.gain, 1e-8 * 1e4);
 }
 
-TEST(Tangent, OfFrictionAndMountInClosedForm) {
-  const component::Component component({kSpring, kFriction, kMount});
+TEST(Tangent, OfFrictionAndSeriesComplianceInClosedForm) {
+  const component::Component component({kSpring, kFriction, kSeriesCompliance});
   const component::Component bare({kSpring, kFriction});
   component::ComponentState state = component.makeState();
   component::ComponentState trial = component.makeState();
   const double force = component.step(state, 1e-3, 0.5e-3).total;
   (void)force;
-  component.rest(state, 0.0);
+  component.initialise(state, 0.0);
   const component::Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
   component::ComponentState moved = state;
   const double specimen = 0.5e-3 - component.step(moved, 1e-3, 0.5e-3).total / 3e7;
@@ -517,7 +577,7 @@ double displacementOfMass(const component::Component& component, double dt, doub
 }
 
 TEST(Tangent, LetsAnImplicitIntegratorConverge) {
-  const component::Component component({kSpring, kMaxwell, kFriction, kMount});
+  const component::Component component({kSpring, kMaxwell, kFriction, kSeriesCompliance});
   const double reference = displacementOfMass(component, 1e-3 / 16, 0.2);
   const double coarse = std::abs(displacementOfMass(component, 4e-3, 0.2) - reference);
   const double fine = std::abs(displacementOfMass(component, 1e-3, 0.2) - reference);

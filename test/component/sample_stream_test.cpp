@@ -24,16 +24,16 @@ class Stream : public testing::Test {
 
   double force(std::int64_t stamp, double displacement) {
     const component::StreamForce result = stream_.push(stamp, displacement);
-    EXPECT_TRUE(component::isAccepted(result.verdict));
+    EXPECT_TRUE(component::isAccepted(result.acceptance));
     return result.force.total;
   }
 
-  void expectDropped(std::int64_t stamp, double displacement, component::Verdict verdict) {
+  void expectDropped(std::int64_t stamp, double displacement, component::Acceptance acceptance) {
     const std::vector<double> memory = stream_.state().memory();
     const std::int64_t last = stream_.lastStamp();
     const component::StreamForce result = stream_.push(stamp, displacement);
-    EXPECT_EQ(result.verdict, verdict);
-    EXPECT_FALSE(component::isAccepted(result.verdict));
+    EXPECT_EQ(result.acceptance, acceptance);
+    EXPECT_FALSE(component::isAccepted(result.acceptance));
     EXPECT_EQ(result.force.total, 0.0);
     EXPECT_EQ(stream_.state().memory(), memory);
     EXPECT_EQ(stream_.lastStamp(), last);
@@ -49,7 +49,7 @@ TEST_F(Stream, FirstSampleFindsTheComponentAtRest) {
 
 TEST_F(Stream, StepsAsTheComponentDoes) {
   component::ComponentState state = component_.makeState();
-  component_.rest(state, 1e-3);
+  component_.initialise(state, 1e-3);
   stream_.push(0, 1e-3);
   for (int i = 1; i < 50; ++i) {
     const double z = 1e-3 * std::cos(0.3 * i);
@@ -60,12 +60,12 @@ TEST_F(Stream, StepsAsTheComponentDoes) {
 }
 
 TEST_F(Stream, DropsWhatIsNotFinite) {
-  expectDropped(0, NAN, component::Verdict::not_finite);
+  expectDropped(0, NAN, component::Acceptance::not_finite);
   EXPECT_FALSE(stream_.started()) << "not a start either";
   stream_.push(0, 1e-3);
-  expectDropped(kMs, NAN, component::Verdict::not_finite);
-  expectDropped(kMs, INFINITY, component::Verdict::not_finite);
-  expectDropped(kMs, -INFINITY, component::Verdict::not_finite);
+  expectDropped(kMs, NAN, component::Acceptance::not_finite);
+  expectDropped(kMs, INFINITY, component::Acceptance::not_finite);
+  expectDropped(kMs, -INFINITY, component::Acceptance::not_finite);
   EXPECT_EQ(stream_.counters().not_finite, 4U);
   EXPECT_EQ(stream_.counters().dropped(), 4U);
   EXPECT_EQ(stream_.counters().accepted, 1U);
@@ -73,16 +73,16 @@ TEST_F(Stream, DropsWhatIsNotFinite) {
 
 TEST_F(Stream, DropsRepeatedStamps) {
   stream_.push(5 * kMs, 1e-3);
-  expectDropped(5 * kMs, 1e-3, component::Verdict::repeated);
-  expectDropped(5 * kMs, 2e-3, component::Verdict::repeated);
+  expectDropped(5 * kMs, 1e-3, component::Acceptance::repeated);
+  expectDropped(5 * kMs, 2e-3, component::Acceptance::repeated);
   EXPECT_EQ(stream_.counters().repeated, 2U);
 }
 
 TEST_F(Stream, DropsStepsBackUpToASecond) {
   const std::int64_t second = component::SampleStream::kNanosecondsPerSecond;
   stream_.push(10 * second, 1e-3);
-  expectDropped(10 * second - 1, 1e-3, component::Verdict::stepped_back);
-  expectDropped(9 * second, 1e-3, component::Verdict::stepped_back);
+  expectDropped(10 * second - 1, 1e-3, component::Acceptance::stepped_back);
+  expectDropped(9 * second, 1e-3, component::Acceptance::stepped_back);
   EXPECT_EQ(stream_.counters().stepped_back, 2U);
   EXPECT_EQ(stream_.counters().restarted, 0U);
 }
@@ -92,7 +92,7 @@ TEST_F(Stream, RestartsAfterALongerJumpBack) {
   const double first = force(10 * second, 1e-3);
   stream_.push(10 * second + kMs, 3e-3);
   const component::StreamForce result = stream_.push(9 * second - 1, 1e-3);
-  EXPECT_EQ(result.verdict, component::Verdict::restarted);
+  EXPECT_EQ(result.acceptance, component::Acceptance::restarted);
   EXPECT_EQ(result.force.total, first) << "as new";
   EXPECT_EQ(stream_.counters().restarted, 1U);
   EXPECT_EQ(stream_.counters().accepted, 3U);
@@ -116,7 +116,7 @@ TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
 TEST_F(Stream, BridgesAGapExactly) {
   stream_.push(0, 0.0);
   const component::StreamForce bridged = stream_.push(501 * kMs, 1e-3);
-  EXPECT_EQ(bridged.verdict, component::Verdict::bridged);
+  EXPECT_EQ(bridged.acceptance, component::Acceptance::bridged);
   EXPECT_EQ(stream_.counters().bridged, 1U);
   component::SampleStream complete(component_);
   complete.push(0, 0.0);
@@ -131,13 +131,13 @@ TEST_F(Stream, BridgesAGapExactly) {
 TEST_F(Stream, GapLimitIsAsGiven) {
   component::SampleStream strict(component_, 0.01);
   strict.push(0, 0.0);
-  EXPECT_EQ(strict.push(10 * kMs, 0.0).verdict, component::Verdict::accepted);
-  EXPECT_EQ(strict.push(20 * kMs + 1, 0.0).verdict, component::Verdict::bridged);
+  EXPECT_EQ(strict.push(10 * kMs, 0.0).acceptance, component::Acceptance::accepted);
+  EXPECT_EQ(strict.push(20 * kMs + 1, 0.0).acceptance, component::Acceptance::bridged);
   stream_.push(0, 0.0);
-  EXPECT_EQ(stream_.push(500 * kMs, 0.0).verdict, component::Verdict::accepted) << "half a second by default";
+  EXPECT_EQ(stream_.push(500 * kMs, 0.0).acceptance, component::Acceptance::accepted) << "half a second by default";
   component::SampleStream patient(component_, 1e300);
   patient.push(0, 0.0);
-  EXPECT_EQ(patient.push(1000000000LL * 1000 * kMs, 0.0).verdict, component::Verdict::accepted);
+  EXPECT_EQ(patient.push(1000000000LL * 1000 * kMs, 0.0).acceptance, component::Acceptance::accepted);
 }
 
 TEST_F(Stream, TimeIsExactToTheNanosecondFarFromZero) {
@@ -155,7 +155,7 @@ TEST_F(Stream, ExtremeStampsDoNotOverflow) {
   const std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
   stream_.push(least, 0.0);
   EXPECT_TRUE(std::isfinite(stream_.push(greatest, 1e-3).force.total));
-  EXPECT_EQ(stream_.push(least, 0.0).verdict, component::Verdict::restarted);
+  EXPECT_EQ(stream_.push(least, 0.0).acceptance, component::Acceptance::restarted);
 }
 
 TEST_F(Stream, ResetIsAsNewAndKeepsTheCounters) {
@@ -173,11 +173,11 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
     stream_.push(i * kMs, 1e-3 * std::sin(0.4 * i));
   }
   component::SampleStream other(component_);
-  other.restore(stream_.lastStamp(), stream_.state().displacement(), stream_.state().memory());
+  other.deserialise(stream_.lastStamp(), stream_.state().displacement(), stream_.state().memory());
   for (int i = 30; i < 60; ++i) {
     EXPECT_EQ(other.push(i * kMs, 1e-3 * std::sin(0.4 * i)).force.total, force(i * kMs, 1e-3 * std::sin(0.4 * i)));
   }
-  EXPECT_THROW(other.restore(0, 0.0, {}), std::invalid_argument);
+  EXPECT_THROW(other.deserialise(0, 0.0, {}), std::invalid_argument);
 }
 
 // Samples whose force overflows, at any distance from each other, against a stream that never gets them.
@@ -190,7 +190,7 @@ void expectNoTraceOfOverflows(const component::Component& component) {
   for (int i = 0; i < 3000; ++i) {
     stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
     if (random() % 50 == 0) {
-      EXPECT_EQ(stream.push(stamp, kTooFar).verdict, component::Verdict::not_finite);
+      EXPECT_EQ(stream.push(stamp, kTooFar).acceptance, component::Acceptance::not_finite);
     }
     std::array<double, 1> force{};
     const double displacement = 1e-3 * std::sin(0.1 * i);

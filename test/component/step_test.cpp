@@ -45,7 +45,7 @@ class LawsOneByOne {
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
   const std::vector<double>& memory() const { return memory_; }
 
-  void restore(double displacement, const std::vector<double>& memory) {
+  void deserialise(double displacement, const std::vector<double>& memory) {
     displacement_ = displacement;
     memory_ = memory;
   }
@@ -117,11 +117,11 @@ class Pairing {
       case 2: {
         const component::ComponentState copy = state_;
         component_.step(state_, dt_, uniform(-1e-3, 1e-3));
-        return state_.recall(copy);
+        return state_.copyFrom(copy);
       }
       case 3: {
         component::ComponentState other = component_.makeState();
-        other.recall(state_);
+        other.copyFrom(state_);
         std::swap(other, state_);
         return;
       }
@@ -133,8 +133,8 @@ class Pairing {
   }
 
   void restoreNumbers(const std::vector<double>& memory) {
-    state_.restore(position_, memory);
-    laws_.restore(position_, memory);
+    state_.deserialise(position_, memory);
+    laws_.deserialise(position_, memory);
   }
 
   // Also such as no path leads to: a reference point of friction ahead of the motion.

@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-component::Component mount() {
+component::Component bushing() {
   return component::Component({{"spring", {{"stiffness", {3e6}}}},
                                {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {8.0}}}},
                                {"friction", {{"maximum_force", {6000.0}}, {"displacement", {2e-3}}}},
@@ -23,11 +23,11 @@ component::Component mount() {
 double displacementAt(double time) { return 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(131.0 * time); }
 
 TEST(TrialStepper, TrialsLeaveNothingBehind) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
   component::ComponentState alone = component.makeState();
-  stepper.rest(1.0, 0.0);
-  component.rest(alone, 0.0);
+  stepper.initialise(1.0, 0.0);
+  component.initialise(alone, 0.0);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> length(1e-4, 5e-3);
   std::uniform_real_distribution<double> off(-1e-3, 1e-3);
@@ -46,9 +46,9 @@ TEST(TrialStepper, TrialsLeaveNothingBehind) {
 }
 
 TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
-  const double at_rest = stepper.rest(0.0, 1e-3).total;
+  const double at_rest = stepper.initialise(0.0, 1e-3).total;
   EXPECT_EQ(stepper.attempt(0.0, 2e-3).total, at_rest);
   const double force = stepper.accept(1e-3, 2e-3).total;
   EXPECT_EQ(stepper.attempt(1e-3, 0.0).total, force);
@@ -57,9 +57,9 @@ TEST(TrialStepper, GivesTheAcceptedForceAtTheAcceptedTime) {
 }
 
 TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
-  stepper.rest(0.0, 0.0);
+  stepper.initialise(0.0, 0.0);
   stepper.accept(1e-3, 1e-3);
   EXPECT_THROW(stepper.attempt(0.9e-3, 0.0), std::invalid_argument);
   EXPECT_THROW(stepper.accept(0.9e-3, 0.0), std::invalid_argument);
@@ -70,16 +70,16 @@ TEST(TrialStepper, RefusesToGoBackBehindAnAcceptedStep) {
 TEST(TrialStepper, TangentIsTheDerivativeOfTheTrial) {
   const component::Component component({{"spring", {{"stiffness", {3e6}}}}, {"dashpot", {{"damping", {1e4}}}}});
   component::TrialStepper stepper(component);
-  stepper.rest(0.0, 0.0);
+  stepper.initialise(0.0, 0.0);
   const component::Tangent tangent = stepper.tangent(1e-3, 1e-3);
   const double slope = (stepper.attempt(1e-3, 1.1e-3).total - stepper.attempt(1e-3, 0.9e-3).total) / 0.2e-3;
   EXPECT_NEAR(tangent.stiffness + tangent.damping / 1e-3, slope, 1e-7 * slope);
 }
 
 TEST(TrialStepper, AllocatesNothing) {
-  const component::Component component = mount();
+  const component::Component component = bushing();
   component::TrialStepper stepper(component);
-  stepper.rest(0.0, 0.0);
+  stepper.initialise(0.0, 0.0);
   const test::AllocationCounter counter;
   stepper.attempt(1e-3, 1e-3);
   stepper.tangent(1e-3, 1e-3);

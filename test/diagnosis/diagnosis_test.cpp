@@ -10,6 +10,7 @@
 #include <numeric>
 #include <random>
 
+#include "diagnosis/workings.h"
 #include "rig.h"
 #include "rubber_suspension/gap/replay.h"
 
@@ -32,18 +33,21 @@ TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
   const diagnosis::Diagnosis result = diagnoseRig(nothing);
   EXPECT_EQ(result.verdict, "none");
   EXPECT_TRUE(result.effects.empty());
-  // 20 N of white noise over the deviation of the force; the floor is the median of some hundred spectral lines.
-  double deviation = 0.0;
-  for (const log::Record& record : result.records) {
-    deviation = std::max(deviation, record.force_deviation);
+  // 20 N of white noise over the standard deviation of the force; the floor is the median of some hundred spectral
+  // lines.
+  double standard_deviation = 0.0;
+  for (const log::Record& record : result.workings->records) {
+    standard_deviation = std::max(standard_deviation, record.force_deviation);
   }
-  EXPECT_NEAR(result.gap.noise_floor, 20.0 / deviation, 0.15 * 20.0 / deviation);
+  EXPECT_NEAR(result.gap.noise_floor, 20.0 / standard_deviation, 0.15 * 20.0 / standard_deviation);
 }
 
 TEST(Diagnosis, CallsWrongValuesAParameterError) {
   io::ComponentDescription wrong = rigComponent();
-  wrong.specification.set("static_stiffness", 0.85e6);
-  wrong.specification.set("break_frequency", 4.0);
+  estimation::Specification specification = wrong.specification();
+  specification.set("static_stiffness", 0.85e6);
+  specification.set("break_frequency", 4.0);
+  wrong.specify(specification);
   const diagnosis::Diagnosis result = diagnoseRig(nothing, wrong);
   EXPECT_EQ(result.verdict, "parameter_error");
   EXPECT_TRUE(result.effects.empty());
@@ -61,7 +65,7 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
 }
 
 // What the logs of the fit do not show cannot be named, but is no agreement either.
-TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotBearOut) {
+TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(
       rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
   EXPECT_GT(result.gap.as_configured, 0.05);
@@ -95,7 +99,7 @@ void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
   }
 }
 
-// With a mount in series a linear component is again linear: own parameters far from the configured ones would do as
+// With a mount in series a linear component is again linear: model parameters far from the configured ones would do as
 // well, but a mount does it with them where they are.
 // A log of the rig behind a mount that yields by `deflection` [m] to a force [N].
 log::Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
@@ -223,8 +227,9 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
   const gap::Replay replayed = gap::replay(components.front().makeComponent(), unseen);
   const Eigen::Map<const Eigen::VectorXd> measured(unseen.force.data(), static_cast<Eigen::Index>(unseen.size()));
   const Eigen::Map<const Eigen::VectorXd> simulated(replayed.force.data(), measured.size());
-  const double deviation = std::sqrt((measured.array() - measured.mean()).square().mean());
-  const double gap = std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / deviation;
+  const double standard_deviation = std::sqrt((measured.array() - measured.mean()).square().mean());
+  const double gap =
+      std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / standard_deviation;
   EXPECT_NEAR(gap, result.gap.augmented, 1e-9);
 }
 

@@ -1,5 +1,5 @@
 // The page of effects in docs/ is the one that the code prints, and names elements that a component file accepts.
-#include "rubber_suspension/diagnosis/effect_reference.h"
+#include "diagnosis/report/effect_reference.h"
 
 #include <gtest/gtest.h>
 

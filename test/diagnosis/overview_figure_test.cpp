@@ -1,9 +1,13 @@
 // The figure of `diagnose --plot`: one picture each of where and how much, with what was found in its title.
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
+#include "diagnosis/report/overview_figure.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+
+#include "diagnosis/workings.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -14,7 +18,7 @@ diagnosis::Diagnosis madeUp() {
   log::Record record;
   record.name = "sine";
   record.dt = 1e-3;
-  record.displacement = 1e-3 * (2.0 * M_PI * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
+  record.displacement = 1e-3 * (2.0 * element::kPi * Eigen::VectorXd::LinSpaced(kSize, 0.0, 2.0)).array().sin();
   record.raw_displacement = record.displacement;
   record.force = 1e6 * record.displacement;
   record.force_deviation = 1e3 / std::sqrt(2.0);
@@ -22,11 +26,13 @@ diagnosis::Diagnosis madeUp() {
   diagnosis.component = "bush";
   diagnosis.verdict = "named";
   diagnosis.effects = {"friction", "creep"};
-  diagnosis.records = {record};
-  diagnosis.training = 1;
-  diagnosis.force_configured = {record.force.array() + 100.0};
-  diagnosis.force_re_estimated = diagnosis.force_configured;
-  diagnosis.force_augmented = {record.force};
+  auto workings = std::make_shared<diagnosis::Workings>();
+  workings->records = {record};
+  workings->training = 1;
+  workings->force_configured = {record.force.array() + 100.0};
+  workings->force_re_estimated = workings->force_configured;
+  workings->force_augmented = {record.force};
+  diagnosis.workings = workings;
   return diagnosis;
 }
 

@@ -1,17 +1,20 @@
-// Own parameters, records, what noise does, and the menu of experiments.
+// Model parameters, records, what noise does, and the menu of experiments.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/friction_noise.h"
+#include "diagnosis/report/experiment.h"
+#include "fit/fitter.h"
+#include "fit/mass_bandwidth.h"
+#include "fit/model_parameters.h"
+#include "gap/simulate.h"
 #include "rig.h"
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
-#include "rubber_suspension/diagnosis/experiment.h"
-#include "rubber_suspension/diagnosis/friction_noise.h"
-#include "rubber_suspension/fit/hypothesis.h"
-#include "rubber_suspension/fit/own_parameters.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension {
@@ -26,10 +29,10 @@ io::ComponentDescription fiveInputs() {
       .front();
 }
 
-TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
+TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   for (const fit::Level level : {fit::Level::specification, fit::Level::elements}) {
-    const fit::OwnParameters own(fiveInputs(), level);
-    const auto elements = own.elements(Eigen::VectorXd::Zero(own.size()));
+    const fit::ModelParameters model(fiveInputs(), level);
+    const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()));
     ASSERT_TRUE(elements);
     const auto configured = fiveInputs().allElements();
     ASSERT_EQ(elements->size(), configured.size());
@@ -40,14 +43,14 @@ TEST(OwnParameters, LeaveTheConfiguredModelAsItIs) {
 }
 
 // Every point within the bounds has a model: that is what the coordinates are for.
-TEST(OwnParameters, HaveAModelEverywhere) {
-  const fit::OwnParameters own(fiveInputs(), fit::Level::specification);
+TEST(ModelParameters, HaveAModelEverywhere) {
+  const fit::ModelParameters model(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
     const Eigen::VectorXd point =
-        Eigen::VectorXd::NullaryExpr(own.size(), [&](Eigen::Index j) { return own.bound(j) * uniform(generator); });
-    const auto elements = own.elements(point);
+        Eigen::VectorXd::NullaryExpr(model.size(), [&](Eigen::Index j) { return model.bound(j) * uniform(generator); });
+    const auto elements = model.elements(point);
     ASSERT_TRUE(elements) << point.transpose();
     EXPECT_NEAR((*elements)[0].value("stiffness"), 3.0e6 * std::exp(point[0]), 1e-3);
   }
@@ -113,8 +116,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const log::Record noisy = log::makeRecord(noisyLog(5e-6));
   clean.force_deviation = noisy.force_deviation;
   const Eigen::VectorXd done =
-      fit::simulate(friction, {noisy}, [](const log::Record& r) { return r.raw_displacement; })[0] -
-      fit::simulate(friction, {clean})[0];
+      gap::simulate(friction, {noisy}, gap::asRecorded)[0] - gap::simulate(friction, {clean})[0];
   const double known = rootMeanSquare(done) / noisy.force_deviation;
   const double estimated = diagnosis::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
@@ -124,10 +126,10 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
 }
 
 TEST(MassBandwidth, FiltersOnlyWhereThereIsNoise) {
-  EXPECT_EQ(diagnosis::massBandwidth({log::makeRecord(noisyLog(0.0))}, 7.0), 0.0);
-  const double bandwidth = diagnosis::massBandwidth({log::makeRecord(noisyLog(3e-6))}, 7.0);
+  EXPECT_EQ(fit::massBandwidth({log::makeRecord(noisyLog(0.0))}, 7.0), 0.0);
+  const double bandwidth = fit::massBandwidth({log::makeRecord(noisyLog(3e-6))}, 7.0);
   EXPECT_GT(bandwidth, 7.0);
-  EXPECT_LT(bandwidth, diagnosis::massBandwidth({log::makeRecord(noisyLog(3e-7))}, 7.0))
+  EXPECT_LT(bandwidth, fit::massBandwidth({log::makeRecord(noisyLog(3e-7))}, 7.0))
       << "less noise asks for less of a filter";
 }
 
@@ -147,29 +149,50 @@ TEST(Record, RefusesALogThatDoesNotMove) {
   EXPECT_THROW(log::makeRecord(log), log::LogError);
 }
 
-// Scales of atoms of a candidate, all others at nothing.
+// Scales of basis terms of a candidate in units of their typical ones, all others at nothing.
 using Scales = std::map<std::string, std::vector<double>>;
 
-std::vector<fit::Atom> atomsOf(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
-  std::vector<fit::Atom> atoms;
-  for (const fit::Candidate& candidate : candidates) {
-    const auto at_work = scales.find(candidate.effect);
-    for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
-      atoms.push_back(candidate.atoms[a]);
+// The first terms of the candidates that have scales.
+fit::Hypothesis hypothesisOf(std::vector<fit::Candidate> candidates, const Scales& scales) {
+  std::vector<int> members;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto at_work = scales.find(candidates[c].effect);
+    if (at_work != scales.end()) {
+      candidates[c].terms.resize(at_work->second.size());
+      members.push_back(static_cast<int>(c));
     }
   }
-  return atoms;
+  fit::Hypothesis hypothesis = fit::makeHypothesis(candidates, members);
+  hypothesis.free_trends = true;
+  return hypothesis;
 }
 
-Eigen::VectorXd inUnitsOfTypical(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
+Eigen::VectorXd scalesOf(const std::vector<fit::Candidate>& candidates, const Scales& scales) {
   std::vector<double> numbers;
   for (const fit::Candidate& candidate : candidates) {
     const auto at_work = scales.find(candidate.effect);
-    for (std::size_t a = 0; at_work != scales.end() && a < at_work->second.size(); ++a) {
-      numbers.push_back(at_work->second[a] * candidate.atoms[a].typical);
+    for (std::size_t t = 0; at_work != scales.end() && t < at_work->second.size(); ++t) {
+      numbers.push_back(at_work->second[t] * candidate.terms[t].typical);
     }
   }
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+TEST(Candidates, AreEnteredOnceEach) {
+  const std::vector<log::Record> records = {log::makeRecord(noisyLog(0.0))};
+  std::set<std::string> names;
+  for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
+    EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
+    EXPECT_FALSE(candidate.terms.empty()) << candidate.effect;
+    EXPECT_FALSE(candidate.documentation.empty()) << candidate.effect;
+  }
+  // The effects that reports may name, besides parameter_error and unknown.
+  const std::set<std::string> contract = {
+      "friction",   "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
+      "free_play",  "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
+      "inertia",    "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
+      "force_drift"};
+  EXPECT_EQ(names, contract);
 }
 
 class KnownEffects : public testing::TestWithParam<std::vector<element::ElementDescription>> {};
@@ -190,28 +213,28 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
   const auto nothing = [](double, double, double) { return 0.0; };
   std::vector<log::Record> records = {log::makeRecord(runRig("first", 1, nothing)),
                                       log::makeRecord(runRig("second", 2, nothing))};
-  const fit::OwnParameters own(component, fit::Level::specification);
-  const fit::Fitter fitter(records, own);
-  const std::vector<fit::Candidate> plain = fit::candidates(fit::summarise(records));
+  const fit::ModelParameters model(component, fit::Level::specification);
+  const fit::Fitter fitter(records, model);
+  const std::vector<fit::Candidate> plain = diagnosis::candidates(fit::summarise(records));
   std::vector<fit::Candidate> known = plain;
-  fitter.precompute(known, 2);
+  fit::findUnitEffects(known, records, 2);
   const std::vector<Scales> cases = {
       {{"friction", {1.0, 0.0, 0.5}}, {"force_offset", {1.0}}},
       {{"stress_softening", {0.0, 1.0, 0.5}}, {"relaxation", {0.0, 1.0}}, {"force_offset", {1.0}}},
       {{"stress_softening", {1.0}}, {"self_heating", {1.0, 0.0}}, {"friction", {1.0}}},
       {{"stress_softening", {0.0}}, {"time_delay", {1.0}}, {"friction", {1.0}}, {"force_offset", {1.0}}}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::vector<fit::Atom> simulated = atomsOf(plain, cases[i]);
-    const std::vector<fit::Atom> superposed = atomsOf(known, cases[i]);
-    fit::Point point = fitter.configured(simulated.size());
-    point.scales = inUnitsOfTypical(plain, cases[i]);
-    const auto expected = *fitter.forces(point, simulated);
-    const auto actual = *fitter.forces(point, superposed);
+    const fit::Hypothesis simulated = hypothesisOf(plain, cases[i]);
+    const fit::Hypothesis superposed = hypothesisOf(known, cases[i]);
+    fit::ParameterVector parameters = fitter.configured(simulated);
+    parameters.scales = scalesOf(plain, cases[i]);
+    const auto expected = *fitter.forces().at(simulated, parameters);
+    const auto actual = *fitter.forces().at(superposed, parameters);
     for (std::size_t r = 0; r < records.size(); ++r) {
       EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), 1e-9 * records[r].force_deviation) << "case " << i;
     }
-    const Eigen::MatrixXd expected_sum = fitter.linearise(point, simulated, true).sum;
-    const Eigen::MatrixXd actual_sum = fitter.linearise(point, superposed, true, {}, 2).sum;
+    const Eigen::MatrixXd expected_sum = fitter.linearise(simulated, parameters).sum;
+    const Eigen::MatrixXd actual_sum = fitter.linearise(superposed, parameters, {}, 2).sum;
     const Eigen::VectorXd size = expected_sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd difference =
         size.cwiseInverse().asDiagonal() * (actual_sum - expected_sum) * size.cwiseInverse().asDiagonal();

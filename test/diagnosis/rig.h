@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
 
@@ -42,23 +43,23 @@ inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& 
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, noise);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  double phase = 6.28 * uniform(generator);
+  double phase = 2.0 * element::kPi * uniform(generator);
   log::Log log;
   log.name = name;
   double relaxing = 0.0;
   double before = 0.0;
-  const double decay = std::exp(-kStep * 2.0 * M_PI * frequency);
+  const double decay = std::exp(-kStep * 2.0 * element::kPi * frequency);
   for (int i = 0; i < kSamples; ++i) {
     const double time = kStep * i;
     const double amplitude = 0.0011 + 0.0009 * std::sin(0.7 * time + static_cast<double>(seed));
     const double f = 3.5 + 2.8 * std::sin(0.45 * time + 2.0 * static_cast<double>(seed));
-    phase += 2.0 * M_PI * f * kStep;
+    phase += 2.0 * element::kPi * f * kStep;
     const double z = amplitude * std::sin(phase);
     if (i == 0) {
       before = z;
     }
-    relaxing = decay * relaxing + stiffness * (z - before) / (kStep * 2.0 * M_PI * frequency) * (1.0 - decay);
-    const double rate = amplitude * 2.0 * M_PI * f * std::cos(phase);
+    relaxing = decay * relaxing + stiffness * (z - before) / (kStep * 2.0 * element::kPi * frequency) * (1.0 - decay);
+    const double rate = amplitude * 2.0 * element::kPi * f * std::cos(phase);
     log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
     log.displacement.push_back(z);
     log.force.push_back(spring * z + relaxing + effect(time, z, rate) + normal(generator));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "element/driver.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -146,7 +147,7 @@ std::pair<double, double> peakAndLoss(const Noisy& test) {
   for (int cycle = 0; cycle < kSettling + kCycles; ++cycle) {
     double peak = 0.0;
     for (int i = 0; i < samples; ++i) {
-      const double z = kAmplitude * std::sin(2.0 * M_PI * i / samples);
+      const double z = kAmplitude * std::sin(2.0 * element::kPi * i / samples);
       const double force = driver.step(1.0 / test.sampling, z + sigma * noise(generator));
       if (cycle >= kSettling) {
         peak = std::max(peak, std::abs(force));

@@ -13,7 +13,7 @@ template <class Law>
 class Driver {
  public:
   explicit Driver(const Law& law, double start = 0.0) : law_(law), memory_(law.memorySize()), displacement_(start) {
-    output_ = law_.rest(start, memory_.data());
+    output_ = law_.initialise(start, memory_.data());
   }
 
   /// Output (force [N] or displacement [m]) after a step of dt [s] to a displacement [m].

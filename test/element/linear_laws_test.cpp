@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "element/driver.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/creep.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell.h"
@@ -14,11 +15,11 @@
 namespace rubber_suspension::test {
 namespace {
 
-double degrees(std::complex<double> value) { return std::arg(value) * 180.0 / M_PI; }
+double degrees(std::complex<double> value) { return std::arg(value) * 180.0 / element::kPi; }
 
 TEST(Maxwell, RelaxesAsAnExponential) {
   const element::Maxwell law(2e6, 1.5);
-  EXPECT_DOUBLE_EQ(law.relaxationTime(), 1.0 / (2.0 * M_PI * 1.5));
+  EXPECT_DOUBLE_EQ(law.relaxationTime(), 1.0 / (2.0 * element::kPi * 1.5));
   Driver<element::Maxwell> driver(law);
   driver.step(1e-12, 1e-3);
   EXPECT_NEAR(driver.output(), 2e3, 1e-6) << "a sudden step meets the spring alone";
@@ -53,20 +54,20 @@ TEST(Maxwell, MeetsThePapersExample) {
   for (const Row& row : {Row{0.5, 1.2160, 2.04}, Row{1.0, 1.2638, 4.06}, Row{2.0, 1.4497, 7.94},
                          Row{4.0, 2.1264, 14.66}, Row{8.0, 4.2250, 23.73}}) {
     const std::complex<double> k =
-        3.0 + *element::Maxwell(row.stiffness, row.break_frequency).complexStiffness(2.0 * M_PI * 4.0);
+        3.0 + *element::Maxwell(row.stiffness, row.break_frequency).complexStiffness(2.0 * element::kPi * 4.0);
     EXPECT_NEAR(std::abs(k), 4.2, 1e-4);  // the four decimals of k1
     EXPECT_NEAR(degrees(k), row.angle, 0.005 + 1e-3);
   }
 }
 
 TEST(Maxwell, LimitsAreSpringAndDashpot) {
-  const double omega = 2.0 * M_PI * 4.0;
+  const double omega = 2.0 * element::kPi * 4.0;
   const std::complex<double> spring = *element::Maxwell(1e6, 1e-9).complexStiffness(omega);
   EXPECT_NEAR(std::abs(spring / 1e6 - 1.0), 0.0, 1e-9);
   const double damping = 1e4;
   const double break_frequency = 1e9;
   const std::complex<double> dashpot =
-      *element::Maxwell(damping * 2.0 * M_PI * break_frequency, break_frequency).complexStiffness(omega);
+      *element::Maxwell(damping * 2.0 * element::kPi * break_frequency, break_frequency).complexStiffness(omega);
   EXPECT_NEAR(std::abs(dashpot / std::complex<double>(0.0, omega * damping) - 1.0), 0.0, 1e-8);
 }
 
@@ -78,15 +79,15 @@ TEST(Dashpot, SampledSineInClosedForm) {
   Driver<element::Dashpot> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
-    const double phase = 2.0 * M_PI * i / kSamples;
+    const double phase = 2.0 * element::kPi * i / kSamples;
     const double force = driver.step(kDt, std::sin(phase));
     sum += i > kSamples ? force * std::polar(1.0, -phase) : 0.0;
   }
   const std::complex<double> simulated = sum * std::complex<double>(0.0, 2.0 / kSamples);
-  const std::complex<double> expected = 2e4 * (1.0 - std::polar(1.0, -2.0 * M_PI / kSamples)) / kDt;
+  const std::complex<double> expected = 2e4 * (1.0 - std::polar(1.0, -2.0 * element::kPi / kSamples)) / kDt;
   EXPECT_NEAR(std::abs(simulated / expected - 1.0), 0.0, 1e-12);
-  const std::complex<double> continuous = *law.complexStiffness(2.0 * M_PI * 4.0);
-  EXPECT_NEAR(std::arg(continuous / expected), M_PI / kSamples, 1e-12);
+  const std::complex<double> continuous = *law.complexStiffness(2.0 * element::kPi * 4.0);
+  EXPECT_NEAR(std::arg(continuous / expected), element::kPi / kSamples, 1e-12);
 }
 
 // The rate of a parabola is exact at any step lengths; under a sine the loss stiffness errs by (w dt)^2/3 and the phase
@@ -106,13 +107,13 @@ TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
   Driver<element::SmoothDashpot> sine(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
-    const double phase = 2.0 * M_PI * i / kSamples;
+    const double phase = 2.0 * element::kPi * i / kSamples;
     const double force = sine.step(0.25 / kSamples, std::sin(phase));
     sum += i > kSamples ? force * std::polar(1.0, -phase) : 0.0;
   }
   const std::complex<double> ratio =
-      sum * std::complex<double>(0.0, 2.0 / kSamples) / *law.complexStiffness(2.0 * M_PI * 4.0);
-  const double angle = 2.0 * M_PI / kSamples;
+      sum * std::complex<double>(0.0, 2.0 / kSamples) / *law.complexStiffness(2.0 * element::kPi * 4.0);
+  const double angle = 2.0 * element::kPi / kSamples;
   EXPECT_NEAR(std::abs(ratio), 1.0 + angle * angle / 3.0, std::pow(angle, 3));
   EXPECT_LE(std::abs(std::arg(ratio)), std::pow(angle, 3) / 4.0 * 1.05);
 }
@@ -123,7 +124,7 @@ TEST(Springpot, HoldsToItsLawWithinTheStatedError) {
       const element::SpringpotLaw law{1e6, 4.0, order, 0.02, 0.02 * std::pow(10.0, decades)};
       const element::Springpot springpot(law);
       for (int i = 0; i <= 200; ++i) {
-        const double omega = 2.0 * M_PI * law.low_frequency * std::pow(10.0, decades * i / 200.0);
+        const double omega = 2.0 * element::kPi * law.low_frequency * std::pow(10.0, decades * i / 200.0);
         const std::complex<double> ratio = *springpot.complexStiffness(omega) / law.complexStiffness(omega);
         ASSERT_LT(std::abs(ratio - 1.0), 1e-3) << "order " << order << " decades " << decades << " omega " << omega;
       }
@@ -133,8 +134,8 @@ TEST(Springpot, HoldsToItsLawWithinTheStatedError) {
 
 TEST(Springpot, LawHasConstantLossAngle) {
   const element::SpringpotLaw law{1e6, 4.0, 0.25, 0.01, 100.0};
-  EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * M_PI * 4.0)), 1e6, 1e-6);
-  EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * M_PI * 64.0)), 2e6, 1e-6);
+  EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * element::kPi * 4.0)), 1e6, 1e-6);
+  EXPECT_NEAR(std::abs(law.complexStiffness(2.0 * element::kPi * 64.0)), 2e6, 1e-6);
   EXPECT_NEAR(degrees(law.complexStiffness(7.0)), 22.5, 1e-9);
 }
 
@@ -153,7 +154,7 @@ TEST(Springpot, OrderZeroIsASpringOrderOneADashpot) {
   const element::Springpot almost_spring({1e6, 1.0, 1e-6, 0.01, 100.0});
   const element::Springpot almost_dashpot({1e6, 1.0, 1.0 - 1e-6, 0.01, 100.0});
   const element::Spring spring(1e6);
-  const element::Dashpot dashpot(1e6 / (2.0 * M_PI));
+  const element::Dashpot dashpot(1e6 / (2.0 * element::kPi));
   Driver<element::MaxwellBank> a(almost_spring);
   Driver<element::MaxwellBank> c(almost_dashpot);
   Driver<element::Spring> b(spring);
@@ -175,7 +176,7 @@ TEST(Springpot, RelaxesAsAPowerOfTime) {
   for (const double next : {1e-3, 1e-2, 0.1, 1.0, 10.0}) {
     const double force = driver.step(next - time, 1e-3);
     time = next;
-    const double expected = 1e3 * std::pow(2.0 * M_PI * 4.0 * time, -0.3) / std::tgamma(0.7);
+    const double expected = 1e3 * std::pow(2.0 * element::kPi * 4.0 * time, -0.3) / std::tgamma(0.7);
     EXPECT_NEAR(force / expected, 1.0, 2e-3) << time;  // the bank's error in frequency, seen in time
   }
 }

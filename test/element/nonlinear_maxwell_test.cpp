@@ -6,6 +6,7 @@
 #include <random>
 
 #include "driver.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -34,7 +35,7 @@ TEST(NonlinearMaxwell, RelaxesInClosedForm) {
   const double start = driver.step(1e-9, 2e-3);
   EXPECT_NEAR(start, 2e3, 1e-3) << "a jump is elastic";
   driver.walk(0.1, 2e-3, 2000);
-  const double decay = std::exp(-0.1 * 2.0 * M_PI * kFrequency);
+  const double decay = std::exp(-0.1 * 2.0 * element::kPi * kFrequency);
   // dF/dt = -F/tau (1 + |F|/(k y)) has F = F0 e/(1 + F0/(k y) (1 - e)); the splitting errs by (dt/tau)^2 = 4e-7.
   EXPECT_NEAR(driver.output(), start * decay / (1.0 + start / (kStiffness * kYield) * (1.0 - decay)), 1e-5 * start);
 }
@@ -44,7 +45,7 @@ TEST(NonlinearMaxwell, FlowsAtASteadyRate) {
   Driver<element::NonlinearMaxwell> driver(law);
   constexpr double kRate = 0.05;
   driver.walk(2.0, kRate * 2.0, 20000);
-  const double viscous = kStiffness * kRate / (2.0 * M_PI * kFrequency);  // k tau v = F (1 + F/(k y))
+  const double viscous = kStiffness * kRate / (2.0 * element::kPi * kFrequency);  // k tau v = F (1 + F/(k y))
   const double yield = kStiffness * kYield;
   EXPECT_NEAR(driver.output(), yield * (std::sqrt(0.25 + viscous / yield) - 0.5), 1e-4 * viscous);
 }

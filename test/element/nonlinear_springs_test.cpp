@@ -6,6 +6,7 @@
 
 #include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/bump_stop.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
 #include "rubber_suspension/element/spring_table.h"
 
@@ -19,7 +20,7 @@ std::complex<double> harmonic(const Law& law, double amplitude, int n) {
   constexpr int kSamples = 64;
   std::complex<double> sum = 0.0;
   for (int i = 0; i < kSamples; ++i) {
-    const double phase = 2.0 * M_PI * i / kSamples;
+    const double phase = 2.0 * element::kPi * i / kSamples;
     sum += law.force(amplitude * std::sin(phase)) * std::polar(1.0, -n * phase);
   }
   return sum / static_cast<double>(kSamples) * (n == 0 ? 1.0 : std::complex<double>(0.0, 2.0));

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "element/driver.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/force_drift.h"
 #include "rubber_suspension/element/force_offset.h"
@@ -79,13 +80,13 @@ TEST(Inertia, SineIsInPhaseToSecondOrder) {
   Driver<element::Inertia> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 2 * kSamples; ++i) {
-    const double phase = 2.0 * M_PI * i / kSamples;
+    const double phase = 2.0 * element::kPi * i / kSamples;
     const double force = driver.step(1.0 / (kFrequency * kSamples), std::sin(phase));
     sum += i > kSamples ? force * std::polar(1.0, -phase) : 0.0;
   }
-  const std::complex<double> expected = *law.complexStiffness(2.0 * M_PI * kFrequency);
+  const std::complex<double> expected = *law.complexStiffness(2.0 * element::kPi * kFrequency);
   const std::complex<double> ratio = sum * std::complex<double>(0.0, 2.0 / kSamples) / expected;
-  const double step_angle = 2.0 * M_PI / kSamples;
+  const double step_angle = 2.0 * element::kPi / kSamples;
   EXPECT_NEAR(ratio.real() - 1.0, 11.0 / 12.0 * step_angle * step_angle, 0.01 * step_angle * step_angle);
   EXPECT_NEAR(ratio.imag(), 0.0, 2.0 * std::pow(step_angle, 3));
 }
@@ -97,11 +98,11 @@ TEST(SmoothedInertia, SineIsAsItsFilterSays) {
   Driver<element::SmoothedInertia> driver(law);
   std::complex<double> sum = 0.0;
   for (int i = 1; i <= 3 * kSamples; ++i) {  // the lags have settled after two periods to exp(-60)
-    const double phase = 2.0 * M_PI * i / kSamples;
+    const double phase = 2.0 * element::kPi * i / kSamples;
     const double force = driver.step(1.0 / (kFrequency * kSamples), std::sin(phase));
     sum += i > 2 * kSamples ? force * std::polar(1.0, -phase) : 0.0;
   }
-  const std::complex<double> expected = *law.complexStiffness(2.0 * M_PI * kFrequency);
+  const std::complex<double> expected = *law.complexStiffness(2.0 * element::kPi * kFrequency);
   const std::complex<double> ratio = sum * std::complex<double>(0.0, 2.0 / kSamples) / expected;
   // A sine of n straight lines a period is lower by (pi/n)^2/3.
   EXPECT_NEAR(std::abs(ratio - 1.0), 0.0, 5e-6);
@@ -123,7 +124,7 @@ TEST(SmoothedInertia, StepsExactlyWhateverTheSteps) {
 
 TEST(SmoothedInertia, MakesLittleForceOfNoise) {
   constexpr double kStep = 2e-3;
-  const element::SmoothedInertia law(1.0, 1.0 / (2.0 * M_PI * kStep));
+  const element::SmoothedInertia law(1.0, 1.0 / (2.0 * element::kPi * kStep));
   Driver<element::SmoothedInertia> driver(law);
   std::mt19937 generator(11);
   std::normal_distribution<double> noise(0.0, kStep * kStep);
@@ -213,7 +214,7 @@ TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
 TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
   constexpr double kDelay = 0.05;
   constexpr double kDt = 5e-5;
-  constexpr double kOmega = 2.0 * M_PI * 10.0;
+  constexpr double kOmega = 2.0 * element::kPi * 10.0;
   const element::TimeDelay law(kDelay);
   Driver<element::TimeDelay> driver(law);
   const double chord = std::pow(kOmega * (kDelay / 126.0), 2) / 8.0;
@@ -229,7 +230,7 @@ TEST(TimeDelay, NegativeDelayCarriesForwardAlongALine) {
   Driver<element::TimeDelay> driver(law);
   EXPECT_DOUBLE_EQ(driver.step(1e-3, 1.0), 3.0);
   EXPECT_DOUBLE_EQ(driver.step(4e-3, 3.0), 4.0);
-  const double omega = 2.0 * M_PI * 10.0;
+  const double omega = 2.0 * element::kPi * 10.0;
   const std::complex<double> ideal = std::polar(1.0, omega * 2e-3);
   EXPECT_NEAR(std::abs(*law.transfer(omega) - ideal), 0.0, std::pow(omega * 2e-3, 2) / 2.0);
 }
@@ -243,7 +244,7 @@ TEST(TimeDelay, NoneIsNone) {
 
 class SofteningDriver {
  public:
-  explicit SofteningDriver(const element::StressSoftening& law) : law_(law) { law_.rest(0.0, memory_); }
+  explicit SofteningDriver(const element::StressSoftening& law) : law_(law) { law_.initialise(0.0, memory_); }
   double step(double z) {
     const double increment = z - z_;
     z_ = z;
@@ -309,9 +310,9 @@ TEST(StressSoftening, StaysThroughARest) {
   const element::StressSoftening law(0.3, 0.2, 0.0);
   SofteningDriver driver(law);
   driver.step(2e-3);
-  EXPECT_NEAR(law.recover(0.0, driver.memory()), 0.7, 1e-12);
+  EXPECT_NEAR(law.relax(0.0, driver.memory()), 0.7, 1e-12);
   EXPECT_LT(driver.step(1e-3), 0.75);
-  law.rest(0.0, driver.memory());
+  law.initialise(0.0, driver.memory());
   EXPECT_EQ(driver.step(1e-3), 1.0) << "a new specimen";
 }
 
@@ -319,7 +320,7 @@ TEST(StressSoftening, StaysThroughARest) {
 TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
   const element::SelfHeating law(1e-3, 20.0);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.friction = 1e3;
   force.elastic = 1e9;  // makes no heat
@@ -338,7 +339,7 @@ TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
 TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
   const element::SelfHeating law(1e-6, 1e12);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.viscous = 500.0;
   double factor = 1.0;
@@ -352,7 +353,7 @@ TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
 TEST(SelfHeating, KeepsAFifthAtLeast) {
   const element::SelfHeating law(1e3, 1e9);
   double memory[2];
-  law.rest(0.0, memory);
+  law.initialise(0.0, memory);
   element::ComponentForce force;
   force.viscous = 1e6;
   EXPECT_EQ(law.step({1.0, 1.0, 1.0}, force, memory), element::SelfHeating::kLeastFactor);

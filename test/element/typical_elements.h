@@ -57,7 +57,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
 
 /// True for spring, friction, ...; false for effects on displacement or force and for mounts.
 inline bool addsForce(const element::ElementDescription& description) {
-  return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element::makeElement(description));
+  return element::lawOf(element::makeElement(description)).action() == element::Action::adds_force;
 }
 
 /// A component that shows the law: alone where its force adds, on a specimen with loss where it needs one.
@@ -85,10 +85,15 @@ inline bool isOneOf(const element::ElementDescription& description, const std::v
   return std::find(types.begin(), types.end(), description.type) != types.end();
 }
 
-/// Faults of a measuring chain have forces of their own or shift them in time, so they may seem to create energy; so
-/// may a specimen that is loaded hot and unloaded cold.
 inline bool isPassive(const element::ElementDescription& description) {
-  return !isOneOf(description, {"force_offset", "force_drift", "time_delay", "inertia", "self_heating"});
+  return element::lawOf(element::makeElement(description)).passive();
+}
+
+/// A force of the component that depends on the displacement alone.
+inline bool isElastic(const element::ElementDescription& description) {
+  const element::ElementPointer element = element::makeElement(description);
+  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+  return law != nullptr && !(*law)->onRig() && (*law)->part() == element::Part::elastic;
 }
 
 /// Those whose step is exact for displacement that is linear in between, whatever its length. Free play and delay bend

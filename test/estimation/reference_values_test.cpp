@@ -5,6 +5,7 @@
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension {
@@ -37,7 +38,7 @@ estimation::Specification fiveInputs() {
   return specification;
 }
 
-double degrees(double angle) { return angle * 180.0 / M_PI; }
+double degrees(double angle) { return angle * 180.0 / element::kPi; }
 
 std::complex<double> stiffness(const std::vector<element::ElementDescription>& elements, double frequency) {
   return component::Component(elements).complexStiffness(frequency).value();
@@ -71,7 +72,7 @@ TEST(ReferenceValues, MaxwellByBreakFrequency) {
 
 TEST(ReferenceValues, MaxwellByLossAngle) {
   const auto elements =
-      estimation::estimate(estimation::Model::maxwell, exampleWith("loss_angle", 5.76 * M_PI / 180.0));
+      estimation::estimate(estimation::Model::maxwell, exampleWith("loss_angle", 5.76 * element::kPi / 180.0));
   EXPECT_NEAR(elements[1].value("break_frequency"), 1.43, 0.005);
   EXPECT_NEAR(elements[1].value("stiffness"), 1.3295e6, 0.0005e6);  // of a rounded angle
 }
@@ -105,7 +106,7 @@ TEST(ReferenceValues, Berg) {
   EXPECT_NEAR(elements[1].value("displacement"), 2.2109e-3, 0.00005e-3);
   const double k1 = elements[2].value("stiffness");
   EXPECT_NEAR(k1, 0.26087e6, 0.000005e6);
-  EXPECT_NEAR(k1 / (2.0 * M_PI * elements[2].value("break_frequency")), 0.02863e6, 0.000005e6);
+  EXPECT_NEAR(k1 / (2.0 * element::kPi * elements[2].value("break_frequency")), 0.02863e6, 0.000005e6);
 }
 
 void expectElements(const std::vector<element::ElementDescription>& elements,

@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension {
@@ -94,7 +95,7 @@ TEST(Refusal, SlipsOfInput) {
       {estimation::Model::maxwell, &kMaxwell, "dynamic_stiffness", 2e6},
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", 5.7},
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", 1.0},
-      {estimation::Model::maxwell, &kMaxwell, "loss_angle", M_PI / 2.0},
+      {estimation::Model::maxwell, &kMaxwell, "loss_angle", element::kPi / 2.0},
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", 0.0},
       {estimation::Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // beside the loss angle
       {estimation::Model::maxwell, &kMaxwell, "nominal_frequency", 0.0},

@@ -1,10 +1,12 @@
 // Bounded least squares: conditions of optimality over random problems, bounds, collinear columns.
-#include "rubber_suspension/fit/bounded_least_squares.h"
+#include "fit/bounded_least_squares.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace rubber_suspension {
 namespace {
@@ -59,6 +61,44 @@ TEST(BoundedLeastSquares, SplitsBetweenEqualColumnsWithoutBlowingUp) {
   const Eigen::VectorXd x = fit::boundedLeastSquares(gram, moment, Eigen::Vector2d::Zero(), infinite);
   EXPECT_NEAR(x.sum(), 1.0, 1e-6);
   EXPECT_LE(x.maxCoeff(), 1.0 + 1e-6);
+}
+
+TEST(NonNegativeLeastSquares, BoundsOnlyWhatHasNoSign) {
+  const Eigen::Matrix3d gram = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d moment(-1.0, -2.0, 3.0);
+  const Eigen::VectorXd x = fit::nonNegativeLeastSquares(gram, moment, {false, true, false});
+  EXPECT_EQ(x[0], 0.0);
+  EXPECT_DOUBLE_EQ(x[1], -2.0);
+  EXPECT_DOUBLE_EQ(x[2], 3.0);
+}
+
+TEST(NonNegativeLeastSquares, LetsEqualColumnsShareAlike) {
+  const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(2, 2, 4.0);
+  const Eigen::VectorXd x = fit::nonNegativeLeastSquares(gram, Eigen::Vector2d(4.0, 4.0), {false, false});
+  EXPECT_NEAR(x[0], 0.5, 1e-12);  // rounding
+  EXPECT_NEAR(x[1], 0.5, 1e-12);
+}
+
+// Random problems against their conditions of optimality, to rounding: there is no ridge.
+TEST(NonNegativeLeastSquares, IsExact) {
+  std::mt19937 generator(11);
+  for (int problem = 0; problem < 200; ++problem) {
+    const Eigen::Index unknowns = 2 + problem % 8;
+    const Eigen::MatrixXd a = randomMatrix(4 * unknowns, unknowns, generator);
+    const Eigen::VectorXd y = randomMatrix(4 * unknowns, 1, generator);
+    std::vector<bool> signed_unknown(static_cast<std::size_t>(unknowns), false);
+    signed_unknown.back() = true;
+    const Eigen::VectorXd x = fit::nonNegativeLeastSquares(a.transpose() * a, a.transpose() * y, signed_unknown);
+    const Eigen::VectorXd descent = a.transpose() * (y - a * x);
+    // Stays below the tolerance of the active set, 1e-11 of the largest moment with columns of length 1.
+    const double tolerance = 1e-10 * (a.transpose() * y).cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < unknowns; ++i) {
+      const bool free = signed_unknown[static_cast<std::size_t>(i)] || x[i] > 0.0;
+      EXPECT_GE(x[i], signed_unknown[static_cast<std::size_t>(i)] ? -HUGE_VAL : 0.0);
+      EXPECT_LE(descent[i], tolerance) << "problem " << problem;
+      EXPECT_GE(descent[i], free ? -tolerance : -HUGE_VAL) << "problem " << problem;
+    }
+  }
 }
 
 }  // namespace

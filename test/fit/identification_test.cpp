@@ -10,6 +10,7 @@
 #include <random>
 
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -28,22 +29,22 @@ const std::vector<element::ElementDescription> kGuess = {
     {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {4.0}}}}};
 
 // Sines of several frequencies and amplitudes that add up, sampled at a constant rate.
-fit::Measurement motion(double duration, double rate) {
-  fit::Measurement measurement;
+log::Log motion(double duration, double rate) {
+  log::Log measurement;
   const auto count = static_cast<std::size_t>(duration * rate);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / rate;
-    const double swell = 1.0 + 0.8 * std::sin(2.0 * M_PI * 0.11 * t);
+    const double swell = 1.0 + 0.8 * std::sin(2.0 * element::kPi * 0.11 * t);
     measurement.stamp.push_back(std::llround(t * 1e9));
-    measurement.displacement.push_back(1.5e-3 * swell * std::sin(2.0 * M_PI * 0.7 * t) +
-                                       0.6e-3 * std::sin(2.0 * M_PI * 3.3 * t + 1.0) +
-                                       0.1e-3 * std::sin(2.0 * M_PI * 11.0 * t));
+    measurement.displacement.push_back(1.5e-3 * swell * std::sin(2.0 * element::kPi * 0.7 * t) +
+                                       0.6e-3 * std::sin(2.0 * element::kPi * 3.3 * t + 1.0) +
+                                       0.1e-3 * std::sin(2.0 * element::kPi * 11.0 * t));
   }
   measurement.force.assign(count, 0.0);
   return measurement;
 }
 
-void simulate(const std::vector<element::ElementDescription>& elements, fit::Measurement& measurement) {
+void simulate(const std::vector<element::ElementDescription>& elements, log::Log& measurement) {
   const component::Component component(elements);
   component::SampleStream stream(component);
   for (std::size_t i = 0; i < measurement.stamp.size(); ++i) {
@@ -52,7 +53,7 @@ void simulate(const std::vector<element::ElementDescription>& elements, fit::Mea
 }
 
 // Noise whose neighbours correlate by 0.9.
-void addCorrelatedNoise(fit::Measurement& measurement, double deviation, std::mt19937& generator) {
+void addCorrelatedNoise(log::Log& measurement, double deviation, std::mt19937& generator) {
   std::normal_distribution<double> normal;
   const double correlation = 0.9;
   double noise = normal(generator);
@@ -82,7 +83,7 @@ double truth(const fit::IdentifiedParameter& parameter) {
 }
 
 TEST(Identification, FindsTheTruthInAnExactLog) {
-  fit::Measurement measurement = motion(10.0, 200.0);
+  log::Log measurement = motion(10.0, 200.0);
   simulate(kTruth, measurement);
   for (double& force : measurement.force) {
     force += 123.0;  // of the load cell
@@ -107,10 +108,10 @@ TEST(Identification, IntervalsHoldTheTruth95TimesIn100) {
   fit::IdentificationOptions options;
   options.starts = 1;
   std::map<std::string, int> held;
-  fit::Measurement clean = motion(8.0, 150.0);
+  log::Log clean = motion(8.0, 150.0);
   simulate(kTruth, clean);
   for (int i = 0; i < logs; ++i) {
-    fit::Measurement measurement = clean;
+    log::Log measurement = clean;
     addCorrelatedNoise(measurement, 100.0, generator);
     for (const fit::IdentifiedParameter& parameter : fit::identify(kTruth, {measurement}, options).parameters) {
       const double value = truth(parameter);
@@ -126,7 +127,7 @@ TEST(Identification, IntervalsHoldTheTruth95TimesIn100) {
 }
 
 TEST(Identification, IgnoringTheCorrelationWouldBeWrong) {
-  fit::Measurement measurement = motion(20.0, 200.0);
+  log::Log measurement = motion(20.0, 200.0);
   simulate(kTruth, measurement);
   std::mt19937 generator(7);
   addCorrelatedNoise(measurement, 100.0, generator);
@@ -137,9 +138,9 @@ TEST(Identification, IgnoringTheCorrelationWouldBeWrong) {
 }
 
 TEST(Identification, SeveralLogsAreTakenTogether) {
-  std::vector<fit::Measurement> measurements = {motion(6.0, 200.0), motion(9.0, 100.0)};
+  std::vector<log::Log> measurements = {motion(6.0, 200.0), motion(9.0, 100.0)};
   std::mt19937 generator(3);
-  for (fit::Measurement& measurement : measurements) {
+  for (log::Log& measurement : measurements) {
     simulate(kTruth, measurement);
     addCorrelatedNoise(measurement, 20.0, generator);
   }
@@ -155,9 +156,9 @@ TEST(Identification, SeveralLogsAreTakenTogether) {
 TEST(Identification, SaysWhatALogDoesNotShow) {
   // One sine at one frequency: spring, Maxwell stiffness and break frequency have two numbers to share, but for the
   // first instants from rest, which drown in the noise.
-  fit::Measurement measurement = motion(4.0, 200.0);
+  log::Log measurement = motion(4.0, 200.0);
   for (std::size_t i = 0; i < measurement.stamp.size(); ++i) {
-    measurement.displacement[i] = 1e-3 * std::sin(2.0 * M_PI * 4.0 * static_cast<double>(i) / 200.0);
+    measurement.displacement[i] = 1e-3 * std::sin(2.0 * element::kPi * 4.0 * static_cast<double>(i) / 200.0);
   }
   const std::vector<element::ElementDescription> maxwell = {kTruth[0], kTruth[2]};
   simulate(maxwell, measurement);
@@ -169,7 +170,7 @@ TEST(Identification, SaysWhatALogDoesNotShow) {
 }
 
 TEST(Identification, TwoEqualElementsShareOneStiffness) {
-  fit::Measurement measurement = motion(4.0, 200.0);
+  log::Log measurement = motion(4.0, 200.0);
   const std::vector<element::ElementDescription> two = {kTruth[0], kTruth[0]};
   simulate(two, measurement);
   const fit::Identification result = fit::identify(two, {measurement});
@@ -180,14 +181,14 @@ TEST(Identification, TwoEqualElementsShareOneStiffness) {
   }
   EXPECT_NEAR(sum / 6e6, 1.0, 1e-9);
   ASSERT_EQ(result.undetermined.size(), 1u);
-  EXPECT_TRUE(std::isinf(result.undetermined[0].deviation));
+  EXPECT_TRUE(std::isinf(result.undetermined[0].standard_deviation));
   ASSERT_EQ(result.undetermined[0].weights.size(), 2u);
   // More of one is less of the other.
   EXPECT_LT(result.undetermined[0].weights[0].second * result.undetermined[0].weights[1].second, 0.0);
 }
 
 TEST(Identification, AnElementThatIsNotThereIsLeftOut) {
-  fit::Measurement measurement = motion(4.0, 200.0);
+  log::Log measurement = motion(4.0, 200.0);
   simulate({kTruth[0]}, measurement);
   for (std::size_t i = 0; i < measurement.force.size(); ++i) {
     measurement.force[i] -=
@@ -203,7 +204,7 @@ TEST(Identification, AnElementThatIsNotThereIsLeftOut) {
 }
 
 TEST(Identification, HeldParametersStay) {
-  fit::Measurement measurement = motion(6.0, 200.0);
+  log::Log measurement = motion(6.0, 200.0);
   simulate(kTruth, measurement);
   fit::IdentificationOptions options;
   options.held = {"maxwell.break_frequency", "friction.displacement", "friction.maximum_force"};
@@ -221,7 +222,7 @@ TEST(Identification, EffectsInSeriesAreSearchedAsAWhole) {
   std::vector<element::ElementDescription> guess = mounted;
   guess[0].values["stiffness"] = {2.5e6};
   guess[1].values["break_frequency"] = {2.0};
-  fit::Measurement measurement = motion(6.0, 100.0);
+  log::Log measurement = motion(6.0, 100.0);
   simulate(mounted, measurement);
   fit::IdentificationOptions options;
   options.starts = 2;
@@ -233,14 +234,14 @@ TEST(Identification, EffectsInSeriesAreSearchedAsAWhole) {
 }
 
 TEST(Identification, NoiseOfTheDisplacementSetsTheDeadBand) {
-  fit::Measurement measurement = motion(8.0, 1000.0);
+  log::Log measurement = motion(8.0, 1000.0);
   simulate(kTruth, measurement);
   std::mt19937 generator(11);
   std::normal_distribution<double> normal;
   for (double& displacement : measurement.displacement) {
     displacement += 2e-6 * normal(generator);
   }
-  EXPECT_NEAR(fit::noiseDeviation(measurement.displacement), 2e-6, 0.2e-6);
+  EXPECT_NEAR(fit::noiseStandardDeviation(measurement.displacement), 2e-6, 0.2e-6);
   const fit::Identification result = fit::identify(kTruth, {measurement});
   EXPECT_NEAR(result.elements[1].value("dead_band"), 12e-6, 1.2e-6);
   for (const fit::IdentifiedParameter& parameter : result.parameters) {
@@ -250,13 +251,13 @@ TEST(Identification, NoiseOfTheDisplacementSetsTheDeadBand) {
 }
 
 TEST(Identification, RefusesLogsThatSayNothing) {
-  const fit::Measurement good = [] {
-    fit::Measurement measurement = motion(2.0, 100.0);
+  const log::Log good = [] {
+    log::Log measurement = motion(2.0, 100.0);
     simulate(kTruth, measurement);
     return measurement;
   }();
   EXPECT_THROW(fit::identify(kTruth, {}), std::invalid_argument);
-  fit::Measurement bad = good;
+  log::Log bad = good;
   bad.force[3] = NAN;
   EXPECT_THROW(fit::identify(kTruth, {bad}), std::invalid_argument);
   bad = good;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/kernel/instructions.h"
 
@@ -26,22 +27,22 @@ element::ElementDescription friction(double maximum_force, double displacement, 
 }
 
 // A log of sines of growing amplitude at a constant rate, its stamps rounded to microseconds, with a gap in the middle.
-fit::Measurement motion(std::size_t samples, std::int64_t step, double phase, std::int64_t gap = 0) {
-  fit::Measurement measurement;
+log::Log motion(std::size_t samples, std::int64_t step, double phase, std::int64_t gap = 0) {
+  log::Log measurement;
   for (std::size_t i = 0; i < samples; ++i) {
     const std::int64_t stamp = static_cast<std::int64_t>(i) * step + (i < samples / 2 ? 0 : gap);
     measurement.stamp.push_back(stamp / 1000 * 1000);
     const double t = 1e-9 * static_cast<double>(measurement.stamp.back());
-    measurement.displacement.push_back((0.4e-3 + 0.2e-3 * t) * std::sin(2.0 * M_PI * 0.7 * t + phase) +
-                                       0.3e-3 * std::sin(2.0 * M_PI * 5.3 * t) +
-                                       0.05e-3 * std::sin(2.0 * M_PI * 17.0 * t));
+    measurement.displacement.push_back((0.4e-3 + 0.2e-3 * t) * std::sin(2.0 * element::kPi * 0.7 * t + phase) +
+                                       0.3e-3 * std::sin(2.0 * element::kPi * 5.3 * t) +
+                                       0.05e-3 * std::sin(2.0 * element::kPi * 17.0 * t));
   }
   return measurement;
 }
 
 // The force of elements, with an offset and white noise relative to the largest force.
 void measure(const std::vector<element::ElementDescription>& elements, double noise, std::mt19937& random,
-             fit::Measurement& measurement) {
+             log::Log& measurement) {
   const component::Component component(elements);
   component::SampleStream stream(component);
   measurement.force.resize(measurement.stamp.size());
@@ -58,7 +59,7 @@ constexpr double kSameResidual = 1e-8;  // relative
 
 // From one start: of several, any may come first at an optimum that has Maxwell elements in another order.
 fit::Identification fit(const std::vector<element::ElementDescription>& elements,
-                        const std::vector<fit::Measurement>& measurements, bool by_products,
+                        const std::vector<log::Log>& measurements, bool by_products,
                         const std::vector<std::string>& held = {}) {
   fit::IdentificationOptions options;
   options.starts = 1;
@@ -70,7 +71,7 @@ fit::Identification fit(const std::vector<element::ElementDescription>& elements
 double width(const fit::IdentifiedParameter& parameter) { return parameter.upper - parameter.lower; }
 
 // Both searches end where a step gains less than 1e-10 of the cost: within sqrt(1e-10 N), 0.4 thousandths of a standard
-// deviation for N = 1500 samples, of the optimum where they converge fast; the interval has four deviations.
+// deviation for N = 1500 samples, of the optimum where they converge fast; the interval has four standard deviations.
 void expectSameParameters(const fit::Identification& expected, const fit::Identification& actual) {
   ASSERT_EQ(actual.parameters.size(), expected.parameters.size());
   for (std::size_t i = 0; i < expected.parameters.size(); ++i) {
@@ -115,7 +116,7 @@ class RandomModel {
 
   std::vector<element::ElementDescription> truth;
   std::vector<element::ElementDescription> guess;
-  std::vector<fit::Measurement> measurements;
+  std::vector<log::Log> measurements;
 
  private:
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -174,7 +175,7 @@ TEST(ProductFit, AgreesWhereResidualsAreCorrelated) {
   std::mt19937 random(3);
   const std::vector<element::ElementDescription> truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0),
                                                           friction(900.0, 4e-4, 0.0)};
-  fit::Measurement measurement = motion(2000, 2000000, 0.3);
+  log::Log measurement = motion(2000, 2000000, 0.3);
   measure(truth, 1e-3, random, measurement);
   std::vector<double>& force = measurement.force;
   for (std::size_t i = 2; i < force.size(); ++i) {
@@ -191,8 +192,8 @@ TEST(ProductFit, AgreesOverLogsWithHeldParameters) {
   std::mt19937 random(5);
   const std::vector<element::ElementDescription> truth = {spring(3e6), dashpot(3e3), maxwell(5e5, 1.2),
                                                           maxwell(5e5, 9.0), friction(900.0, 4e-4, 2e-5)};
-  std::vector<fit::Measurement> measurements = {motion(1201, 2000000, 0.3), motion(903, 5000000, 1.0)};
-  for (fit::Measurement& measurement : measurements) {
+  std::vector<log::Log> measurements = {motion(1201, 2000000, 0.3), motion(903, 5000000, 1.0)};
+  for (log::Log& measurement : measurements) {
     measure(truth, 0.01, random, measurement);
   }
   std::vector<element::ElementDescription> guess = truth;
@@ -207,7 +208,7 @@ TEST(ProductFit, AgreesOverLogsWithHeldParameters) {
 
 TEST(ProductFit, AgreesOnWhatIsNotThere) {
   std::mt19937 random(7);
-  fit::Measurement measurement = motion(1500, 2000000, 0.0);
+  log::Log measurement = motion(1500, 2000000, 0.0);
   measure({spring(3e6), maxwell(5e5, 2.0), friction(900.0, 4e-4, 0.0)}, 1e-3, random, measurement);
   for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that no Maxwell element can give
     measurement.force[i] -= 2e3 * (measurement.displacement[i] - measurement.displacement[i - 1]) / 2e-3;
@@ -222,7 +223,7 @@ TEST(ProductFit, AgreesOnWhatIsNotThere) {
 TEST(ProductFit, AgreesAtALimit) {
   // Beyond half of the rate of 500 Hz no break frequency is searched.
   std::mt19937 random(7);
-  fit::Measurement measurement = motion(1500, 2000000, 0.0);
+  log::Log measurement = motion(1500, 2000000, 0.0);
   measure({spring(3e6), maxwell(3e6, 1e3), friction(900.0, 4e-4, 0.0)}, 1e-5, random, measurement);
   const std::vector<element::ElementDescription> guess = {spring(2e6), maxwell(5e5, 20.0), friction(500.0, 5e-4, 0.0)};
   const fit::Identification expected = fit(guess, {measurement}, false);
@@ -242,7 +243,7 @@ TEST(ProductFit, FindsTheTruthInALogWithoutNoise) {
   std::mt19937 random(1);
   const std::vector<element::ElementDescription> truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0),
                                                           friction(900.0, 4e-4, 0.0)};
-  fit::Measurement measurement = motion(1500, 2000000, 0.0);
+  log::Log measurement = motion(1500, 2000000, 0.0);
   measure(truth, 0.0, random, measurement);
   const std::vector<element::ElementDescription> guess = {spring(2e6), maxwell(5e5, 2.0), maxwell(4e5, 5.0),
                                                           friction(500.0, 2e-4, 0.0)};

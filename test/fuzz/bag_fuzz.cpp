@@ -7,6 +7,6 @@ using namespace rubber_suspension;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::MemoryFile file(data, size);
-  fuzz::requireValidLogOrError([&] { return readBagLog(file.path()); });
+  fuzz::requireValidLogOrError([&] { return bag::readBagLog(file.path()); });
   return 0;
 }

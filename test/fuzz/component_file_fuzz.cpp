@@ -9,7 +9,7 @@
 
 #include "rubber_suspension/io/component_file.h"
 
-using rubber_suspension::ComponentDescription;
+using rubber_suspension::io::ComponentDescription;
 
 namespace {
 
@@ -35,7 +35,7 @@ bool sameElements(const ComponentDescription& a, const ComponentDescription& b) 
 }
 
 void checkRoundTrip(const std::vector<ComponentDescription>& components) {
-  const auto again = rubber_suspension::parseComponentFile(rubber_suspension::toYaml(components), "written");
+  const auto again = rubber_suspension::io::parseComponentFile(rubber_suspension::io::toYaml(components), "written");
   require(again.size() == components.size(), "a written file reads back with as many components");
   for (std::size_t i = 0; i < components.size(); ++i) {
     require(again[i].name == components[i].name, "a written file reads back with the same names");
@@ -48,8 +48,8 @@ void checkRoundTrip(const std::vector<ComponentDescription>& components) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<ComponentDescription> components;
   try {
-    components = rubber_suspension::parseComponentFile(std::string(data, data + size), "fuzz.yaml");
-  } catch (const rubber_suspension::ComponentFileError& error) {
+    components = rubber_suspension::io::parseComponentFile(std::string(data, data + size), "fuzz.yaml");
+  } catch (const rubber_suspension::io::ComponentFileError& error) {
     require(std::string(error.what()).find('\n') == std::string::npos, "an error is one line");
     return 0;
   }

@@ -6,6 +6,6 @@ using namespace rubber_suspension;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::MemoryFile file(data, size);
-  fuzz::requireValidLogOrError([&] { return readCsvLog(file.path()); });
+  fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path()); });
   return 0;
 }

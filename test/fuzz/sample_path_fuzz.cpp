@@ -12,10 +12,10 @@
 #include "element/typical_elements.h"
 #include "rubber_suspension/component/sample_stream.h"
 
-using rubber_suspension::Component;
-using rubber_suspension::ElementDescription;
-using rubber_suspension::SampleStream;
-using rubber_suspension::StreamForce;
+using rubber_suspension::component::Component;
+using rubber_suspension::component::SampleStream;
+using rubber_suspension::component::StreamForce;
+using rubber_suspension::element::ElementDescription;
 
 namespace {
 
@@ -104,7 +104,7 @@ void feed(const Component& component, Bytes bytes) {
     const std::int64_t stamp_before = stream.lastStamp();
     const StreamForce result = stream.push(stamp, displacement);
     ++pushed;
-    if (rubber_suspension::isAccepted(result.verdict)) {
+    if (rubber_suspension::component::isAccepted(result.acceptance)) {
       require(std::isfinite(result.force.total), "the force of an accepted sample is finite");
       require(allFinite(stream.state().memory()), "the state stays finite");
       require(stream.lastStamp() == stamp, "an accepted sample sets the time");

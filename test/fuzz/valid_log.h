@@ -13,14 +13,14 @@ namespace rubber_suspension::fuzz {
 template <class Read>
 void requireValidLogOrError(Read read) {
   try {
-    const Log log = read();
+    const log::Log log = read();
     try {
-      checkLog(log);
-    } catch (const LogError& error) {
+      log::checkLog(log);
+    } catch (const log::LogError& error) {
       std::fprintf(stderr, "violated: a log that was read is valid: %s\n", error.what());
       std::abort();
     }
-  } catch (const LogError& error) {
+  } catch (const log::LogError& error) {
     if (std::string(error.what()).find('\n') != std::string::npos) {
       std::fprintf(stderr, "violated: an error is one line: %s\n", error.what());
       std::abort();

@@ -65,15 +65,6 @@ TEST(Replay, CountsGapsInTime) {
   EXPECT_EQ(gap::replay(component(), sineLog(10)).bridged, 0u);
 }
 
-TEST(RelativeGap, IsTheRmsOverTheStandardDeviation) {
-  // Deviation of (1, -1, 1, -1) is 1; the errors are 0.5 throughout.
-  EXPECT_DOUBLE_EQ(gap::relativeGap({1.0, -1.0, 1.0, -1.0}, {1.5, -0.5, 0.5, -1.5}), 0.5);
-  EXPECT_EQ(gap::relativeGap({1.0, 2.0}, {1.0, 2.0}), 0.0);
-  EXPECT_THROW(gap::relativeGap({1.0, 1.0}, {1.0, 1.0}), std::invalid_argument);
-  EXPECT_THROW(gap::relativeGap({1.0, 2.0}, {1.0}), std::invalid_argument);
-  EXPECT_THROW(gap::relativeGap({}, {}), std::invalid_argument);
-}
-
 TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
   log::Log log = sineLog(100);
   gap::Replay result = gap::replay(component(), log);

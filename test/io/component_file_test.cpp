@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <type_traits>
 
 #include "io/temporary_file.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -49,15 +51,15 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   const auto components = parse(kExample);
   ASSERT_EQ(components.size(), 2u);
   EXPECT_EQ(components[0].name, "left_secondary");
-  EXPECT_EQ(components[0].model, estimation::Model::multi_maxwell);
-  EXPECT_EQ(components[0].specification.at("static_stiffness"), 3.0e6);
-  EXPECT_DOUBLE_EQ(components[0].specification.at("dynamic_stiffness"), 4.2e6);
-  EXPECT_DOUBLE_EQ(components[0].specification.at("maximum_stiffness"), 4.9e6);
+  EXPECT_EQ(components[0].model(), estimation::Model::multi_maxwell);
+  EXPECT_EQ(components[0].specification().at("static_stiffness"), 3.0e6);
+  EXPECT_DOUBLE_EQ(components[0].specification().at("dynamic_stiffness"), 4.2e6);
+  EXPECT_DOUBLE_EQ(components[0].specification().at("maximum_stiffness"), 4.9e6);
   ASSERT_EQ(components[0].add.size(), 1u);
   EXPECT_EQ(components[0].add[0].type, "friction");
   EXPECT_EQ(components[0].add[0].value("maximum_force"), 6000.0);
   EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
-  EXPECT_EQ(components[1].model, estimation::Model::elements);
+  EXPECT_EQ(components[1].model(), estimation::Model::elements);
   EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
   // Spring, five Maxwell elements and the friction added.
   EXPECT_EQ(components[0].allElements().size(), 7u);
@@ -72,14 +74,14 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
     model: kelvin_voigt
     specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4, relative_damping: 5 %}
 )");
-  EXPECT_DOUBLE_EQ(components[0].specification.at("loss_angle"), 5.7 * M_PI / 180.0);
-  EXPECT_DOUBLE_EQ(components[1].specification.at("relative_damping"), 0.05);
+  EXPECT_DOUBLE_EQ(components[0].specification().at("loss_angle"), 5.7 * element::kPi / 180.0);
+  EXPECT_DOUBLE_EQ(components[1].specification().at("relative_damping"), 0.05);
 }
 
 // A parameter server hands on "3.0e6" as text: YAML 1.1 wants a sign in the exponent.
 TEST(ComponentFile, ANumberAsTextIsInSiUnits) {
   const auto components = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: '3.0e6'}]}}");
-  EXPECT_EQ(components[0].elements[0].value("stiffness"), 3.0e6);
+  EXPECT_EQ(components[0].elements()[0].value("stiffness"), 3.0e6);
 }
 
 TEST(ComponentFile, AnAliasIsAPlainCopy) {
@@ -92,7 +94,7 @@ TEST(ComponentFile, AnAliasIsAPlainCopy) {
     model: elements
     elements: *bush
 )");
-  EXPECT_EQ(components[1].elements[0].value("stiffness"), 1e6);
+  EXPECT_EQ(components[1].elements()[0].value("stiffness"), 1e6);
 }
 
 TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
@@ -148,6 +150,35 @@ TEST(ComponentFile, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(io::loadComponentFile("/dev/zero"), io::ComponentFileError);
 }
 
+// What was estimated cannot go stale: the specification is read-only, and replaced as a whole.
+TEST(ComponentDescription, HasTheElementsOfItsSpecification) {
+  using Access = decltype(std::declval<io::ComponentDescription&>().specification());
+  static_assert(std::is_same_v<Access, const estimation::Specification&>);
+  io::ComponentDescription component = parse(kExample).at(0);
+  const auto estimated = [&] { return estimation::estimate(component.model(), component.specification()); };
+  const auto stiffnessOf = [](const std::vector<element::ElementDescription>& elements) {
+    return elements.at(0).value("stiffness");
+  };
+  EXPECT_EQ(stiffnessOf(component.elements()), stiffnessOf(estimated()));
+  estimation::Specification other = component.specification();
+  other.set("static_stiffness", 3.1e6);
+  component.specify(other);
+  EXPECT_EQ(stiffnessOf(component.elements()), 3.1e6);
+  EXPECT_EQ(stiffnessOf(component.elements()), stiffnessOf(estimated()));
+  EXPECT_EQ(component.allElements().size(), component.elements().size() + component.add.size());
+  other.set("static_stiffness", 5e6);  // above the dynamic stiffness
+  EXPECT_THROW(component.specify(other), std::invalid_argument);
+  EXPECT_EQ(component.specification().at("static_stiffness"), 3.1e6);
+  EXPECT_EQ(stiffnessOf(component.elements()), 3.1e6);
+}
+
+TEST(ComponentDescription, OfElementsHasNoSpecification) {
+  io::ComponentDescription component("bush", {{"spring", {{"stiffness", {1e6}}}}});
+  EXPECT_EQ(component.model(), estimation::Model::elements);
+  EXPECT_THROW(component.specify({}), std::logic_error);
+  EXPECT_EQ(component.allElements().size(), 1u);
+}
+
 TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   const auto two = parse(kExample);
   EXPECT_EQ(io::selectComponent(two, "bush").name, "bush");
@@ -161,21 +192,22 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
 TEST(ToYaml, ReadsBackBitByBit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(-300.0, 300.0);
-  io::ComponentDescription component;
-  component.name = "random";
-  component.model = estimation::Model::elements;
+  std::vector<element::ElementDescription> elements;
+  std::vector<element::ElementDescription> add;
   for (int i = 0; i < 200; ++i) {
-    component.elements.push_back({"spring", {{"stiffness", {std::pow(10.0, exponent(random))}}}});
-    component.add.push_back({"maxwell",
-                             {{"stiffness", {std::pow(10.0, exponent(random))}},
-                              {"break_frequency", {std::pow(10.0, exponent(random) / 10.0)}}}});
+    elements.push_back({"spring", {{"stiffness", {std::pow(10.0, exponent(random))}}}});
+    add.push_back({"maxwell",
+                   {{"stiffness", {std::pow(10.0, exponent(random))}},
+                    {"break_frequency", {std::pow(10.0, exponent(random) / 10.0)}}}});
   }
-  component.elements.push_back({"spring", {{"stiffness", {std::numeric_limits<double>::min()}}}});
+  elements.push_back({"spring", {{"stiffness", {std::numeric_limits<double>::min()}}}});
+  io::ComponentDescription component("random", std::move(elements));
+  component.add = std::move(add);
   const auto read = parse(io::toYaml({component}));
   ASSERT_EQ(read.size(), 1u);
-  ASSERT_EQ(read[0].elements.size(), component.elements.size());
-  for (std::size_t i = 0; i < component.elements.size(); ++i) {
-    EXPECT_EQ(read[0].elements[i].values, component.elements[i].values);
+  ASSERT_EQ(read[0].elements().size(), component.elements().size());
+  for (std::size_t i = 0; i < component.elements().size(); ++i) {
+    EXPECT_EQ(read[0].elements()[i].values, component.elements()[i].values);
   }
   ASSERT_EQ(read[0].add.size(), component.add.size());
   for (std::size_t i = 0; i < component.add.size(); ++i) {
@@ -187,7 +219,7 @@ TEST(ToYaml, ReadsBackASpecification) {
   const auto components = parse(kExample);
   const auto read = parse(io::toYaml(components));
   ASSERT_EQ(read.size(), components.size());
-  EXPECT_EQ(read[0].specification.values(), components[0].specification.values());
+  EXPECT_EQ(read[0].specification().values(), components[0].specification().values());
   EXPECT_EQ(read[0].add[0].values, components[0].add[0].values);
   EXPECT_EQ(io::toYaml(read), io::toYaml(components));
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -18,7 +19,7 @@ TEST(ExampleFiles, AllLoadAndGiveFiniteForces) {
   sine.name = "sine";
   for (int i = 0; i < 2000; ++i) {
     sine.stamp.push_back(i * 1000000LL);
-    sine.displacement.push_back(0.002 * std::sin(2.0 * M_PI * 4.0 * 1e-3 * i));
+    sine.displacement.push_back(0.002 * std::sin(2.0 * element::kPi * 4.0 * 1e-3 * i));
   }
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
@@ -38,9 +39,9 @@ TEST(ExampleFiles, TheExampleHasEveryModelAndEveryKey) {
   std::set<std::string> keys;
   bool added = false;
   for (const io::ComponentDescription& component : io::loadComponentFile(kFolder + "/example.yaml")) {
-    models.insert(estimation::toString(component.model));
+    models.insert(estimation::toString(component.model()));
     added = added || !component.add.empty();
-    for (const auto& value : component.specification.values()) {
+    for (const auto& value : component.specification().values()) {
       keys.insert(value.first);
     }
   }

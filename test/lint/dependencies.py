@@ -79,7 +79,8 @@ LAUNCHED = re.compile(r'\bpkg="(\w+)"')
 
 
 def cmake_names(root):
-    for path in (root / "CMakeLists.txt", root / "test" / "CMakeLists.txt", root / "test" / "fuzz" / "CMakeLists.txt"):
+    for folder in (".", "src/benchmark", "test", "test/fuzz"):
+        path = root / folder / "CMakeLists.txt"
         text = path.read_text() if path.exists() else ""
         for name, rest in FIND_PACKAGE.findall(text):
             yield name, path

@@ -15,20 +15,22 @@ BELOW = {
     "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
-    "log": {"kernel"},
+    "log": {"element", "kernel"},
     "io": {"element", "component", "response", "estimation", "log"},
     "gap": {"element", "component", "response", "estimation", "log", "io"},
-    "fit": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},
-    "command": {"element", "component", "response", "estimation", "log", "io", "gap", "fit"},
-    "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "fit"},
+    "measurement": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},
+    "fit": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement"},
+    "command": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
+    "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
-    "node": {"element", "component", "response", "estimation", "log", "io", "gap"},
+    "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},
     "ros_interface": {
-        "element", "component", "response", "estimation", "log", "io", "gap", "fit", "diagnosis", "node", "bag"},
+        "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
+        "bag"},
     "benchmark": {
-        "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "fit", "diagnosis", "node",
-        "ros_interface"},
+        "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit",
+        "diagnosis", "node", "ros_interface"},
 }
 KNOW_ROS = {"bag", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -15,6 +15,7 @@
 #include <random>
 
 #include "io/temporary_file.h"
+#include "support/measured_data.h"
 
 namespace rubber_suspension {
 namespace {
@@ -226,9 +227,9 @@ TEST(ReadCsvLog, Reads130000RowsAboutAsFastAsTheirNumbers) {
 }
 
 TEST(ReadCsvLog, ReadsTheMeasuredBearing) {
-  const std::string path = TEST_DIR "/../../shared/data/hdrb/hdrb_shear_4amplitudes.csv";
+  const std::string path = measuredData("hdrb/hdrb_shear_4amplitudes.csv");
   if (!std::ifstream(path)) {
-    GTEST_SKIP() << path << " is not there";
+    GTEST_SKIP() << path << " is missing; RUBBER_SUSPENSION_DATA names the folder of measured logs";
   }
   const log::Log log = log::readCsvLog(path);
   EXPECT_EQ(log.size(), 26371u);

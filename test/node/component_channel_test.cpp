@@ -15,14 +15,12 @@ namespace {
 constexpr std::int64_t kMillisecond = 1000000;
 
 io::ComponentDescription describe(double stiffness = 3e6) {
-  io::ComponentDescription description;
-  description.name = "bush";
-  description.elements = {
-      {"spring", {{"stiffness", {stiffness}}}},
-      {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
-      {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}},
-  };
-  return description;
+  return {"bush",
+          {
+              {"spring", {{"stiffness", {stiffness}}}},
+              {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
+              {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}},
+          }};
 }
 
 double wave(int i) { return 2e-3 * std::sin(0.025 * i) + 1e-4 * std::cos(0.3 * i); }

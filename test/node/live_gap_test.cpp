@@ -7,13 +7,15 @@
 #include <functional>
 #include <random>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
 constexpr double kStep = 1e-3;       // [s]
 constexpr double kStiffness = 3e6;   // [N/m]
 constexpr double kAmplitude = 2e-3;  // [m]
-constexpr double kOmega = 2.0 * M_PI * 4.0;
+constexpr double kOmega = 2.0 * element::kPi * 4.0;
 constexpr double kRms = kStiffness * kAmplitude / M_SQRT2;  // of the simulated force [N]
 
 // Ten seconds of a sine of 4 Hz with an error of the force as a function of time.

@@ -17,14 +17,12 @@ namespace {
 constexpr std::int64_t kMillisecond = 1000000;
 
 io::ComponentDescription describe(const std::string& name) {
-  io::ComponentDescription description;
-  description.name = name;
-  description.elements = {
-      {"spring", {{"stiffness", {3e6}}}},
-      {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
-      {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}},
-  };
-  return description;
+  return {name,
+          {
+              {"spring", {{"stiffness", {3e6}}}},
+              {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
+              {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}},
+          }};
 }
 
 class NodeCore : public testing::Test {

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -16,7 +17,7 @@ using Complex = std::complex<double>;
 std::vector<double> sine(double amplitude, double phase, int samples) {
   std::vector<double> values(samples);
   for (int i = 0; i < samples; ++i) {
-    values[i] = amplitude * std::sin(2.0 * M_PI * i / samples + phase);
+    values[i] = amplitude * std::sin(2.0 * element::kPi * i / samples + phase);
   }
   return values;
 }
@@ -29,8 +30,8 @@ TEST(CharacteristicsOfLoop, EllipseOfSamples) {
   const auto result =
       response::characteristicsOfLoop(sine(amplitude, 0.0, samples), sine(stiffness * amplitude, angle, samples));
   // The polygon inscribed in an ellipse has sin(x)/x of its area, x = 2 pi/n: a loss that is exact once that is put in.
-  const double x = 2.0 * M_PI / samples;
-  const double ellipse = M_PI * stiffness * amplitude * amplitude * std::sin(angle);
+  const double x = 2.0 * element::kPi / samples;
+  const double ellipse = element::kPi * stiffness * amplitude * amplitude * std::sin(angle);
   EXPECT_NEAR(result.loss / (ellipse * std::sin(x) / x), 1.0, 1e-12);
   // The peak of the force lies between samples by at most half a step.
   EXPECT_NEAR(result.stiffness / stiffness, 1.0, x * x / 8.0);
@@ -70,7 +71,7 @@ TEST(CharacteristicsOfEllipse, IsWhatTheLoopGives) {
   const auto result = response::characteristicsOfEllipse(std::polar(4.2e6, 0.1), 2e-3);
   EXPECT_DOUBLE_EQ(result.stiffness, 4.2e6);
   EXPECT_NEAR(result.loss_angle, 0.1, 1e-15);
-  EXPECT_NEAR(result.loss, M_PI * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
+  EXPECT_NEAR(result.loss, element::kPi * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
 }
 
 // F/z of a component under a sampled sine that is taken as linear between samples, from a simulation to steady state.
@@ -83,7 +84,7 @@ Complex simulatedStiffness(const std::vector<element::ElementDescription>& eleme
   const double settling_time = 4.0;  // [s] leaves exp(-35) of the transient of the slowest element below
   const int settling_cycles = static_cast<int>(std::ceil(settling_time * frequency));
   for (int i = 1; i <= (settling_cycles + 1) * samples; ++i) {
-    const double phase = 2.0 * M_PI * (i % samples) / samples;
+    const double phase = 2.0 * element::kPi * (i % samples) / samples;
     const double z = std::sin(phase);
     const double f = component.step(state, dt, z).total;
     if (i > settling_cycles * samples) {
@@ -98,7 +99,7 @@ Complex simulatedStiffness(const std::vector<element::ElementDescription>& eleme
 // recursion F+ = e F + g (z+ - z) has F/z = g (E - 1)/(E - e); a dashpot has c (1 - 1/E)/dt.
 Complex polygonStiffness(const std::vector<element::ElementDescription>& elements, double frequency, int samples) {
   const double dt = 1.0 / (frequency * samples);
-  const Complex e = std::polar(1.0, 2.0 * M_PI / samples);
+  const Complex e = std::polar(1.0, 2.0 * element::kPi / samples);
   Complex sum = 0.0;
   for (const element::ElementDescription& element : elements) {
     if (element.type == "spring") {
@@ -106,7 +107,7 @@ Complex polygonStiffness(const std::vector<element::ElementDescription>& element
     } else if (element.type == "dashpot") {
       sum += element.value("damping") * (1.0 - 1.0 / e) / dt;
     } else {
-      const double tau = 1.0 / (2.0 * M_PI * element.value("break_frequency"));
+      const double tau = 1.0 / (2.0 * element::kPi * element.value("break_frequency"));
       const double decay = std::exp(-dt / tau);
       sum += element.value("stiffness") * tau / dt * (1.0 - decay) * (e - 1.0) / (e - decay);
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -46,7 +47,7 @@ TEST(PaperNumbers, BergOverFrequencyAtConstantProduct) {
                                                      frequencies, kProduct);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
     EXPECT_NEAR(points[i].characteristics.stiffness, stiffness[i] * 1e6, 0.005e6) << frequencies[i];
-    EXPECT_NEAR(points[i].characteristics.loss_angle * 180.0 / M_PI, angle[i], 0.005) << frequencies[i];
+    EXPECT_NEAR(points[i].characteristics.loss_angle * 180.0 / element::kPi, angle[i], 0.005) << frequencies[i];
   }
 }
 

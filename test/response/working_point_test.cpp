@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/response/sweep.h"
 
@@ -141,7 +142,7 @@ TEST(WorkingPoint, MaxwellDashpot) {
 // The largest loss stiffness K_n sin(delta) of friction is 4/pi of its stiffness, that of Coulomb friction.
 double frictionLimit(const estimation::Specification& specification) {
   const double ratio = specification.at("static_stiffness") / specification.at("dynamic_stiffness");
-  return std::asin(std::min(0.95, 4.0 / M_PI * (1.0 - ratio)));
+  return std::asin(std::min(0.95, 4.0 / element::kPi * (1.0 - ratio)));
 }
 
 TEST(WorkingPoint, Friction) {
@@ -173,7 +174,7 @@ TEST(WorkingPoint, FrictionDashpot) {
     // K_n holds between the turning points, and the loss is that of a loop of K_n and the loss angle.
     const double between = (loop.force[loop.force.size() / 2] - loop.force[0]) / (2.0 * amplitude);
     EXPECT_NEAR(between / specification.at("dynamic_stiffness"), 1.0, kFrictionAccuracy);
-    const double loss = M_PI * specification.at("dynamic_stiffness") * amplitude * amplitude;
+    const double loss = element::kPi * specification.at("dynamic_stiffness") * amplitude * amplitude;
     EXPECT_NEAR(loop.characteristics().loss / (loss * std::sin(angleOf(specification))), 1.0, kFrictionAccuracy);
   }
 }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -17,7 +19,7 @@ log::Log sineLog() {
   log.name = "sine";
   for (int i = 0; i < 1000; ++i) {
     log.stamp.push_back(5000000000LL + i * 1000000LL);
-    log.displacement.push_back(1e-3 * std::sin(0.02 * M_PI * i));
+    log.displacement.push_back(1e-3 * std::sin(0.02 * element::kPi * i));
     log.force.push_back(2e6 * log.displacement.back());
   }
   return log;

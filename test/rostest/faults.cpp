@@ -12,6 +12,7 @@
 #include "benchmark/latency/soak.h"
 #include "node_process.h"
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension {
@@ -20,7 +21,7 @@ namespace {
 constexpr std::int64_t kSecond = 1000 * kMillisecond;
 
 double wave(std::int64_t stamp) {
-  return 2e-3 * std::sin(2.0 * M_PI * 4.0 * 1e-9 * static_cast<double>(stamp - kStart));
+  return 2e-3 * std::sin(2.0 * element::kPi * 4.0 * 1e-9 * static_cast<double>(stamp - kStart));
 }
 
 // The component named like the test, with what it should answer.

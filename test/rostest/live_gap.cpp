@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bench.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 namespace {
@@ -35,7 +36,7 @@ class LiveGapTopic : public testing::Test {
     constexpr std::size_t kLate = 500;
     std::vector<Force> answers;
     for (int i = first; i < first + kSamples; ++i) {
-      answers.push_back(bench_->ask(kStart + i * kMillisecond, kAmplitude * std::sin(2.0 * M_PI * 4e-3 * i)));
+      answers.push_back(bench_->ask(kStart + i * kMillisecond, kAmplitude * std::sin(2.0 * element::kPi * 4e-3 * i)));
       if (answers.size() > kLate) {
         answer(answers[answers.size() - kLate - 1], factor);
       }

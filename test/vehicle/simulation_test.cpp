@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "rubber_suspension/element/constants.h"
 #include "vehicle/components.h"
 #include "vehicle/stability.h"
 
@@ -23,7 +24,7 @@ Scene someTrack() {
   log.name = "track";
   for (int i = 0; i <= 2000; ++i) {
     const double t = 1e-3 * i;
-    const double fade = t < 0.5 ? 0.5 - 0.5 * std::cos(2.0 * M_PI * t) : 1.0;
+    const double fade = t < 0.5 ? 0.5 - 0.5 * std::cos(2.0 * element::kPi * t) : 1.0;
     log.stamp.push_back(i * 1000000LL);
     log.displacement.push_back(
         fade * (2e-3 * std::sin(7.0 * t) + 1e-3 * std::sin(31.0 * t + 1.0) + 5e-4 * std::sin(63.0 * t + 2.0)));
@@ -121,7 +122,7 @@ TEST(VehicleStability, MarginIsTheLossAngleOverTheAngularFrequency) {
   double low = 1.0;
   double high = 100.0;
   const auto excess = [&](double frequency) {
-    const double omega = 2.0 * M_PI * frequency;
+    const double omega = 2.0 * element::kPi * frequency;
     return parameters.frame_inertia * omega * omega -
            2.0 * std::pow(parameters.semi_wheelbase, 2) * std::abs(*components[0].complexStiffness(frequency));
   };
@@ -129,7 +130,7 @@ TEST(VehicleStability, MarginIsTheLossAngleOverTheAngularFrequency) {
     const double middle = 0.5 * (low + high);
     (excess(middle) < 0.0 ? low : high) = middle;
   }
-  const double margin = std::arg(*components[0].complexStiffness(low)) / (2.0 * M_PI * low);
+  const double margin = std::arg(*components[0].complexStiffness(low)) / (2.0 * element::kPi * low);
   const DelayMargin found = delayMargin(parameters, components);
   EXPECT_NEAR(found.frequency, low, 1e-6 * low);
   EXPECT_NEAR(found.delay, margin, 1e-6 * margin);

@@ -8,21 +8,21 @@
 
 namespace rubber_suspension::component {
 
-/// What became of a sample.
-enum class Verdict {
+/// Whether a sample was accepted, and how or why not.
+enum class Acceptance {
   accepted,
   restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
-  bridged,       ///< accepted after a gap longer than max_gap, bridged exactly with displacement linear in between
+  bridged,       ///< accepted after a time gap longer than max_gap, bridged exactly with displacement linear in between
   not_finite,    ///< dropped: the displacement is not finite, or the force that it would give is not
   repeated,      ///< dropped: same stamp as the sample before
   stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
 };
 
-inline bool isAccepted(Verdict verdict) { return verdict <= Verdict::bridged; }
+inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
 
-/// How often each verdict was given.
+/// The number of samples of each kind.
 struct StreamCounters {
-  std::uint64_t accepted = 0;  ///< all accepted, restarts and bridged gaps among them
+  std::uint64_t accepted = 0;  ///< all accepted, restarts and bridged time gaps among them
   std::uint64_t restarted = 0;
   std::uint64_t bridged = 0;
   std::uint64_t not_finite = 0;
@@ -33,7 +33,7 @@ struct StreamCounters {
 };
 
 struct StreamForce {
-  Verdict verdict;
+  Acceptance acceptance;
   element::ComponentForce force;  ///< of an accepted sample only
 };
 
@@ -55,7 +55,7 @@ class SampleStream {
   /// [N], the same to the last bit, go to `force`. Several times as fast where samples are evenly spaced.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
-  /// Back to a new specimen at rest; the next sample starts anew. Counters stay.
+  /// Back to a new test piece at rest; the next sample starts again. Counters stay.
   void reset();
 
   const StreamCounters& counters() const { return counters_; }
@@ -63,8 +63,8 @@ class SampleStream {
   bool started() const { return started_; }
   std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
 
-  /// Continue where another stream of the same component stopped. Throws as ComponentState::restore does.
-  void restore(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
+  /// Continue where another stream of the same component stopped. Throws as ComponentState::deserialise does.
+  void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
   // What a push did to the state since it was saved.
@@ -72,14 +72,14 @@ class SampleStream {
     double dt;            // [s]
     double displacement;  // [m]
   };
-  static constexpr std::size_t kMostSteps = 64;  // which all are done again where a force is not finite
+  static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
 
-  Verdict judge(std::int64_t stamp, double displacement) const;
+  Acceptance judge(std::int64_t stamp, double displacement) const;
   void save();
-  void goBack();
-  element::ComponentForce rest(double displacement);
-  element::ComponentForce advance(Verdict verdict, std::int64_t stamp, double displacement);
-  void count(Verdict verdict);
+  void rollBack();
+  element::ComponentForce initialise(double displacement);
+  element::ComponentForce advance(Acceptance acceptance, std::int64_t stamp, double displacement);
+  void count(Acceptance acceptance);
   std::size_t evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const;
   bool pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 

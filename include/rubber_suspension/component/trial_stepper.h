@@ -6,8 +6,8 @@
 namespace rubber_suspension::component {
 
 /// Keeps what the component remembers at the last step that the integrator has accepted; every trial starts there and
-/// leaves nothing behind. The order of calls is rest(), then any number of attempt() and tangent(), then accept(), and
-/// so on.
+/// leaves nothing behind. The order of calls is initialise(), then any number of attempt() and tangent(), then
+/// accept(), and so on.
 ///
 /// From one accepted step to a trial the displacement is taken as linear. The force is then of second order in the
 /// length of accepted steps, whatever the order of the integrator, and an integrator's own estimate of its error does
@@ -18,8 +18,8 @@ class TrialStepper {
   /// The component must outlive this object.
   explicit TrialStepper(const Component& component);
 
-  /// A new specimen, at rest at a displacement [m] at a time [s].
-  element::ComponentForce rest(double time, double displacement);
+  /// A new test piece, at rest at a displacement [m] at a time [s].
+  element::ComponentForce initialise(double time, double displacement);
 
   /// The force at a time [s] and displacement [m], tried out. At the accepted time itself it is the accepted force.
   /// Throws std::invalid_argument for a time before the accepted one. Allocates nothing.

@@ -1,21 +1,27 @@
 // Where the model fails, which unmodelled effect causes it, how far the gap shrinks: the diagnosis as one call.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "rubber_suspension/diagnosis/search.h"
+#include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::diagnosis {
 
 /// What a diagnosis is told besides the component and the logs.
 struct DiagnosisOptions {
   int threads = 2;
-  ProgressCallback progress;
+  /// Called with the stage's name and the fraction done.
+  std::function<void(const std::string& stage, double fraction)> progress;
   unsigned seed = 1;  ///< of the resampling for intervals
   int resamplings = 400;
 };
@@ -32,9 +38,11 @@ struct CandidateResult {
   bool testable = false;             ///< a typical size of it would be visible in these logs, or what was fitted is
   double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
-  std::vector<element::ElementDescription> add;
+  std::vector<element::ElementDescription> add;  ///< its entries for a component file
 };
 
+/// RMS of measured minus simulated force over the standard deviation of the measured force, on data that took no part
+/// in the fit.
 struct Gap {
   double as_configured = 0.0;
   double re_estimated = 0.0;
@@ -57,51 +65,56 @@ struct Admission {
   double dt = 0.0;                    ///< [s]
   double largest_displacement = 0.0;  ///< [m]
   double highest_frequency = 0.0;     ///< [Hz]
-  double noise = 0.0;                 ///< floor in units of the force's deviation
+  double noise = 0.0;                 ///< floor in units of the force's standard deviation
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
   std::vector<std::string> notes;
 };
 
-/// Own parameters that each log alone would want, as ratios to the configured values.
+/// Re-estimated over configured value, by the parameter's name.
+using ParameterRatios = std::vector<std::pair<std::string, double>>;
+
+/// Model parameters that each log alone would want.
 struct ParameterByLog {
   std::string log;
   double amplitude = 0.0;  ///< sqrt(2) times the standard deviation of the displacement [m]
   double frequency = 0.0;  ///< mean frequency of the motion [Hz]
-  std::vector<std::pair<std::string, double>> ratios;
+  ParameterRatios ratios;
 };
 
+struct Workings;  // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
+
+/// What a diagnosis found.
 struct Diagnosis {
   std::string component;
-  std::string verdict;
-  std::vector<std::string> effects;
-  Gap gap;
-  double closed = 0.0;
+  std::string verdict;               ///< none, parameter_error, named, confounded, unknown, partly or check_bench
+  std::string sentence;              ///< the verdict for an engineer
+  std::vector<std::string> effects;  ///< named, most important first
+  Gap gap;                           ///< what the rig did to each log taken out
+  Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
+  std::string noise_source;
+  double closed = 0.0;  ///< fraction of the closable gap
   std::array<double, 2> closed_interval{};
-  std::vector<std::vector<std::string>> confounded;
+  std::vector<std::vector<std::string>>
+      confounded;                           ///< for each effect named, those that these logs cannot tell from it
   std::vector<CandidateResult> candidates;  ///< most probable first
   double probability_none = 0.0;            ///< that no effect of the list is at work
   std::vector<gap::GapCell> where;
   std::string next_experiment;
-  std::string sentence;  ///< the verdict for an engineer
-  std::string noise_source;
+  io::ComponentDescription re_estimated;
+  io::ComponentDescription augmented;  ///< re-estimated, with the effects named
+
+  std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
 
   std::vector<Admission> admission;
-  std::vector<std::pair<std::string, double>> own_ratios;  ///< re-estimated over configured, by parameter
+  ParameterRatios parameter_ratios;
   std::vector<ParameterByLog> by_log;
-  CharacteristicErrors errors_before;  ///< re-estimated
-  CharacteristicErrors errors_after;   ///< augmented
-  io::ComponentDescription re_estimated;
-  io::ComponentDescription augmented;
-  Search search;  ///< everything that was tried
+  CharacteristicErrors errors_re_estimated;
+  CharacteristicErrors errors_augmented;
 
-  std::vector<log::Record> records;               ///< of the logs, then of the hold-outs
-  std::size_t training = 0;                       ///< how many of them took part in the fit
-  std::vector<Eigen::VectorXd> force_configured;  ///< per record [N]
-  std::vector<Eigen::VectorXd> force_re_estimated;
-  std::vector<Eigen::VectorXd> force_augmented;
+  std::shared_ptr<const Workings> workings;
 };
 
-/// Diagnose one component. Logs in the order of recording, on one specimen; each hold-out starts with a new one.
+/// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
 /// Throws LogError for a log that cannot be used, std::invalid_argument for a component that cannot be built.
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,

@@ -24,9 +24,10 @@ class AsymmetricStiffness final : public ParallelElement {
     return displacement * (quadratic_ * displacement + tension) + (scale_ != 0.0 ? stiffening(displacement) : 0.0);
   }
 
-  double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
   Part part() const override { return Part::elastic; }
+  bool passive() const override { return false; }
 
  private:
   double stiffening(double displacement) const;

@@ -12,25 +12,25 @@ namespace rubber_suspension::element {
 /// What the forces on one side of a branch's reference point have in common.
 struct BergSide {
   double reference_force;  ///< F_s [N]
-  double left;             ///< what is left of the way to F_max or -F_max there [N]
+  double left;             ///< what is left of the force to F_max or -F_max there [N]
   double reach;            ///< z2 (1 -+ mu), kept above 0 [m]
 
-  /// Force [N] at a way [m] from the reference point, taken without its sign.
-  double force(double way) const { return reference_force + way * left / (reach + way); }
+  /// Force [N] at a travel [m] from the reference point, taken without its sign.
+  double force(double travel) const { return reference_force + travel * left / (reach + travel); }
 };
 
 /// A branch of Berg friction in the direction of the motion, made ready for many samples.
 struct BergBranch {
-  double direction = 0.0;  ///< of the motion; 0: there is no branch, and nothing goes on
+  double direction = 0.0;  ///< of the motion; 0: there is no branch, and no motion keeps it
   double extremum = 0.0;   ///< [m]
   double reference_displacement = 0.0;
   BergSide side{};
 
-  bool goesOn(double displacement) const { return (displacement - extremum) * direction > 0.0; }
+  bool keepsDirection(double displacement) const { return (displacement - extremum) * direction > 0.0; }
   bool endsAt(double displacement) const { return displacement == extremum && direction != 0.0; }
 
-  /// Go on to a displacement [m]; returns the force [N].
-  double follow(double displacement) {
+  /// Continue to a displacement [m]; returns the force [N].
+  double continueTo(double displacement) {
     extremum = displacement;
     return side.force(std::abs(displacement - reference_displacement));
   }
@@ -41,7 +41,7 @@ struct BergBranch {
 /// From the reference point (z_s, F_s), with mu = F_s/F_max:
 ///   z > z_s: F = F_s + (z - z_s)(F_max - F_s)/(z2 (1 - mu) + z - z_s)
 ///   z < z_s: F = F_s + (z - z_s)(F_max + F_s)/(z2 (1 + mu) - (z - z_s))
-/// The reference point moves to the turning point once the motion has backed off from it by more than the dead band;
+/// The reference point moves to the reversal point once the motion has backed off from it by more than the dead band;
 /// until then the force goes back along the branch that it came from. With sensor noise of standard deviation sigma a
 /// dead band of 6 sigma keeps peak force and loss within 3 % (0 for simulated displacements).
 /// Minor loops do not close (the element has no memory of earlier reversals); `iwan` closes them.
@@ -63,11 +63,15 @@ class BergFriction final : public ParallelElement {
   /// Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
   enum Slot : std::size_t { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection, kMemorySize };
   std::size_t memorySize() const override { return kMemorySize; }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override { return advance(motion.displacement, memory); }
   Part part() const override { return Part::friction; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.frictions.push_back({maximum_force_, displacement_, dead_band_});
+    return true;
+  }
 
-  /// Start on the settled loop of this amplitude at its lower turning point: z = centre - amplitude, F = -F_f0.
+  /// Start on the settled loop of this amplitude at its lower reversal point: z = centre - amplitude, F = -F_f0.
   double startSettled(double amplitude, double centre, double* memory) const;
 
   /// Advance to a displacement [m]; returns the force [N]. Rate does not matter.
@@ -80,17 +84,17 @@ class BergFriction final : public ParallelElement {
   double advance(double displacement, double* memory, BergBranch& current) const {
     move(displacement, memory);
     current = currentBranch(memory);
-    return current.endsAt(displacement) ? current.follow(displacement)
+    return current.endsAt(displacement) ? current.continueTo(displacement)
                                         : branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// True where the motion to a displacement [m] goes on in the direction of the branch.
-  bool goesOn(double displacement, const double* memory) const {
+  /// True where the motion to a displacement [m] keeps the direction of the branch.
+  bool keepsDirection(double displacement, const double* memory) const {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
-  /// The branch that the element is on; none at rest. Where a motion goes on, the force along it is that of advance(),
-  /// which then changes the extremum alone.
+  /// The branch that the element is on; none at rest. Where a motion keeps its direction, the force along it is that of
+  /// advance(), which then changes the extremum alone.
   BergBranch currentBranch(const double* memory) const {
     const double direction = memory[kDirection];
     // The reference point lies behind the extremum, unless the memory was made up.
@@ -99,29 +103,29 @@ class BergFriction final : public ParallelElement {
             side(direction, memory[kReferenceForce])};
   }
 
-  /// Move along displacements [m] up to, and without, the first that makes the element turn; returns how many these
+  /// Move along displacements [m] up to, and without, the first that reverses the motion; returns how many these
   /// are. The force at each is branch().
-  std::size_t followUntilTurn(const double* displacement, std::size_t count, double* memory) const;
+  std::size_t followUntilReversal(const double* displacement, std::size_t count, double* memory) const;
 
-  /// Turn at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then the
+  /// Reverse at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then the
   /// caller's to set.
-  void turnAt(double turning_point, double* memory) const {
-    const double force = branch(turning_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
+  void reverseAt(double reversal_point, double* memory) const {
+    const double force = branch(reversal_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
-    memory[kReferenceDisplacement] = turning_point;
+    memory[kReferenceDisplacement] = reversal_point;
     memory[kDirection] = -memory[kDirection];
   }
 
   /// Force [N] at a displacement [m] on the branch that starts at a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
-    const double way = displacement - reference_displacement;
-    return side(way, reference_force).force(std::abs(way));
+    const double travel = displacement - reference_displacement;
+    return side(travel, reference_force).force(std::abs(travel));
   }
 
   /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
-  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the way w from the reference point, a quadratic
+  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the travel w from the reference point, a quadratic
   /// equation.
-  double meet(double slope, double offset, double compliance, const double* memory) const;
+  double solveSeriesBalance(double slope, double offset, double compliance, const double* memory) const;
 
   /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
   double settledForce(double amplitude) const;
@@ -130,12 +134,12 @@ class BergFriction final : public ParallelElement {
   double settledLoss(double amplitude) const;
 
  private:
-  /// The side of the reference point that a way [m] leads to: both branches in one. z2 (1 -+ mu) is z2/F_max times the
-  /// force that is left.
-  BergSide side(double way, double reference_force) const {
+  /// The side of the reference point that a travel [m] leads to: both branches in one. z2 (1 -+ mu) is z2/F_max times
+  /// the force that is left.
+  BergSide side(double travel, double reference_force) const {
     // Keeps 0/0 away at the reference point itself once friction is at its maximum.
     constexpr double kTiny = std::numeric_limits<double>::min();
-    const double left = std::copysign(maximum_force_, way) - reference_force;
+    const double left = std::copysign(maximum_force_, travel) - reference_force;
     return {reference_force, left, compliance_ * std::abs(left) + kTiny};
   }
 
@@ -145,19 +149,19 @@ class BergFriction final : public ParallelElement {
     if (beyond > 0.0) {
       memory[kExtremum] = displacement;
     } else if (beyond < 0.0 || memory[kDirection] == 0.0) {
-      turn(displacement, -beyond, memory);
+      reverse(displacement, -beyond, memory);
     }
   }
 
-  /// Start from rest, or from a turning point once the motion has backed off far enough.
-  void turn(double displacement, double way_back, double* memory) const {
+  /// Start from rest, or from a reversal point once the motion has backed off far enough.
+  void reverse(double displacement, double travel_back, double* memory) const {
     if (memory[kDirection] == 0.0) {
       if (displacement != memory[kReferenceDisplacement]) {
         memory[kDirection] = displacement > memory[kReferenceDisplacement] ? 1.0 : -1.0;
         memory[kExtremum] = displacement;
       }
-    } else if (way_back > dead_band_) {
-      turnAt(memory[kExtremum], memory);
+    } else if (travel_back > dead_band_) {
+      reverseAt(memory[kExtremum], memory);
       memory[kExtremum] = displacement;
     }
   }

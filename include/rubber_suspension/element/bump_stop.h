@@ -19,7 +19,7 @@ class BumpStop final : public ParallelElement {
 
   double force(double displacement) const;
 
-  double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
   Part part() const override { return Part::elastic; }
 

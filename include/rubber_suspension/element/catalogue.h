@@ -15,6 +15,11 @@ namespace rubber_suspension::element {
 using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
                                     std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
 
+/// What all laws have in common.
+inline const Element& lawOf(const ElementPointer& element) {
+  return std::visit([](const auto& law) -> const Element& { return *law; }, element);
+}
+
 /// A law as users see it: its name, what it is for, its parameters and how to make one.
 struct ElementType {
   std::string name;

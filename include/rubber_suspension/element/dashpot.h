@@ -14,11 +14,15 @@ class Dashpot final : public ParallelElement {
 
   double damping() const { return damping_; }
 
-  double rest(double /*displacement*/, double* /*memory*/) const override { return 0.0; }
+  double initialise(double /*displacement*/, double* /*memory*/) const override { return 0.0; }
   double step(const Motion& motion, double* /*memory*/) const override {
     return damping_ * (motion.increment / motion.dt);
   }
   Part part() const override { return Part::viscous; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.damping += damping_;
+    return true;
+  }
   std::optional<std::complex<double>> complexStiffness(double omega) const override {
     return std::complex<double>(0.0, omega * damping_);
   }
@@ -35,7 +39,7 @@ class SmoothDashpot final : public ParallelElement {
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}
 
   std::size_t memorySize() const override { return 2; }
-  double rest(double /*displacement*/, double* memory) const override {
+  double initialise(double /*displacement*/, double* memory) const override {
     memory[0] = memory[1] = 0.0;
     return 0.0;
   }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "rubber_suspension/element/basic_laws.h"
+
 namespace rubber_suspension::element {
 
 /// How the displacement moved since the previous sample; it is taken as linear in between.
@@ -25,6 +27,14 @@ struct ComponentForce {
   double friction = 0.0;
 };
 
+/// Where on the way from displacement to force a law acts.
+enum class Action {
+  adds_force,    ///< its force adds to that of the others
+  displaces,     ///< changes the displacement before the others see it
+  scales_force,  ///< a factor on the force of the others
+  yields,        ///< in series with all that adds force
+};
+
 /// Common to all laws: an immutable object whose memory is a block of doubles that the caller owns.
 ///
 /// Because memory is apart, a trial step is a step on a copy, saving a state is copying numbers, and one object
@@ -35,58 +45,84 @@ class Element {
 
   /// Number of doubles of memory.
   virtual std::size_t memorySize() const { return 0; }
+
+  virtual Action action() const = 0;
+
+  /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on
+  /// the specimen's force pass it by.
+  virtual bool onRig() const { return false; }
+
+  /// True where the force is linear in the displacement's history, but for a constant or a trend.
+  virtual bool linear() const = 0;
+
+  /// True where, from rest on, it never gives back more energy than it was given, by itself or on a passive specimen.
+  /// What is active: faults of a measuring chain, which have forces of their own or shift them in time; a part of a
+  /// characteristic that needs a spring beside it; a specimen that is loaded cold and unloaded hot.
+  virtual bool passive() const { return true; }
 };
 
 /// A law whose force adds to that of the others: spring, dashpot, Maxwell element, friction, ...
 class ParallelElement : public Element {
  public:
   /// Initialise the memory for a component at rest at this displacement [m], relaxed since long; returns the force [N].
-  virtual double rest(double displacement, double* memory) const = 0;
+  virtual double initialise(double displacement, double* memory) const = 0;
 
   /// Advance the memory over one step and return the force at its end [N].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
   virtual Part part() const = 0;
 
-  /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on
-  /// the specimen's force pass it by.
-  virtual bool onRig() const { return false; }
+  /// Add the law to a sum of basic laws where it is one: then a component steps it with all others of them at once.
+  /// False for any other law, and nothing has happened.
+  virtual bool addTo(BasicLaws& /*sum*/) const { return false; }
 
   /// K*(omega) [N/m] at angular frequency omega [rad/s] of a linear law; nothing for a nonlinear one.
   virtual std::optional<std::complex<double>> complexStiffness(double /*omega*/) const { return std::nullopt; }
+
+  Action action() const final { return Action::adds_force; }
+  bool linear() const final { return complexStiffness(1.0).has_value(); }
 };
 
-/// A law between the actuator and the specimen that changes the displacement: delay, free play.
+/// A law between the actuator and the test piece that changes the displacement: delay, free play.
 class DisplacementEffect : public Element {
  public:
-  /// As ParallelElement::rest; returns the displacement behind the effect [m].
-  virtual double rest(double displacement, double* memory) const = 0;
+  /// As ParallelElement::initialise; returns the displacement behind the effect [m].
+  virtual double initialise(double displacement, double* memory) const = 0;
 
   /// Advance over one step and return the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
+  /// True for what a sensor does (delay): it comes before all that is between actuator and test piece.
+  virtual bool ofSensor() const { return false; }
+
   /// Factor on the displacement under a sine, of a linear law; nothing for a nonlinear one.
   virtual std::optional<std::complex<double>> transfer(double /*omega*/) const { return std::nullopt; }
+
+  Action action() const final { return Action::displaces; }
+  bool linear() const final { return transfer(1.0).has_value(); }
 };
 
-/// A law that scales the specimen's force by its history: stress softening, self-heating.
+/// A law that scales the force of the test piece by its history: stress softening, self-heating.
 class ForceEffect : public Element {
  public:
-  /// Initialise the memory for a new specimen at rest at this displacement [m]; the factor is then 1.
-  virtual void rest(double displacement, double* memory) const = 0;
+  /// Initialise the memory for a new test piece at rest at this displacement [m]; the factor is then 1.
+  virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
   /// factor on the force there.
-  virtual double recover(double displacement, double* memory) const {
-    rest(displacement, memory);
+  virtual double relax(double displacement, double* memory) const {
+    initialise(displacement, memory);
     return 1.0;
   }
 
-  /// Advance over one step; returns the factor on the specimen's force, `force` being that without the effect.
+  /// Advance over one step; returns the factor on the force of the test piece, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
+
+  Action action() const final { return Action::scales_force; }
+  bool linear() const final { return false; }
 };
 
-/// An elastic law in series with the whole specimen: bracket, mount, joint or rig that yields.
+/// Series compliance: an elastic law in series with the whole test piece, as a bracket or rig that yields.
 class SeriesElement : public Element {
  public:
   /// Deflection per force [m/N].
@@ -100,6 +136,12 @@ class SeriesElement : public Element {
 
   /// Of a law that is linear to either side; nothing for another.
   virtual std::optional<Compliance> compliance() const = 0;
+
+  Action action() const final { return Action::yields; }
+  bool linear() const final {
+    const std::optional<Compliance> sides = compliance();
+    return sides && sides->tension == sides->compression;
+  }
 };
 
 }  // namespace rubber_suspension::element

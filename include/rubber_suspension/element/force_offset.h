@@ -10,10 +10,11 @@ class ForceOffset final : public ParallelElement {
  public:
   explicit ForceOffset(double offset /* F_0 [N] */) : offset_(offset) {}
 
-  double rest(double /*displacement*/, double* /*memory*/) const override { return offset_; }
+  double initialise(double /*displacement*/, double* /*memory*/) const override { return offset_; }
   double step(const Motion& /*motion*/, double* /*memory*/) const override { return offset_; }
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return 0.0; }
 
  private:

@@ -1,4 +1,4 @@
-// Free play: a dead zone in which the specimen is not moved.
+// Free play: a dead zone in which the test piece is not moved.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,11 @@
 
 namespace rubber_suspension::element {
 
-/// The specimen sees z - s clamp(z, -g, g): with the share s = 1 nothing within the gap and all that exceeds it beyond;
-/// with less, a seat that gives way within the gap. Entries one after the other make a gap with soft edges.
+/// The test piece sees z - s clamp(z, -g, g): with the share s = 1 nothing within the gap and all that exceeds it
+/// beyond; with less, a seat that gives way within the gap. Entries one after the other make a gap with soft edges.
 /// Lowers the stiffness at small amplitude, opposite to friction: K(A) = K (1 - s g/A).
-/// Validity: loss of contact without impact, the gap centred at zero displacement.
+/// Validity: loss of contact without impact, the gap centred at zero displacement. A component applies it behind the
+/// delay and before the series compliance.
 class FreePlay final : public DisplacementEffect {
  public:
   explicit FreePlay(double gap /* g, to either side [m] */, double share = 1.0 /* s [-] */)
@@ -18,7 +19,7 @@ class FreePlay final : public DisplacementEffect {
 
   double behind(double displacement) const { return displacement - share_ * std::clamp(displacement, -gap_, gap_); }
 
-  double rest(double displacement, double* /*memory*/) const override { return behind(displacement); }
+  double initialise(double displacement, double* /*memory*/) const override { return behind(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return behind(motion.displacement); }
 
  private:

@@ -16,10 +16,11 @@ class Inertia final : public ParallelElement {
   explicit Inertia(double mass /* m [kg] */) : mass_(mass) {}
 
   std::size_t memorySize() const override { return 4; }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override { return -mass_ * omega * omega; }
 
  private:
@@ -37,10 +38,11 @@ class SmoothedInertia final : public ParallelElement {
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */);
 
   std::size_t memorySize() const override { return kLags; }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::elastic; }
   bool onRig() const override { return true; }
+  bool passive() const override { return false; }
   std::optional<std::complex<double>> complexStiffness(double omega) const override;
 
  private:

@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
+
+#include "rubber_suspension/element/maxwell_force.h"
 
 /// Coefficients of the exact step of a Maxwell element for one step length.
 struct MaxwellStep {
@@ -24,19 +27,23 @@ struct MaxwellStep {
 class Maxwell final : public ParallelElement {
  public:
   Maxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */)
-      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * M_PI * break_frequency)), rate_(1.0 / relaxation_time_) {}
+      : stiffness_(stiffness), relaxation_time_(1.0 / (2.0 * kPi * break_frequency)), rate_(1.0 / relaxation_time_) {}
 
   double stiffness() const { return stiffness_; }
   double relaxationTime() const { return relaxation_time_; }  ///< tau [s]
   double rate() const { return rate_; }                       ///< 1/tau [1/s]
 
   std::size_t memorySize() const override { return 1; }
-  double rest(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
+  double initialise(double /*displacement*/, double* memory) const override { return memory[0] = 0.0; }
   double step(const Motion& motion, double* memory) const override {
     const MaxwellStep coefficients(stiffness_, Relaxation::over(motion.dt * rate_));
-    return memory[0] = coefficients.decay * memory[0] + coefficients.gain * motion.increment;
+    return memory[0] = maxwellForce(coefficients.decay, coefficients.gain, memory[0], motion.increment);
   }
   Part part() const override { return Part::viscous; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.maxwells.push_back({stiffness_, rate_});
+    return true;
+  }
   std::optional<std::complex<double>> complexStiffness(double omega) const override {
     const std::complex<double> iwt(0.0, omega * relaxation_time_);
     return stiffness_ * iwt / (1.0 + iwt);

@@ -9,8 +9,8 @@
 namespace rubber_suspension::element {
 
 /// Sum of Maxwell elements, each stepped exactly for displacement that is linear between samples.
-/// A component takes the elements one by one and so computes the coefficients of a step length only once; step() here
-/// computes them anew each time. Memory: the force of each element.
+/// As basic laws of a component the elements have their coefficients computed once for a step length; step() here
+/// computes them in each step. Memory: the force of each element.
 class MaxwellBank : public ParallelElement {
  public:
   explicit MaxwellBank(std::vector<Maxwell> elements) : elements_(std::move(elements)) {}
@@ -18,9 +18,10 @@ class MaxwellBank : public ParallelElement {
   const std::vector<Maxwell>& elements() const { return elements_; }
 
   std::size_t memorySize() const override { return elements_.size(); }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
+  bool addTo(BasicLaws& sum) const override;
   std::optional<std::complex<double>> complexStiffness(double omega) const override;
 
  private:

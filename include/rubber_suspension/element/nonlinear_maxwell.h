@@ -21,7 +21,9 @@ class NonlinearMaxwell final : public ParallelElement {
       : linear_(stiffness, break_frequency), force_(stiffness * displacement) {}
 
   std::size_t memorySize() const override { return linear_.memorySize(); }
-  double rest(double displacement, double* memory) const override { return linear_.rest(displacement, memory); }
+  double initialise(double displacement, double* memory) const override {
+    return linear_.initialise(displacement, memory);
+  }
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::viscous; }
 

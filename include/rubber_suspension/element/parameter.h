@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubber_suspension::element {
@@ -29,15 +30,36 @@ struct Range {
 /// Text such as "greater than 0" or "in [0, 1)"; what an error message offers as accepted.
 std::string describe(const Range& range);
 
+/// What a parameter does to the force, and thus whether a fit moves it.
+enum class Role {
+  scale,      ///< the force is linear in it, the others kept: moved, and found by linear least squares
+  shape,      ///< acts on the force in any other way: moved
+  choice,     ///< a count, a switch, a dead band, the span or the points that a law is realised over: never moved
+  reference,  ///< the point at which another value holds; scales the force as that one does, so never moved
+};
+
+/// The word of the reference page.
+std::string toString(Role role);
+
 /// One row of a table of parameters.
 struct ParameterInfo {
   std::string name;                     ///< the YAML key
   std::string unit;                     ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
+  Role role;                            ///< what it does to the force
   Range range;                          ///< admissible values, in that unit
   std::optional<double> default_value;  ///< absent: the parameter is required
   std::string documentation;            ///< one sentence for reference page and errors
   bool is_list = false;                 ///< takes a list of numbers in place of one
 };
+
+/// The row of that name, or nullptr.
+const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name);
+
+/// Whether a fit moves a parameter of these values: `estimate --from-log` and `diagnose` alike ask here. It moves
+/// scales and shapes. It keeps a value at an end of its range, which says that the law has no such part (a coefficient
+/// of 0, play that loses all of the motion, a stop that is linear), and a list, which is a curve that was measured
+/// point by point.
+bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
 /// Values by parameter name; a scalar is a list of one.
 using ParameterValues = std::map<std::string, std::vector<double>>;

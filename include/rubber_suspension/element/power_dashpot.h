@@ -14,7 +14,9 @@ class PowerDashpot final : public ParallelElement {
   PowerDashpot(double damping /* c [N s/m] */, double reference_rate /* v_r [m/s] */, double exponent /* p [-] */);
 
   std::size_t memorySize() const override { return rate_.memorySize(); }
-  double rest(double displacement, double* memory) const override { return rate_.rest(displacement, memory); }
+  double initialise(double displacement, double* memory) const override {
+    return rate_.initialise(displacement, memory);
+  }
   double step(const Motion& motion, double* memory) const override { return force(rate_.step(motion, memory)); }
   Part part() const override { return Part::viscous; }
 

@@ -29,7 +29,7 @@ class ProgressiveStiffness final : public ParallelElement {
     return polynomial + (scale_ > 0.0 ? stiffening(displacement) : 0.0);
   }
 
-  double rest(double displacement, double* /*memory*/) const override { return force(displacement); }
+  double initialise(double displacement, double* /*memory*/) const override { return force(displacement); }
   double step(const Motion& motion, double* /*memory*/) const override { return force(motion.displacement); }
   Part part() const override { return Part::elastic; }
 

@@ -20,8 +20,9 @@ class SelfHeating final : public ForceEffect {
       : energy_sensitivity_(energy_sensitivity), time_constant_(time_constant) {}
 
   std::size_t memorySize() const override { return 2; }
-  void rest(double displacement, double* memory) const override;
+  void initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, const ComponentForce& force, double* memory) const override;
+  bool passive() const override { return false; }
 
  private:
   double energy_sensitivity_;

@@ -1,4 +1,4 @@
-// Mount that yields in series with the specimen: bracket, rig frame, adapter, joint.
+// Series compliance: bracket, rig frame, adapter or bolted connection that yields in series with the test piece.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
@@ -6,12 +6,12 @@
 namespace rubber_suspension::element {
 
 /// Deflection u = F/(K_s (1 + |F|/F_c)), towards one side alone if so asked. The component solves for the displacement
-/// of the specimen at each step. Several mounts add their deflections.
+/// of the test piece at each step. Several of them add their deflections.
 ///
 /// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, alike at all
 /// frequencies. With one, contact closes under load: tangent compliance 1/(K_s (1 + |F|/F_c)^2), half the secant
-/// compliance at F_c, no more closure than F_c/K_s. A bolted joint, which opens towards tension, or a pad that is not
-/// held is a mount of one side beside one of both.
+/// compliance at F_c, no more closure than F_c/K_s. A bolted connection, which opens towards tension, or a pad
+/// that is not held is a compliance of one side beside one of both.
 /// Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20 (1983) 249-268.
 class SeriesCompliance final : public SeriesElement {
  public:

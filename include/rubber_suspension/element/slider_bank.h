@@ -39,7 +39,7 @@ class SliderBank : public ParallelElement {
   double backbone(double displacement) const;
 
   std::size_t memorySize() const override { return sliders_.size(); }
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
   Part part() const override { return Part::friction; }
 

@@ -13,9 +13,13 @@ class Spring final : public ParallelElement {
 
   double stiffness() const { return stiffness_; }
 
-  double rest(double displacement, double* /*memory*/) const override { return stiffness_ * displacement; }
+  double initialise(double displacement, double* /*memory*/) const override { return stiffness_ * displacement; }
   double step(const Motion& motion, double* /*memory*/) const override { return stiffness_ * motion.displacement; }
   Part part() const override { return Part::elastic; }
+  bool addTo(BasicLaws& sum) const override {
+    sum.stiffness += stiffness_;
+    return true;
+  }
   std::optional<std::complex<double>> complexStiffness(double /*omega*/) const override { return stiffness_; }
 
  private:

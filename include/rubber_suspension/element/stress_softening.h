@@ -22,8 +22,8 @@ class StressSoftening final : public ForceEffect {
   StressSoftening(double reduction /* R [-] */, double width /* w [-] */, double path /* L [m] */);
 
   std::size_t memorySize() const override { return 2; }
-  void rest(double displacement, double* memory) const override;
-  double recover(double displacement, double* memory) const override;
+  void initialise(double displacement, double* memory) const override;
+  double relax(double displacement, double* memory) const override;
   double step(const Motion& motion, const ComponentForce& force, double* memory) const override;
 
   /// The factor at a displacement [m] for a softened reach [m].

@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-/// The specimen sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
+/// The test piece sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
 /// is 3.6 degrees at 10 Hz), down to negative values; the magnitude stays. T < 0 raises it, as a late displacement
 /// signal does.
 ///
@@ -26,11 +26,15 @@ class TimeDelay final : public DisplacementEffect {
   explicit TimeDelay(double delay /* T [s] */) : delay_(delay) {}
 
   std::size_t memorySize() const override;
-  double rest(double displacement, double* memory) const override;
+  double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
+
+  /// What is late is the record of a displacement or force.
+  bool ofSensor() const override { return true; }
 
   /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
   std::optional<std::complex<double>> transfer(double omega) const override;
+  bool passive() const override { return false; }
 
  private:
   void store(double time, double displacement, double* memory) const;

@@ -1,21 +1,14 @@
 // Parameters of a component's elements from measured displacement and force, with intervals.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::fit {
-
-/// A recorded run of a specimen that was at rest before; all vectors have the same length.
-struct Measurement {
-  std::vector<std::int64_t> stamp;   ///< [ns], increasing
-  std::vector<double> displacement;  ///< [m]
-  std::vector<double> force;         ///< [N]
-};
 
 struct IdentificationOptions {
   int starts = 8;                 ///< first as given, the others spread over what the log can show
@@ -39,7 +32,7 @@ struct IdentifiedParameter {
 
 /// A combination of parameters that the log hardly shows: along it the force stays the same within the noise.
 struct UndeterminedDirection {
-  double deviation = 0.0;  ///< standard deviation of ln(parameter) along the direction; inf where nothing shows it
+  double standard_deviation = 0.0;  ///< of ln(parameter) along the direction; inf where nothing shows it
   std::vector<std::pair<std::string, double>> weights;  ///< relative changes of the parameters, largest is 1
 };
 
@@ -56,7 +49,8 @@ struct Identification {
   std::vector<std::string> notes;
 };
 
-/// Least squares over all logs at once: min sum of (measured - simulated - offset)^2.
+/// Least squares over all logs at once: min sum of (measured - simulated - offset)^2. Each log is of a component that
+/// was at rest before.
 ///
 /// Parameters that scale a force (stiffnesses, damping, maximum forces) are eliminated by a linear least squares
 /// problem with bounds (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413-432), so that the
@@ -72,11 +66,11 @@ struct Identification {
 /// Friction without dead band gets one of six standard deviations of the displacement's noise, said in the notes.
 /// Throws std::invalid_argument for logs that are empty, too short, not finite, or do not move, and for names to hold
 /// that are no parameters.
-Identification identify(const std::vector<element::ElementDescription>& elements,
-                        const std::vector<Measurement>& measurements, const IdentificationOptions& options = {});
+Identification identify(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
+                        const IdentificationOptions& options = {});
 
 /// Standard deviation of white noise on a smooth signal, from its differences: those of a signal that is smooth at the
 /// sampling rate fall with every order, scaled differences of noise stay, so the least over orders 1 to 10 is noise.
-double noiseDeviation(const std::vector<double>& signal);
+double noiseStandardDeviation(const std::vector<double>& signal);
 
 }  // namespace rubber_suspension::fit

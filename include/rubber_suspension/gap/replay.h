@@ -12,20 +12,16 @@
 namespace rubber_suspension::gap {
 
 /// The force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last bit.
-/// The specimen is new and at rest at the log's first displacement. Shows progress on a terminal.
+/// The component is new and at rest at the log's first displacement. Shows progress on a terminal.
 /// `counters`, if given, receives what the stream counted. Throws LogError as checkLog does, and where a force is not
 /// finite.
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);
 
-/// RMS of measured minus simulated force over the standard deviation of the measured force [-].
-/// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
-double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
-
 /// What a simulation of a log gave.
 struct Replay {
   std::vector<double> force;  ///< [N], one per sample
-  std::uint64_t bridged = 0;  ///< gaps in time longer than the stream's max_gap
+  std::uint64_t bridged = 0;  ///< time gaps longer than the stream's max_gap
 };
 
 /// Simulate a log. Throws as simulateLog does.

@@ -29,7 +29,7 @@ struct GapCell {
 /// window and octave the part of the residual that is coherent with the displacement is an error of stiffness (in
 /// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the
 /// log is its mean, the windows' means about it are drift. `residual`: measured less simulated [N], `noise`: floor of
-/// each log in units of its force's deviation. Sorted by share, largest first.
+/// each log in units of its force's standard deviation. Sorted by share, largest first.
 std::vector<GapCell> gapMap(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual,
                             const std::vector<double>& noise);
 

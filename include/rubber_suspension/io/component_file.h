@@ -2,28 +2,57 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
 
-/// One component as a file describes it.
-struct ComponentDescription {
-  std::string name;  ///< a ROS base name
-  estimation::Model model = estimation::Model::elements;
-  estimation::Specification specification;            ///< of every model but `elements`
-  std::vector<element::ElementDescription> elements;  ///< of the model `elements` only
-  std::vector<element::ElementDescription> add;       ///< effects on top
+/// One component as a file describes it. What its model estimates is found once, when the specification is given; that
+/// can only be changed as a whole, so that the elements are always those of the specification.
+class ComponentDescription {
+ public:
+  /// Of the model `elements`, without any.
+  ComponentDescription() = default;
 
-  /// All elements: those that the model estimates, or lists, and those added.
-  /// Throws std::invalid_argument where the specification has no solution.
+  /// Of the model `elements`.
+  ComponentDescription(std::string component, std::vector<element::ElementDescription> list)
+      : name(std::move(component)), elements_(std::move(list)) {}
+
+  /// Of any other model. Throws std::invalid_argument where the specification has no solution.
+  ComponentDescription(std::string component, estimation::Model model, estimation::Specification specification);
+
+  std::string name;                              ///< a ROS base name
+  std::vector<element::ElementDescription> add;  ///< effects on top
+  std::optional<RigTolerances> rig;              ///< tolerances of the rig that measures it, where given
+
+  estimation::Model model() const { return model_; }
+
+  /// Empty for the model `elements`.
+  const estimation::Specification& specification() const { return specification_; }
+
+  /// Those that the model estimates from the specification, or lists; without those added.
+  const std::vector<element::ElementDescription>& elements() const { return elements_; }
+
+  /// Give the model another specification. Throws std::invalid_argument where that has no solution, and then leaves the
+  /// description as it was; std::logic_error for the model `elements`, which has none.
+  void specify(estimation::Specification specification);
+
+  /// The elements of the model, and those added.
   std::vector<element::ElementDescription> allElements() const;
 
   component::Component makeComponent() const { return component::Component(allElements()); }
+
+ private:
+  estimation::Model model_ = estimation::Model::elements;
+  estimation::Specification specification_;
+  std::vector<element::ElementDescription> elements_;
 };
 
 /// A file that was refused. what() is one line: file:line, component, key, value and what would be accepted.

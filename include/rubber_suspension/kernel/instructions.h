@@ -1,4 +1,4 @@
-// Which vector instructions the code for blocks of samples and for many components uses.
+// Which vector instructions the code for blocks of samples uses.
 #pragma once
 
 namespace rubber_suspension::kernel {

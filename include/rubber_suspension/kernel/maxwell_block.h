@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "rubber_suspension/element/maxwell.h"
+
 namespace rubber_suspension::kernel {
 
 /// Two numbers in one register. GCC's vector type, which Clang knows, too.
@@ -20,7 +22,7 @@ struct alignas(64) MaxwellBlock {
   void stepPair(std::size_t pair, double increment, double* force, double& sum) const {
     Pair forces;
     std::memcpy(&forces, force, sizeof forces);
-    forces = decay[pair] * forces + gain[pair] * increment;
+    forces = element::maxwellForce(decay[pair], gain[pair], forces, increment);
     std::memcpy(force, &forces, sizeof forces);
     sum += forces[0];
     sum += forces[1];
@@ -43,14 +45,14 @@ struct alignas(64) MaxwellBlock {
     }
     if (count % 2 != 0) {
       const std::size_t last = count - 1;
-      force[last] = reinterpret_cast<const double*>(decay)[last] * force[last] +
-                    reinterpret_cast<const double*>(gain)[last] * increment;
+      force[last] = element::maxwellForce(reinterpret_cast<const double*>(decay)[last],
+                                          reinterpret_cast<const double*>(gain)[last], force[last], increment);
       sum += force[last];
     }
   }
 };
 
-/// Advances so many Maxwell elements by an increment of displacement [m]; returns `sum` and their forces [N], added in
+/// Advances `count` Maxwell elements by an increment of displacement [m]; returns `sum` and their forces [N], added in
 /// their order. `force` is what they remember.
 inline double stepMaxwells(const MaxwellBlock* block, std::size_t count, double increment, double sum, double* force) {
   for (; count > MaxwellBlock::kSize; count -= MaxwellBlock::kSize) {

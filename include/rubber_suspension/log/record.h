@@ -20,20 +20,30 @@ struct Record {
   double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
   double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
   double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
+  double lowest_frequency = 0.0;     ///< below this the displacement has no power to speak of [Hz]
+  double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
+  /// 1 for samples that count in residuals, 0 for those that a channel did not measure; empty: all count.
+  Eigen::VectorXd counts;
+  /// Orthonormal columns of what the rig may have added to the force (zero, state left from before the log), 0 where
+  /// samples do not count; may be empty.
+  Eigen::MatrixXd nuisances;
 
   Eigen::Index size() const { return displacement.size(); }
   double duration() const { return dt * static_cast<double>(size()); }
+
+  /// How many of the samples [first, first + count) count.
+  double counted(Eigen::Index first, Eigen::Index count) const;
+  double counted() const { return counted(0, size()); }
+
+  /// What is left of a residual or of a derivative of the force [N] once samples that do not count and everything that
+  /// the rig may have added are taken out (Frisch and Waugh, Econometrica 1, 1933).
+  Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 
 /// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, with a note.
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
-
-/// Noise floor of a log by what a model leaves of its force [N], in units of the force's deviation: white noise above
-/// three times the band of the displacement, but no more than the measured force itself has there (a mass that is
-/// driven by a noisy displacement makes more).
-double whiteNoiseFloor(const Record& record, const Eigen::VectorXd& residual);
 
 /// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);

@@ -1,17 +1,21 @@
 // Candidate effect: relaxation over more than 5 s.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "diagnosis/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
 
-fit::Candidate creepCandidate(const fit::Excitation& excitation) {
-  constexpr double kPi = 3.14159265358979;
+fit::Candidate creep(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}, false};
-  for (double time = 6.0; time < 3.0 * excitation.longest_duration || candidate.atoms.empty(); time *= 2.5) {
-    candidate.atoms.push_back(fit::additiveAtom("maxwell", "stiffness", 0.05 * excitation.stiffness,
-                                                {{"break_frequency", {1.0 / (2.0 * kPi * time)}}}));
+  for (double time = 6.0; time < 3.0 * excitation.longest_duration || candidate.terms.empty(); time *= 2.5) {
+    candidate.terms.push_back(fit::additiveTerm("maxwell", "stiffness", 0.05 * excitation.stiffness,
+                                                {{"break_frequency", {1.0 / (2.0 * element::kPi * time)}}}));
   }
   return candidate;
 }
 
+const CandidateEntry kEntry(30, creep);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -1,13 +1,17 @@
 // Candidate effect: a constant force.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "diagnosis/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
 
-fit::Candidate forceOffsetCandidate(const fit::Excitation& excitation) {
-  fit::Atom atom = fit::additiveAtom("force_offset", "offset", 0.02 * excitation.force);
-  atom.lower = -atom.upper;
-  atom.on_rig = true;
-  return {"force_offset", "zero of the load cell: error of the mean only", true, {atom}, false};
+fit::Candidate forceOffset(const fit::Excitation& excitation) {
+  fit::BasisTerm term = fit::additiveTerm("force_offset", "offset", 0.02 * excitation.force);
+  term.lower = -term.upper;
+  term.on_rig = true;
+  return {"force_offset", "zero of the load cell: error of the mean only", true, {term}, false};
 }
 
+const CandidateEntry kEntry(140, forceOffset);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

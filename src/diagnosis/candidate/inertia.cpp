@@ -1,57 +1,21 @@
 // Candidate effect: mass that moves with the displacement.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
-#include "rubber_suspension/fit/hypothesis.h"
+#include "diagnosis/candidate/registry.h"
+#include "fit/mass_bandwidth.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
-
 namespace {
 
-// m d2z/dt2 by central differences, per mass [N/kg].
-Eigen::VectorXd acceleration(const log::Record& record) {
-  const Eigen::Index inner = record.size() - 2;
-  const Eigen::VectorXd& z = record.displacement;
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(record.size());
-  result.segment(1, inner) = (z.head(inner) - 2.0 * z.segment(1, inner) + z.tail(inner)) / (record.dt * record.dt);
-  return result;
-}
-
-// What the node errs by, from the displacement as recorded and without samples to come: sum of mean squares per mass,
-// in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
-double errorInTime(const std::vector<log::Record>& records, double bandwidth) {
-  const auto in_time = fit::simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records,
-                                     [](const log::Record& record) { return record.raw_displacement; });
-  double sum = 0.0;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::Index settled = records[r].size() - records[r].size() / 20;
-    const Eigen::VectorXd error = (in_time[r] - acceleration(records[r])).tail(settled) / records[r].force_deviation;
-    sum += error.squaredNorm() / static_cast<double>(settled);
-  }
-  return sum;
-}
-
-}  // namespace
-
-double massBandwidth(const std::vector<log::Record>& records, double highest_frequency) {
-  double best = 0.0;
-  double least = errorInTime(records, best);
-  for (const double multiple : {1.0, 1.5, 2.2, 3.3, 5.0, 7.5, 11.0, 16.0}) {
-    const double bandwidth = multiple * highest_frequency;
-    const double error = errorInTime(records, bandwidth);
-    if (error < least) {
-      least = error;
-      best = bandwidth;
-    }
-  }
-  return best;
-}
-
-fit::Candidate inertiaCandidate(const fit::Excitation& excitation) {
-  const double omega = 6.28 * excitation.highest_frequency;
-  fit::Atom mass = fit::additiveAtom("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
-                                     {{"bandwidth", {excitation.mass_bandwidth}}});
+fit::Candidate inertia(const fit::Excitation& excitation) {
+  const double omega = 2.0 * element::kPi * excitation.highest_frequency;
+  fit::BasisTerm mass = fit::additiveTerm("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
+                                          {{"bandwidth", {excitation.mass_bandwidth}}});
   mass.on_rig = true;
-  mass.exact = acceleration;
+  mass.exact = fit::acceleration;
   return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
 }
 
+const CandidateEntry kEntry(120, inertia);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -1,19 +1,24 @@
 // Candidate effect: further relaxation times within the band of the excitation.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "diagnosis/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
 
 // Faster than 5 s, where creep begins, and slower than what a dashpot could not be told from.
-fit::Candidate relaxationCandidate(const fit::Excitation& excitation) {
-  constexpr double kSlowest = 1.0 / (2.0 * 3.14159265358979 * 5.0);
+fit::Candidate relaxation(const fit::Excitation& excitation) {
+  constexpr double kSlowest = 1.0 / (2.0 * element::kPi * 5.0);
   constexpr double kRatio = 2.2;
   fit::Candidate candidate{
       "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};
   for (double frequency = kSlowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
-    candidate.atoms.push_back(
-        fit::additiveAtom("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
+    candidate.terms.push_back(
+        fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
   }
   return candidate;
 }
 
+const CandidateEntry kEntry(20, relaxation);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -1,17 +1,21 @@
 // Candidate effect: displacement or force that is recorded late.
 #include <algorithm>
 
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "diagnosis/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
 
-fit::Candidate timeDelayCandidate(const fit::Excitation& excitation) {
-  fit::Atom atom = fit::additiveAtom("time_delay", "delay", excitation.dt);
-  atom.lower = -std::min(4.0 * excitation.dt, 0.02);
-  atom.upper = 0.03;
-  atom.additive = false;
+fit::Candidate timeDelay(const fit::Excitation& excitation) {
+  fit::BasisTerm term = fit::additiveTerm("time_delay", "delay", excitation.dt);
+  term.lower = -std::min(4.0 * excitation.dt, 0.02);
+  term.upper = 0.03;
+  term.additive = false;
   return {
-      "time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {atom}, false};
+      "time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {term}, false};
 }
 
+const CandidateEntry kEntry(130, timeDelay);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -1,20 +1,25 @@
 // Candidate effect: viscous damping, linear or not.
-#include "rubber_suspension/diagnosis/candidate/catalogue.h"
+#include "diagnosis/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
 
-fit::Candidate viscousDampingCandidate(const fit::Excitation& excitation) {
-  const double typical = 0.05 * excitation.stiffness / (6.28 * excitation.highest_frequency);
+fit::Candidate viscousDamping(const fit::Excitation& excitation) {
+  const double typical = 0.05 * excitation.stiffness / (2.0 * element::kPi * excitation.highest_frequency);
   fit::Candidate candidate{"viscous_damping",
                            "dashpot: loss force grows with frequency",
                            false,
-                           {fit::additiveAtom("dashpot", "damping", typical, {{"order", {2.0}}})}};
+                           {fit::additiveTerm("dashpot", "damping", typical, {{"order", {2.0}}})}};
   for (const double exponent : {0.5, 2.0}) {  // thins under shear; flows through an orifice
-    candidate.atoms.push_back(
-        fit::additiveAtom("power_dashpot", "damping", typical,
+    candidate.terms.push_back(
+        fit::additiveTerm("power_dashpot", "damping", typical,
                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
   }
   return candidate;
 }
 
+const CandidateEntry kEntry(40, viscousDamping);
+
+}  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -1,5 +1,5 @@
 // The diagnosis on one page: the report's figures, each for one log.
-#include "rubber_suspension/diagnosis/report/overview_figure.h"
+#include "diagnosis/report/overview_figure.h"
 
 #include "diagnosis/report/report_figures.h"
 

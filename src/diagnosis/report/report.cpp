@@ -26,7 +26,11 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   }
   const std::filesystem::path base(folder);
   writeText(base / "report.json", toJson(diagnosis));
-  writeText(base / "augmented.yaml", io::toYaml({diagnosis.augmented}));
+  if (diagnosis.workings) {
+    writeText(base / "augmented.yaml", io::toYaml({diagnosis.augmented}));
+  } else {  // the logs cannot be what they say: that of an earlier run would be taken for theirs
+    std::filesystem::remove(base / "augmented.yaml", failure);
+  }
   writeText(base / "report.html", toHtml(diagnosis));
 }
 

@@ -9,6 +9,9 @@
 #include <map>
 #include <numeric>
 
+#include "diagnosis/workings.h"
+#include "rubber_suspension/gap/gap.h"
+
 namespace rubber_suspension::diagnosis {
 namespace {
 
@@ -27,17 +30,16 @@ std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eige
 
 // The records where the re-estimated model is worst, hold-outs first where there are any.
 std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
-  std::vector<std::size_t> order(diagnosis.records.size());
+  std::vector<std::size_t> order(diagnosis.workings->records.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (diagnosis.training < order.size()) {
-    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(diagnosis.training), order.end());
+  if (diagnosis.workings->training < order.size()) {
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(diagnosis.workings->training), order.end());
   }
   const auto gap = [&](std::size_t r) {
-    const log::Record& record = diagnosis.records[r];
-    return (record.force - diagnosis.force_re_estimated[r]).norm() / record.force_deviation /
-           std::sqrt(static_cast<double>(record.size()));
+    const log::Record& record = diagnosis.workings->records[r];
+    return gap::relativeGap(record.force - diagnosis.workings->force_re_estimated[r], record.force_deviation);
   };
-  const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.training);
+  const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->training);
   std::sort(first == order.begin() ? order.begin() : first, order.end(),
             [&](std::size_t a, std::size_t b) { return gap(a) > gap(b); });
   order.resize(std::min(order.size(), kMostLoops));
@@ -63,19 +65,20 @@ io::Figure loops(const Diagnosis& diagnosis) {
   io::Figure figure;
   figure.title = "Force over displacement, measured and simulated";
   for (const std::size_t r : worstRecords(diagnosis)) {
-    const log::Record& record = diagnosis.records[r];
+    const log::Record& record = diagnosis.workings->records[r];
     const auto count = std::min(record.size(), static_cast<Eigen::Index>(kLoopLength / record.dt));
     const Eigen::Index first = widestStretch(record, count);
     const std::vector<double> z = take(record.raw_displacement, first, count, 1e3);
     io::Axes axes;
-    axes.title = fmt::format("{}{}, {:.1f} to {:.1f} s", record.name, r >= diagnosis.training ? " (held out)" : "",
-                             static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt);
+    axes.title =
+        fmt::format("{}{}, {:.1f} to {:.1f} s", record.name, r >= diagnosis.workings->training ? " (held out)" : "",
+                    static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt);
     axes.x_label = "displacement [mm]";
     axes.y_label = "force [kN]";
     axes.curves.push_back({"measured", z, take(record.force, first, count, 1e-3), "-", 0});
     axes.curves.push_back(
-        {"model, re-estimated", z, take(diagnosis.force_re_estimated[r], first, count, 1e-3), "--", 1});
-    axes.curves.push_back({"augmented", z, take(diagnosis.force_augmented[r], first, count, 1e-3), ":", 2});
+        {"model, re-estimated", z, take(diagnosis.workings->force_re_estimated[r], first, count, 1e-3), "--", 1});
+    axes.curves.push_back({"augmented", z, take(diagnosis.workings->force_augmented[r], first, count, 1e-3), ":", 2});
     figure.axes.push_back(std::move(axes));
   }
   return figure;
@@ -169,9 +172,9 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   io::Figure figure;
   figure.title = "Mean residual (measured less simulated) over displacement";
   for (const std::size_t r : worstRecords(diagnosis)) {
-    const log::Record& record = diagnosis.records[r];
-    const Eigen::VectorXd before = record.force - diagnosis.force_re_estimated[r];
-    const Eigen::VectorXd after = record.force - diagnosis.force_augmented[r];
+    const log::Record& record = diagnosis.workings->records[r];
+    const Eigen::VectorXd before = record.force - diagnosis.workings->force_re_estimated[r];
+    const Eigen::VectorXd after = record.force - diagnosis.workings->force_augmented[r];
     io::Axes axes;
     axes.title = record.name;
     axes.x_label = "displacement [mm]";
@@ -185,21 +188,20 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// RMS of the residual in stretches of 1 s over the force's deviation; the logs one after the other.
+// The gap of each second; the logs one after the other.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, int colour) {
   io::Curve curve;
   curve.label = label;
   curve.colour = colour;
   double start = 0.0;
-  for (std::size_t r = 0; r < diagnosis.records.size(); ++r) {
-    const log::Record& record = diagnosis.records[r];
+  for (std::size_t r = 0; r < diagnosis.workings->records.size(); ++r) {
+    const log::Record& record = diagnosis.workings->records[r];
     const auto step = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1.0 / record.dt));
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
-      const double rms =
-          (record.force - simulated[r]).segment(first, step).norm() / std::sqrt(static_cast<double>(step));
+      const double gap = gap::relativeGap((record.force - simulated[r]).segment(first, step), record.force_deviation);
       curve.x.push_back(start + static_cast<double>(first) * record.dt);
-      curve.y.push_back(std::max(1e-5, rms / record.force_deviation));
+      curve.y.push_back(std::max(1e-5, gap));
     }
     start += record.duration();
   }
@@ -212,13 +214,13 @@ io::Figure residualOverTime(const Diagnosis& diagnosis) {
   figure.columns = 1;
   io::Axes axes;
   axes.x_label = "time [s]";
-  axes.y_label = "RMS residual / deviation [-]";
+  axes.y_label = "gap [-]";
   axes.log_y = true;
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.force_configured, "as configured", 0));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.force_re_estimated, "re-estimated", 1));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.force_augmented, "augmented", 2));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_configured, "as configured", 0));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_re_estimated, "re-estimated", 1));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_augmented, "augmented", 2));
   double end = 0.0;
-  for (const log::Record& record : diagnosis.records) {
+  for (const log::Record& record : diagnosis.workings->records) {
     end += record.duration();
   }
   axes.curves.push_back({"noise floor", {0.0, end}, {diagnosis.gap.noise_floor, diagnosis.gap.noise_floor}, "--", 3});

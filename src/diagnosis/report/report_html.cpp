@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -120,7 +121,7 @@ std::string whereTable(const Diagnosis& d) {
          rows + "</table>\n";
 }
 
-std::string ratiosText(const std::vector<std::pair<std::string, double>>& ratios) {
+std::string ratiosText(const ParameterRatios& ratios) {
   std::string text;
   for (const auto& [name, ratio] : ratios) {
     text += fmt::format("{}{} &times; {:.3f}", text.empty() ? "" : ", ", escape(name), ratio);
@@ -130,7 +131,7 @@ std::string ratiosText(const std::vector<std::pair<std::string, double>>& ratios
 
 std::string parameterTable(const Diagnosis& d) {
   std::string rows =
-      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.own_ratios));
+      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.parameter_ratios));
   for (const ParameterByLog& row : d.by_log) {
     rows += fmt::format("<tr><td>{}</td><td class=n>{:.3g}</td><td class=n>{:.3g}</td><td>{}</td></tr>\n",
                         escape(row.log), 1e3 * row.amplitude, row.frequency, ratiosText(row.ratios));
@@ -147,7 +148,7 @@ std::string errorTable(const Diagnosis& d) {
   };
   return "<table><tr><th>model</th><th class=n>stiffness</th><th class=n>loss angle</th><th class=n>energy per "
          "cycle</th></tr>\n" +
-         row("re-estimated", d.errors_before) + row("augmented", d.errors_after) + "</table>\n";
+         row("re-estimated", d.errors_re_estimated) + row("augmented", d.errors_augmented) + "</table>\n";
 }
 
 std::string admissionTable(const Diagnosis& d) {
@@ -180,6 +181,25 @@ std::string figuresHtml(const Diagnosis& d) {
   return html;
 }
 
+std::string findingsTable(const Diagnosis& d) {
+  if (d.rig_findings.empty()) {
+    return "<p>Nothing beyond chance.</p>\n";
+  }
+  std::string rows;
+  for (const measurement::RigFinding& finding : d.rig_findings) {
+    const std::string unit = finding.unit == "1" ? "" : " " + finding.unit;
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td class=n>{:.4g}{}</td><td class=n>{:.4g} to {:.4g}{}</td>"
+        "<td class=note>{}{}</td></tr>\n",
+        escape(finding.log), escape(finding.finding), finding.value, escape(unit), finding.interval_95[0],
+        finding.interval_95[1], escape(unit), escape(finding.text),
+        finding.beyond_tolerance ? "; beyond the rig's tolerance" : "");
+  }
+  return "<table><tr><th>log</th><th>finding</th><th class=n>value</th><th class=n>95 % interval</th><th>what it "
+         "means</th></tr>\n" +
+         rows + "</table>\n";
+}
+
 std::string notTestable(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const CandidateResult& c : d.candidates) {
@@ -193,23 +213,43 @@ std::string notTestable(const Diagnosis& d) {
 
 }  // namespace
 
+namespace {
+
+std::string beginningOf(const Diagnosis& d) {
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
+             "content=\"width=device-width\"><title>Gap report: {0}</title><style>{1}</style></head><body>\n<h1>Gap "
+             "between simulation and measurement: {0}</h1>\n",
+             escape(d.component), kStyle) +
+         "<p class=verdict>" + escape(d.sentence) + "</p>\n";
+}
+
+// Of logs that cannot be what they say.
+std::string benchHtml(const Diagnosis& d) {
+  return beginningOf(d) + "<h2>What the rig did to the logs</h2>\n" + findingsTable(d) +
+         "<h2>Next experiment</h2>\n<p>" + escape(d.next_experiment) +
+         "</p>\n<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
+         "bench.</p>\n</body></html>\n";
+}
+
+}  // namespace
+
 std::string toHtml(const Diagnosis& d) {
+  if (!d.workings) {
+    return benchHtml(d);
+  }
   std::string sets;
   for (const auto& set : d.confounded) {
     if (set.size() > 1) {
       sets += "<li>" + join(set) + "</li>\n";
     }
   }
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
-      "<title>Gap report: {0}</title><style>{1}</style></head><body>\n<h1>Gap between simulation and measurement: "
-      "{0}</h1>\n",
-      escape(d.component), kStyle);
-  html += "<p class=verdict>" + escape(d.sentence) + "</p>\n";
+  std::string html = beginningOf(d);
   html +=
       "<h2>How far</h2>\n<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation "
       "of "
-      "the measured force, on data that took no part in the fit.</p>\n" +
+      "the measured force, on data that took no part in the fit, after what the rig did to that very log is taken "
+      "out.</p>\n" +
       gapTable(d);
   html += fmt::format("<p>Closed: {} % of the closable gap, 95 % interval {} to {} %.</p>\n", wholePercent(d.closed),
                       wholePercent(d.closed_interval[0]), wholePercent(d.closed_interval[1]));
@@ -218,13 +258,14 @@ std::string toHtml(const Diagnosis& d) {
           fmt::format(
               "<p>Probability that it is none of these: {:.0f} %. All candidates at once, as a flexible fit without "
               "claim to a cause, would leave a gap of {} on blocks of these logs held out.</p>\n",
-              100.0 * d.probability_none, percent(d.search.surrogate_gap));
+              100.0 * d.probability_none, percent(d.workings->search.surrogate_gap));
   if (!sets.empty()) {
     html += "<p>These logs cannot tell apart:</p><ul>\n" + sets + "</ul>\n";
   }
   html += "<p>" + notTestable(d) + "</p>\n<h2>Next experiment</h2>\n<p>" + escape(d.next_experiment) + "</p>\n";
   html += "<h2>Where</h2>\n" + whereTable(d) + "<h2>Figures</h2>\n" + figuresHtml(d);
   html += "<h2>Which parameter would have to change</h2>\n" + parameterTable(d);
+  html += "<h2>What the rig did to the logs</h2>\n" + findingsTable(d);
   html += "<h2>The logs</h2>\n" + admissionTable(d);
   html += "<h2>Component file with the effects found</h2>\n<pre>" + escape(io::toYaml({d.augmented})) +
           "</pre>\n</body></html>\n";

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -61,6 +62,16 @@ ordered_json admissionJson(const Admission& log) {
           {"notes", log.notes}};
 }
 
+ordered_json findingJson(const measurement::RigFinding& finding) {
+  return {{"log", finding.log},
+          {"finding", finding.finding},
+          {"value", number(finding.value)},
+          {"interval_95", interval(finding.interval_95)},
+          {"unit", finding.unit},
+          {"beyond_tolerance", finding.beyond_tolerance},
+          {"text", finding.text}};
+}
+
 ordered_json errorsJson(const CharacteristicErrors& errors) {
   return {{"stiffness", number(errors.stiffness)},
           {"loss_angle_rad", number(errors.loss_angle)},
@@ -68,27 +79,27 @@ ordered_json errorsJson(const CharacteristicErrors& errors) {
 }
 
 // Every hypothesis that was fitted, with its held-out error.
-ordered_json trialsJson(const Search& search) {
+ordered_json hypothesesJson(const Search& search) {
   ordered_json result = ordered_json::array();
-  const auto add = [&](const Trial& trial) {
+  const auto add = [&](const FittedHypothesis& fitted) {
     ordered_json effects = ordered_json::array();
-    for (const int member : trial.members) {
+    for (const int member : fitted.hypothesis.members) {
       effects.push_back(search.candidates[static_cast<std::size_t>(member)].effect);
     }
     result.push_back({{"effects", effects},
-                      {"held_out", number(trial.fit.held_out)},
-                      {"in_sample", number(trial.fit.gap)},
-                      {"own_moved_by", number(std::exp(trial.fit.point.furthestMove()))},
-                      {"departure", number(trial.fit.departure)}});
+                      {"held_out", number(fitted.fit.held_out)},
+                      {"in_sample", number(fitted.fit.gap)},
+                      {"own_moved_by", number(std::exp(fitted.fit.parameters.largestChange()))},
+                      {"departure", number(fitted.fit.penalty)}});
   };
   add(search.re_estimated);
-  for (const auto* trials : {&search.singles, &search.pairs, &search.triples}) {
-    std::for_each(trials->begin(), trials->end(), add);
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    std::for_each(list->begin(), list->end(), add);
   }
   return result;
 }
 
-ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratios) {
+ordered_json ratiosJson(const ParameterRatios& ratios) {
   ordered_json result = ordered_json::object();
   for (const auto& [name, ratio] : ratios) {
     result[name] = number(ratio);
@@ -96,7 +107,7 @@ ordered_json ratiosJson(const std::vector<std::pair<std::string, double>>& ratio
   return result;
 }
 
-ordered_json ownJson(const Diagnosis& diagnosis) {
+ordered_json parametersJson(const Diagnosis& diagnosis) {
   ordered_json by_log = ordered_json::array();
   for (const ParameterByLog& row : diagnosis.by_log) {
     by_log.push_back({{"log", row.log},
@@ -104,7 +115,7 @@ ordered_json ownJson(const Diagnosis& diagnosis) {
                       {"frequency_hz", number(row.frequency)},
                       {"ratios", ratiosJson(row.ratios)}});
   }
-  return {{"ratio_to_configured", ratiosJson(diagnosis.own_ratios)}, {"by_log", by_log}};
+  return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
 template <class T, class Function>
@@ -119,7 +130,7 @@ ordered_json list(const std::vector<T>& values, Function convert) {
 }  // namespace
 
 std::string toJson(const Diagnosis& diagnosis) {
-  const ordered_json report = {
+  ordered_json report = {
       {"schema", "rubber_suspension/gap_report/1"},
       {"component", diagnosis.component},
       {"verdict", diagnosis.verdict},
@@ -131,6 +142,11 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"augmented", number(diagnosis.gap.augmented)},
         {"noise_floor", number(diagnosis.gap.noise_floor)},
         {"noise_source", diagnosis.noise_source}}},
+      {"gap_as_recorded",
+       {{"as_configured", number(diagnosis.gap_as_recorded.as_configured)},
+        {"re_estimated", number(diagnosis.gap_as_recorded.re_estimated)},
+        {"augmented", number(diagnosis.gap_as_recorded.augmented)}}},
+      {"rig_findings", list(diagnosis.rig_findings, findingJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
       {"candidates", list(diagnosis.candidates, candidateJson)},
@@ -138,12 +154,15 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"where", list(diagnosis.where, cellJson)},
       {"next_experiment", diagnosis.next_experiment},
       {"errors",
-       {{"re_estimated", errorsJson(diagnosis.errors_before)}, {"augmented", errorsJson(diagnosis.errors_after)}}},
-      {"trials", trialsJson(diagnosis.search)},
-      {"surrogate_gap", number(diagnosis.search.surrogate_gap)},
-      {"element_level_gap", number(diagnosis.search.element_level.held_out)},
-      {"own_parameters", ownJson(diagnosis)},
+       {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
+        {"augmented", errorsJson(diagnosis.errors_augmented)}}},
+      {"own_parameters", parametersJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};
+  if (diagnosis.workings) {
+    report["trials"] = hypothesesJson(diagnosis.workings->search);
+    report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
+    report["element_level_gap"] = number(diagnosis.workings->search.element_level.held_out);
+  }
   return report.dump(2) + "\n";
 }
 

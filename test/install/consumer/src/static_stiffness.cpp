@@ -8,11 +8,11 @@
 namespace {
 
 /// Force over displacement [N/m] after a slow move to 1 mm and an hour there.
-double staticStiffness(const rubber_suspension::Component& component) {
+double staticStiffness(const rubber_suspension::component::Component& component) {
   constexpr double kDisplacement = 1e-3;  // [m]
   constexpr double kHour = 3600.0;        // [s]
-  rubber_suspension::ComponentState state = component.makeState();
-  const double before = component.rest(state, 0.0).total;
+  rubber_suspension::component::ComponentState state = component.makeState();
+  const double before = component.initialise(state, 0.0).total;
   component.step(state, kHour, kDisplacement);
   return (component.step(state, kHour, kDisplacement).total - before) / kDisplacement;
 }
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    for (const auto& description : rubber_suspension::loadComponentFile(argv[1])) {
+    for (const auto& description : rubber_suspension::io::loadComponentFile(argv[1])) {
       std::printf("%s %.6g N/m\n", description.name.c_str(), staticStiffness(description.makeComponent()));
     }
   } catch (const std::exception& error) {

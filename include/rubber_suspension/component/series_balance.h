@@ -1,0 +1,73 @@
+// What yields in series with the test piece, and the displacement that this leaves to it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/kernel/basic_laws_kernel.h"
+
+namespace rubber_suspension::component {
+
+/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. To solve
+/// this series balance is to find the displacement of the test piece whose force fits.
+class SeriesBalance {
+ public:
+  void add(const std::shared_ptr<const element::SeriesElement>& element);
+
+  bool empty() const { return empty_; }
+
+  /// True where u = F/K_s, alike to both sides.
+  bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression; }
+
+  /// 1/K_s [m/N], where it is linear; 0 without elements.
+  double compliance() const { return sides_.tension; }
+
+  /// u [m] under a force [N].
+  double deflection(double force) const;
+
+  /// Displacement [m] of a test piece of basic laws alone at the end of a step of `path`, whose displacement [m] is
+  /// that before the compliance; `start` is that of the test piece at the begin, `memory` and `prepared` are the
+  /// kernel's. In closed form where nothing hardens and a single friction, if any, keeps its direction.
+  double solve(const kernel::BasicLawsKernel& laws, const element::Motion& path, double start, const double* memory,
+               const kernel::PreparedStep& prepared) const {
+    // What is linear in the displacement is summed up once, not for each trial.
+    const kernel::LinearForce linear = laws.withoutFriction(start, memory, prepared);
+    if (hardening_.empty()) {
+      const Equation equation = equationOf(laws, linear, path, memory);
+      if (const auto z = laws.balance(equation.slope, equation.offset, equation.compliance, memory)) {
+        return *z;
+      }
+    }
+    return search(laws, linear, path, start, memory);
+  }
+
+ private:
+  /// slope z + offset + compliance friction(z) = 0, where nothing hardens.
+  struct Equation {
+    double slope;       // [-]
+    double offset;      // [m]
+    double compliance;  // of the side [m/N]
+  };
+
+  Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
+                      const element::Motion& path, const double* memory) const {
+    // Compliance takes from the force without it, never its sign: that tells the side.
+    const double compliance =
+        sides_.tension == sides_.compression
+            ? sides_.tension
+            : sideCompliance(linear.at(path.displacement) + laws.frictionAt(path.displacement, memory));
+    return {1.0 + compliance * linear.slope, compliance * linear.held - path.displacement, compliance};
+  }
+
+  double search(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear, const element::Motion& path,
+                double start, const double* memory) const;
+
+  double sideCompliance(double force) const { return force > 0.0 ? sides_.tension : sides_.compression; }
+
+  bool empty_ = true;
+  element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear to either side
+  std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // the others
+};
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,50 @@
+// The gap between measured and simulated force, and what of it is beyond the noise floor: the one definition.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::gap {
+
+/// RMS of measured minus simulated force over the standard deviation of the measured force [-].
+/// Throws std::invalid_argument where the sizes differ, or the measured force is empty or constant.
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated);
+
+/// About the mean, of all values.
+double standardDeviation(const Eigen::VectorXd& values);
+
+/// The gap of a residual [N], by the standard deviation of the measured force [N].
+double relativeGap(const Eigen::VectorXd& residual, double standard_deviation);
+
+/// What a gap is beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.
+double residualAboveFloor(double gap, double floor);
+
+/// Share of the closable gap, which is that above the floor, that a better model closes: 1 closes all, a negative one
+/// opens the gap. At most kMostClosed; 0 where there is nothing to close.
+double closedFraction(double before, double after, double floor);
+
+/// More than all is closed where the floor was taken for higher than it is.
+constexpr double kMostClosed = 1.1;
+
+/// Mean squared residual of a part of a log in units of its force's variance, and the part's weight.
+struct PartError {
+  double error;
+  double weight;
+};
+
+/// Gap over all parts: the root of the weighted mean of their squares.
+double gapOfParts(const std::vector<PartError>& parts);
+
+/// Tenths of each record, weighted such that all records count alike; what the rig may have added to a record, and
+/// samples of it that do not count, are left out.
+std::vector<PartError> partErrors(const std::vector<log::Record>& records,
+                                  const std::vector<Eigen::VectorXd>& simulated);
+
+/// Noise floor of a record by what a model leaves of its force [N], as a gap: white noise above three times the band of
+/// the displacement, but no more than the measured force itself has there (a mass that is driven by a noisy
+/// displacement makes more).
+double whiteNoiseFloor(const log::Record& record, const Eigen::VectorXd& residual);
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,188 @@
+// Springs, dashpots, Maxwell elements and Berg friction in parallel, fast: with the bits of their laws one by one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include "rubber_suspension/element/basic_laws.h"
+#include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/kernel/maxwell_block.h"
+
+namespace rubber_suspension::kernel {
+
+/// What a kernel derives from step length and memory to make the next step fast. It need not be saved.
+struct PreparedStep {
+  double dt = -1.0;                    ///< step length that the coefficients are for [s]
+  double dashpot_gain = 0.0;           ///< c/dt [N/m]
+  std::vector<MaxwellBlock> maxwells;  ///< coefficients of the Maxwell elements
+  element::BergBranch branch;          ///< that the memory of a single friction describes, or none
+};
+
+/// A force that is linear in a displacement.
+struct LinearForce {
+  double held;   ///< at zero displacement [N]
+  double slope;  ///< [N/m]
+
+  double at(double displacement) const { return held + slope * displacement; }
+};
+
+/// F = k z + c dz/dt + sum of Maxwell forces + sum of Berg friction, in this order of summation.
+///
+/// There are two paths to the same bits. The fast path is for a step that is as long as the one before and that has no
+/// reversal: coefficients and branch are then at hand, and it calls nothing. The general path is for all others.
+/// Memory, which the caller owns: the Maxwell forces, then that of each friction.
+class BasicLawsKernel {
+ public:
+  explicit BasicLawsKernel(const element::BasicLaws& laws = {});
+
+  std::size_t memorySize() const { return maxwell_count_ + frictions_.size() * element::BergFriction::kMemorySize; }
+
+  /// Of the right size, for no step length yet.
+  PreparedStep makePreparedStep() const;
+
+  /// Initialise the memory at rest at this displacement [m], relaxed since long.
+  element::ComponentForce initialise(double displacement, double* memory) const;
+
+  /// Bring the coefficients to a step length > 0 [s].
+  void prepare(double dt, PreparedStep& prepared) const;
+
+  /// Advance by one step. `prepared` is of this kernel, and its branch that of the memory, or none.
+  element::ComponentForce step(const element::Motion& motion, double* memory, PreparedStep& prepared) const {
+    return sameBits(motion.dt, prepared.dt) && keepsDirection(motion.displacement, prepared)
+               ? fastStep(motion, memory, prepared)
+               : generalStep(motion.dt, motion.displacement, motion.increment, memory, prepared);
+  }
+
+  /// step() for coefficients that are prepared, without use of the branch: for a memory that others change as well.
+  element::ComponentForce stepWithoutBranch(const element::Motion& motion, double* memory,
+                                            const PreparedStep& prepared) const;
+
+  /// As many steps of dt [s] as there are displacements [m], from the displacement `start` on; the total forces [N] go
+  /// to `force`. Several times as fast as step() after step().
+  void simulate(double dt, double start, const double* displacement, std::size_t count, double* force, double* memory,
+                PreparedStep& prepared) const;
+
+  /// Force of all but friction at the end of a step from the displacement `start` [m], by the displacement there.
+  LinearForce withoutFriction(double start, const double* memory, const PreparedStep& prepared) const;
+
+  /// Force of friction [N] if the displacement became this one [m]; the memory stays.
+  double frictionAt(double displacement, const double* memory) const;
+
+  /// Displacement z [m] at the end of a step, where slope z + offset + compliance friction(z) = 0, by the closed form
+  /// for a single friction that keeps its direction; nothing where friction does otherwise.
+  std::optional<double> balance(double slope, double offset, double compliance, const double* memory) const;
+
+  /// K* [N/m] at angular frequency omega [rad/s]; nothing if there is friction.
+  std::optional<std::complex<double>> complexStiffness(double omega) const;
+
+ private:
+  /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
+  static bool sameBits(double one, double other) {
+    std::uint64_t bits = 0;
+    std::uint64_t other_bits = 0;
+    std::memcpy(&bits, &one, sizeof bits);
+    std::memcpy(&other_bits, &other, sizeof other_bits);
+    return bits == other_bits;
+  }
+
+  bool keepsDirection(double displacement, const PreparedStep& prepared) const {
+    return frictions_.empty() || prepared.branch.keepsDirection(displacement);
+  }
+
+  element::ComponentForce fastStep(const element::Motion& motion, double* memory, PreparedStep& prepared) const {
+    double friction = 0.0;
+    if (!frictions_.empty()) {
+      frictionMemory(memory)[element::BergFriction::kExtremum] = motion.displacement;
+      friction = prepared.branch.continueTo(motion.displacement);
+    }
+    return sum(motion.displacement, viscousStep(motion.increment, memory, prepared), friction);
+  }
+
+  /// With a motion in numbers, which stay in registers.
+  element::ComponentForce generalStep(double dt, double displacement, double increment, double* memory,
+                                      PreparedStep& prepared) const;
+
+  element::ComponentForce sum(double displacement, double viscous, double friction) const {
+    const double elastic = spring_stiffness_ * displacement;
+    return {elastic + viscous + friction, elastic, viscous, friction};
+  }
+
+  /// Advances the Maxwell elements; returns their force and that of the dashpots [N].
+  double viscousStep(double increment, double* memory, const PreparedStep& prepared) const {
+    return stepMaxwells(prepared.maxwells.data(), maxwell_count_, increment, prepared.dashpot_gain * increment, memory);
+  }
+
+  double* frictionMemory(double* memory) const { return memory + maxwell_count_; }
+  const double* frictionMemory(const double* memory) const { return memory + maxwell_count_; }
+
+  double spring_stiffness_;
+  double damping_;
+  std::size_t maxwell_count_;
+  std::vector<double> maxwell_stiffness_;  // [N/m], with zeros up to a whole number of blocks
+  std::vector<double> maxwell_rate_;       // 1/tau [1/s], likewise
+  double fastest_rate_ = 0.0;
+  std::vector<element::BergFriction> frictions_;
+};
+
+// Inline, as a series balance calls them in each trial.
+
+inline element::ComponentForce BasicLawsKernel::stepWithoutBranch(const element::Motion& motion, double* memory,
+                                                                  const PreparedStep& prepared) const {
+  const double viscous = viscousStep(motion.increment, memory, prepared);
+  double friction = 0.0;
+  double* friction_memory = frictionMemory(memory);
+  for (const element::BergFriction& berg : frictions_) {
+    friction += berg.advance(motion.displacement, friction_memory);
+    friction_memory += element::BergFriction::kMemorySize;
+  }
+  return sum(motion.displacement, viscous, friction);
+}
+
+inline LinearForce BasicLawsKernel::withoutFriction(double start, const double* memory,
+                                                    const PreparedStep& prepared) const {
+  double slope = prepared.dashpot_gain;
+  double held = 0.0;
+  for (std::size_t i = 0; i < maxwell_count_; ++i) {
+    const MaxwellBlock& block = prepared.maxwells[i / MaxwellBlock::kSize];
+    const std::size_t pair = i % MaxwellBlock::kSize / 2;
+    slope += block.gain[pair][i % 2];
+    held += block.decay[pair][i % 2] * memory[i];
+  }
+  return {held - slope * start, slope + spring_stiffness_};
+}
+
+inline double BasicLawsKernel::frictionAt(double displacement, const double* memory) const {
+  memory = frictionMemory(memory);
+  double force = 0.0;
+  for (const element::BergFriction& friction : frictions_) {
+    std::array<double, element::BergFriction::kMemorySize> trial;
+    std::copy_n(memory, trial.size(), trial.begin());
+    force += friction.advance(displacement, trial.data());
+    memory += trial.size();
+  }
+  return force;
+}
+
+inline std::optional<double> BasicLawsKernel::balance(double slope, double offset, double compliance,
+                                                      const double* memory) const {
+  if (frictions_.empty()) {
+    return -offset / slope;
+  }
+  if (frictions_.size() == 1) {
+    const double displacement =
+        frictions_.front().solveSeriesBalance(slope, offset, compliance, frictionMemory(memory));
+    if (frictions_.front().keepsDirection(displacement, frictionMemory(memory))) {
+      return displacement;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubber_suspension::kernel

@@ -1,0 +1,28 @@
+// Whether logs can be what they say at all, before any physics: sign, unit factors, swapped columns, another component.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::measurement {
+
+/// Compare each record with the configured component. Every finding is fatal and has evidence and correction in its
+/// text:
+/// - sign: the force falls where the displacement rises, and the loops give energy;
+/// - swapped_columns: the loops give energy while the stiffness is positive, or the stiffness is that of force and
+///   displacement exchanged;
+/// - delay: the loops give energy because the force is late by an eighth of a period or more;
+/// - unit_factor: the stiffness is off by a factor that a wrong unit makes (1000, 9.81, 25.4, 4.448, 10, ...);
+/// - other_component: the stiffness is off by more than the specification's tolerance of 15 % and all effects of rubber
+///   can explain together, and by no such factor;
+/// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
+///
+/// Stiffness is judged only where the measured force goes with the displacement; a damper or a seal, whose component
+/// has hardly any spring, is left to the diagnosis.
+std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
+                                   const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,29 @@
+// A log made ready for fits with what its rig did to it: samples that do not count, zeros, a start in motion.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::measurement {
+
+/// A record and what single samples of its log told.
+struct PreparedLog {
+  log::Record record;                ///< with `counts` where samples do not count
+  std::vector<RigFinding> findings;  ///< spikes, held values, saturation
+};
+
+/// Make a log ready: samples that a channel did not measure are bridged and do not count, nor does the first cycle of a
+/// log that starts in motion, in which friction remembers what came before. Throws LogError as makeRecord() does, and
+/// where fewer than half of the samples are left.
+PreparedLog prepareLog(const log::Log& log);
+
+/// What the rig may have added to the force of a record whatever the component is, as orthonormal columns for
+/// Record::nuisances: the force's zero unless `zero_counts`, and, where the log starts in motion, what decays from
+/// before it. A tolerance of 0 takes the column out.
+Eigen::MatrixXd freeNuisances(const log::Record& record, const io::RigTolerances& tolerances, bool zero_counts);
+
+}  // namespace rubber_suspension::measurement

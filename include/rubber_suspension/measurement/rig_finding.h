@@ -1,0 +1,44 @@
+// What the rig between component and log did to a log, as a report tells it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::measurement {
+
+/// Names of findings, as reports write them.
+namespace finding {
+inline constexpr const char* kForceZero = "force_zero";
+inline constexpr const char* kDisplacementZero = "displacement_zero";
+inline constexpr const char* kRunningStart = "running_start";
+inline constexpr const char* kSensorGain = "sensor_gain";
+inline constexpr const char* kDelay = "delay";
+inline constexpr const char* kClock = "clock";
+inline constexpr const char* kSpikes = "spikes";
+inline constexpr const char* kHeldValues = "held_values";
+inline constexpr const char* kSaturation = "saturation";
+inline constexpr const char* kColouredNoise = "coloured_noise";
+inline constexpr const char* kSign = "sign";
+inline constexpr const char* kUnitFactor = "unit_factor";
+inline constexpr const char* kSwappedColumns = "swapped_columns";
+inline constexpr const char* kOtherComponent = "other_component";
+inline constexpr const char* kTooShort = "too_short";
+}  // namespace finding
+
+/// One thing that a rig did to one log.
+struct RigFinding {
+  std::string log;
+  std::string finding;                             ///< one of the names above
+  double value = 0.0;                              ///< how much, in `unit`
+  std::array<double, 2> interval_95 = {0.0, 0.0};  ///< of the value; both ends equal where it was counted
+  std::string unit;                                ///< "1" for shares, factors and counts
+  bool fatal = false;             ///< the log cannot be what it says: verdict check_bench, no effect is named
+  bool beyond_tolerance = false;  ///< more than 2 standard deviations of what the rig's tolerances allow
+  std::string text;               ///< one sentence: evidence and correction
+};
+
+/// True if one of the findings is fatal.
+bool anyFatal(const std::vector<RigFinding>& findings);
+
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,107 @@
+// What a rig adds to each log beside the component: zeros, delay, clock, gain and a start in motion; found and taken
+// out by generalised least squares.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/faults.h"
+#include "rubber_suspension/measurement/noise_model.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::measurement {
+
+/// What a column stands for; its value is in the unit in brackets.
+enum class Nuisance {
+  force_zero,         ///< by which the recorded force is too high [N]
+  displacement_zero,  ///< by which the recorded displacement is too high [m]
+  delay,              ///< of the recorded force behind the displacement, in the middle of the log [s]
+  clock,              ///< by how much that delay grows per time [-]
+  gain,               ///< by which the recorded force is too large [-]
+  initial_state,  ///< force left from before the log [N]: one that decays with one relaxation time, at its start; or
+                  ///< the prior's standard deviation times a share of what a motion before the log would have left
+};
+
+/// Where a log is linearised: the displacement zero and the delays that are taken out before.
+struct RigPoint {
+  double displacement_zero = 0.0;  ///< [m]
+  double delay = 0.0;              ///< [s]
+  double clock = 0.0;              ///< [-]
+};
+
+/// What the rig may add to the force of one log, linear in its values: recorded = base + columns * values.
+struct RigColumns {
+  Eigen::VectorXd base;             ///< simulated force; with a point, that of the point minus columns * point [N]
+  std::vector<Nuisance> nuisances;  ///< of each column; initial_state has several, others one at most
+  Eigen::MatrixXd columns;          ///< samples x nuisances [N per unit of the value]
+  Eigen::VectorXd priors;           ///< standard deviation of each value
+};
+
+/// The rig's part in one log.
+struct RigFit {
+  RigColumns rig;
+  Eigen::VectorXd values;
+  Eigen::MatrixXd covariance;   ///< of the values, prior included
+  Eigen::VectorXd correction;   ///< what the rig adds to the simulated force [N]
+  Eigen::VectorXd residual;     ///< measured minus simulated force minus correction [N]
+  NoiseModel noise;             ///< of that residual
+  double zeros_as_force = 0.0;  ///< force zero where all of both zeros is one of the force [N], and its deviation
+  double zeros_as_force_deviation = 0.0;
+
+  /// Column of a nuisance, -1 where it is not free.
+  Eigen::Index column(Nuisance nuisance) const;
+};
+
+/// Force of all logs [N] over displacements [m], one vector per record at its sampling interval. A vector may be longer
+/// than the record: it then has a motion before the log.
+using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
+
+/// True where a record starts while the machine runs, or moves off at once: its speed over the first eighth of a
+/// typical cycle exceeds a twentieth of its usual speed.
+bool startsInMotion(const log::Record& record);
+
+/// The nuisances of a set of logs, and how wide each may be.
+class RigModel {
+ public:
+  /// `masks`: samples that count, one per record; empty: all. Throws std::invalid_argument where sizes differ.
+  RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
+
+  /// Columns and priors of each log about simulated forces. `simulate` is called once with all displacements shifted
+  /// by a hundredth of their stroke (without it, displacement zeros are not free), and three times more, where a log
+  /// starts in motion, with a motion before it: its own first part, or from its highest or lowest displacement.
+  /// `points`: where to linearise.
+  std::vector<RigColumns> columns(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate,
+                                  const std::vector<RigPoint>& points = {}) const;
+
+  /// The values of one log by generalised least squares with priors: noise of the residual's own colour, Huber's
+  /// weights, `iterations` rounds of both.
+  RigFit fit(std::size_t log, const RigColumns& columns, int iterations = 2) const;
+
+  /// All logs at once, linearised a second time where the first values are.
+  std::vector<RigFit> fitAll(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) const;
+
+  /// What a fit found beyond chance (1 in 1000 for each value) and large enough to matter (a tenth of the noise, RMS
+  /// over the log), each with its 95 % interval. Where the logs cannot
+  /// tell a zero of the force from one of the displacement, both are told as one `force_zero`.
+  std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
+
+  const std::vector<log::Record>& records() const { return records_; }
+  const Mask& mask(std::size_t log) const { return masks_[log]; }
+
+ private:
+  double prior(Nuisance nuisance, const log::Record& record) const;
+  std::vector<Eigen::VectorXd> simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
+                                               double shift) const;
+  std::vector<std::vector<Eigen::VectorXd>> simulateRunning(const Simulate& simulate,
+                                                            const std::vector<RigPoint>& points) const;
+
+  std::vector<log::Record> records_;
+  std::vector<Mask> masks_;
+  io::RigTolerances tolerances_;
+};
+
+}  // namespace rubber_suspension::measurement

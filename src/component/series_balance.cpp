@@ -1,0 +1,39 @@
+// What yields in series with the test piece, and the displacement that this leaves to it.
+#include "rubber_suspension/component/series_balance.h"
+
+#include "component/series_root.h"
+
+namespace rubber_suspension::component {
+
+void SeriesBalance::add(const std::shared_ptr<const element::SeriesElement>& element) {
+  empty_ = false;
+  if (const auto compliance = element->compliance()) {
+    sides_.tension += compliance->tension;
+    sides_.compression += compliance->compression;
+  } else {
+    hardening_.push_back(element);
+  }
+}
+
+double SeriesBalance::deflection(double force) const {
+  double sum = sideCompliance(force) * force;
+  for (const auto& element : hardening_) {
+    sum += element->deflection(force);
+  }
+  return sum;
+}
+
+double SeriesBalance::search(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
+                             const element::Motion& path, double start, const double* memory) const {
+  const double guess = start + path.increment;
+  if (!hardening_.empty()) {
+    return solveSeriesBalance(
+        [&](double z) { return z + deflection(linear.at(z) + laws.frictionAt(z, memory)) - path.displacement; }, guess);
+  }
+  const Equation equation = equationOf(laws, linear, path, memory);
+  return solveSeriesBalance(
+      [&](double z) { return equation.slope * z + equation.offset + equation.compliance * laws.frictionAt(z, memory); },
+      guess, equation.slope);
+}
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,68 @@
+// The root of a series balance, for any test piece.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace rubber_suspension::component {
+
+struct RootSample {
+  double position;
+  double value;
+};
+
+/// Root between two samples of unlike signs by the method of Anderson and Bjorck (BIT 13, 1973): secants, the end that
+/// stays weighed down such that both ends close in. It ends where the value is rounding, or the bracket has no inside.
+template <class Function>
+double rootBetween(Function function, RootSample stays, RootSample latest) {
+  constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();
+  constexpr int kMostSteps = 100;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double slope = (latest.value - stays.value) / (latest.position - stays.position);
+    const double position = latest.position - latest.value / slope;
+    if (position == latest.position || position == stays.position) {
+      return position;
+    }
+    const RootSample next{position, function(position)};
+    if (!(std::abs(next.value) > kRounding * std::abs(position))) {
+      return position;
+    }
+    if (next.value * latest.value < 0.0) {
+      stays = latest;
+    } else {
+      const double share = 1.0 - next.value / latest.value;
+      stays.value *= share > 0.0 ? share : 0.5;
+    }
+    latest = next;
+  }
+  return latest.position;
+}
+
+/// Root of mismatch(z) = z + u(F(z)) - z_path next to the guess. Where its slope is nowhere less than the least slope
+/// (1 where no tangent stiffness is negative) the root lies between the guess and the guess less its mismatch over that
+/// slope; otherwise a step or more beyond, each twice as far. NaN where there is none: the test piece has given way.
+template <class Mismatch>
+double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 1.0) {
+  constexpr int kWidenings = 60;
+  const double at_guess = mismatch(guess);
+  if (at_guess == 0.0 || !std::isfinite(at_guess)) {
+    return guess;
+  }
+  double other = guess - at_guess / least_slope;
+  double at_other = mismatch(other);
+  // Equal signs may come from rounding alone, when the mismatch is at its last bits.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(guess) + std::abs(other));
+  for (int i = 0; i < kWidenings && at_other * at_guess > 0.0 && std::abs(at_other) > rounding; ++i) {
+    other = guess + 2.0 * (other - guess);
+    at_other = mismatch(other);
+  }
+  if (std::abs(at_other) <= rounding) {
+    return other;
+  }
+  if (!(at_other * at_guess < 0.0)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
+}
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,49 @@
+// What the judgement is made of: plain numbers of the fits, no simulation and no logs.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace rubber_suspension::diagnosis {
+
+/// A fitted hypothesis on logs that took no part in the fit. Gaps are over all of them.
+struct UnseenErrors {
+  double predicted = 0.0;    ///< gap of its prediction, from the displacement smoothed as for the fits
+  double replayed = 0.0;     ///< gap of its component, replayed from the displacement as recorded
+  double noise_floor = 0.0;  ///< by what this component leaves
+};
+
+/// A fitted hypothesis. Errors are gaps: RMS residuals in units of the standard deviation of the force.
+struct HypothesisEvidence {
+  std::vector<int> members;     ///< effects at work, ascending
+  std::size_t terms = 0;        ///< numbers that they add to the model
+  bool free_trends = false;     ///< a slow trend per log is free, too
+  bool last_resort = false;     ///< may look like several other effects
+  double held_out = 0.0;        ///< on blocks that took no part in the fit
+  double penalty = 0.0;         ///< regularisation penalty of changed model parameters
+  double largest_change = 0.0;  ///< largest |ln(value/configured)| of a model parameter
+  std::optional<UnseenErrors> unseen;
+};
+
+/// All of it. The first two hypotheses add no effect; then follow the single effects in their order, then pairs and
+/// triples, each best first.
+struct Evidence {
+  static constexpr int kAsConfigured = 0;
+  static constexpr int kReEstimated = 1;
+  static constexpr int kFirstSingle = 2;
+
+  std::vector<HypothesisEvidence> hypotheses;
+  std::vector<bool> testable;    ///< per effect: a typical size of it would show in these logs
+  double element_level = 0.0;    ///< held-out error with every parameter of every element of the model free
+  double noise_floor = 0.0;      ///< of the logs of the fit
+  double discretisation = 0.0;   ///< what the model errs by at the time steps of the logs
+  bool has_unseen_logs = false;  ///< whether `unseen` of a hypothesis can be had
+
+  const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
+  const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }
+  const HypothesisEvidence& single(int effect) const { return at(kFirstSingle + effect); }
+  int effects() const { return static_cast<int>(testable.size()); }
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,156 @@
+// The judgement: what the logs of the fit speak for, confirmed or not by logs that took no part in it.
+#include "diagnosis/judge/judge.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "diagnosis/judge/naming.h"
+#include "diagnosis/judge/weighing.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+class Judge {
+ public:
+  Judge(const Evidence& evidence, const Criteria& criteria)
+      : evidence_(evidence), criteria_(criteria), weighing_(evidence, criteria) {}
+
+  Judgement run() {
+    nameWhatHolds();
+    if (evidence_.has_unseen_logs && !judgement_.missing) {
+      treatUnconfirmedResidualAsNoise();
+      if (!judgement_.missing) {
+        doubtWhereUnseenLogsDiffer();
+      }
+    }
+    noteTestableEffects();
+    return std::move(judgement_);
+  }
+
+ private:
+  // Fewer effects, until those that are named hold on unseen logs.
+  void nameWhatHolds() {
+    for (std::size_t most = criteria_.most_effects;; --most) {
+      judgement_ = nameEffects(evidence_, criteria_, most);
+      if (!evidence_.has_unseen_logs || judgement_.effects.empty()) {
+        return;
+      }
+      preferWhatPredictsUnseenLogs(most);
+      if (judgement_.missing || lacks({Evidence::kReEstimated, judgement_.model}) || holdsOnUnseenLogs()) {
+        return;
+      }
+      most = std::min(most, judgement_.effects.size());  // fewer than the false positives
+    }
+  }
+
+  // True, and noted, where errors of one of these hypotheses are needed and not known.
+  bool lacks(std::initializer_list<int> hypotheses) {
+    const auto* unknown =
+        std::find_if(hypotheses.begin(), hypotheses.end(), [&](int h) { return !evidence_.at(h).unseen; });
+    if (unknown != hypotheses.end()) {
+      judgement_.missing = *unknown;
+    }
+    return unknown != hypotheses.end();
+  }
+
+  const UnseenErrors& unseen(int hypothesis) const { return *evidence_.at(hypothesis).unseen; }
+
+  void preferWhatPredictsUnseenLogs(std::size_t most) {
+    if (!evidence_.at(judgement_.model).free_trends) {
+      return;
+    }
+    const Judgement other = nameEffects(evidence_, criteria_, most, false);
+    if (other.effects.empty() || lacks({Evidence::kReEstimated, judgement_.model, other.model})) {
+      return;
+    }
+    const double before = unseen(Evidence::kReEstimated).predicted;
+    const double after = unseen(other.model).predicted;
+    if (after < (1.0 - criteria_.predicts) * before &&
+        after < unseen(judgement_.model).predicted - criteria_.predicts_clearly_more * before) {
+      judgement_ = other;
+    }
+  }
+
+  // The prediction is from the displacement smoothed as for the fits: a mass or a dashpot may be there, and yet make
+  // more noise of a sensor's noise than it explains.
+  bool holdsOnUnseenLogs() const {
+    const double before = unseen(Evidence::kReEstimated).predicted;
+    const double after = unseen(judgement_.model).predicted;
+    const double floor = unseen(judgement_.model).noise_floor;
+    if (before < criteria_.shows_nothing * floor) {
+      return true;
+    }
+    return gap::closedFraction(before, after, floor) >= criteria_.least_closed_unseen ||
+           ((isDriftAlone() || weighing_.closedByParameters()) &&
+            after < criteria_.little_lost_unseen * before + floor);
+  }
+
+  bool isDriftAlone() const { return judgement_.effects.size() == 1 && evidence_.at(judgement_.model).free_trends; }
+
+  // What the component of a hypothesis leaves of unseen logs above their floor, which is that of the model judged.
+  double unseenLeft(int hypothesis) const {
+    return gap::residualAboveFloor(unseen(hypothesis).replayed, unseen(judgement_.model).noise_floor);
+  }
+
+  void treatUnconfirmedResidualAsNoise() {
+    const bool unexplained =
+        judgement_.verdict == Verdict::unknown || (judgement_.verdict == Verdict::partly && isDriftAlone());
+    if (!unexplained ||
+        weighing_.left(evidence_.reEstimated().held_out) > criteria_.unconfirmed_is_noise * evidence_.noise_floor) {
+      return;
+    }
+    if (lacks({Evidence::kAsConfigured, Evidence::kReEstimated, judgement_.model})) {
+      return;
+    }
+    if (unseenLeft(Evidence::kAsConfigured) < weighing_.insignificant()) {
+      withdraw(Verdict::none, Evidence::kAsConfigured);
+    } else if (unseenLeft(Evidence::kReEstimated) < weighing_.insignificant()) {
+      withdraw(Verdict::parameter_error, Evidence::kReEstimated);
+    }
+  }
+
+  void withdraw(Verdict verdict, int model) {
+    judgement_.verdict = verdict;
+    judgement_.model = model;
+    judgement_.effects.clear();
+    judgement_.confounded.clear();
+  }
+
+  void doubtWhereUnseenLogsDiffer() {
+    if ((judgement_.verdict != Verdict::none && judgement_.verdict != Verdict::parameter_error) ||
+        lacks({judgement_.model})) {
+      return;
+    }
+    const double floor = unseen(judgement_.model).noise_floor;
+    if (unseenLeft(judgement_.model) > std::max(criteria_.unseen_differs, criteria_.unseen_differs_of_floor * floor)) {
+      judgement_.verdict = Verdict::unknown;
+      judgement_.only_unseen_logs_differ = true;
+    }
+  }
+
+  void noteTestableEffects() {
+    const std::vector<int>& named = judgement_.effects;
+    for (int effect = 0; effect < evidence_.effects(); ++effect) {
+      judgement_.testable.push_back(weighing_.shows(effect) ||
+                                    std::find(named.begin(), named.end(), effect) != named.end());
+    }
+  }
+
+  const Evidence& evidence_;
+  const Criteria& criteria_;
+  Weighing weighing_;
+  Judgement judgement_;
+};
+
+}  // namespace
+
+std::string toString(Verdict verdict) {
+  static const char* const names[] = {"none",    "parameter_error", "named",      "confounded",
+                                      "unknown", "partly",          "check_bench"};
+  return names[static_cast<int>(verdict)];
+}
+
+Judgement judge(const Evidence& evidence, const Criteria& criteria) { return Judge(evidence, criteria).run(); }
+
+}  // namespace rubber_suspension::diagnosis

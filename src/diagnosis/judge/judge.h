@@ -1,0 +1,36 @@
+// From the evidence to a judgement: what is named, how sure it is, what cannot be told apart.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/judge/criteria.h"
+#include "diagnosis/judge/evidence.h"
+
+namespace rubber_suspension::diagnosis {
+
+enum class Verdict { none, parameter_error, named, confounded, unknown, partly, check_bench };
+
+/// As in reports.
+std::string toString(Verdict verdict);
+
+struct Judgement {
+  Verdict verdict = Verdict::none;
+  std::vector<int> effects;            ///< named, most important first
+  int model = Evidence::kReEstimated;  ///< the hypothesis that the augmented component is made of
+  std::vector<double> probabilities;   ///< of each effect to be the (most important) one
+  double probability_none_of_these = 0.0;
+  std::vector<std::vector<int>> confounded;  ///< for each effect named, the set that holds it at 90 %
+  std::vector<bool> testable;                ///< of each effect: these logs would show it, or it is named
+  bool only_unseen_logs_differ = false;      ///< the logs of the fit confirm the model, unseen ones do not
+  /// A hypothesis whose errors on unseen logs the judgement turns on and the evidence lacks: the judgement is not
+  /// finished, and to be asked for again with them.
+  std::optional<int> missing;
+};
+
+/// A pure function: the same evidence gives the same judgement. Errors on unseen logs, which take simulations, are
+/// asked for one by one (Judgement::missing), so that only those are computed that matter.
+Judgement judge(const Evidence& evidence, const Criteria& criteria = {});
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,257 @@
+// The verdict on the logs of the fit: which effects are named, probabilities, sets that cannot be told apart.
+#include "diagnosis/judge/naming.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include "diagnosis/judge/weighing.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class Naming {
+ public:
+  Naming(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, bool trends)
+      : evidence_(evidence),
+        criteria_(criteria),
+        weighing_(evidence, criteria),
+        most_effects_(most_effects),
+        trends_(trends),
+        gap_(left(Evidence::kReEstimated)) {
+    judgement_.probabilities.assign(evidence.testable.size(), 0.0);
+  }
+
+  Judgement run() {
+    rank();
+    if (weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out) < weighing_.insignificant()) {
+      judgement_.verdict = Verdict::none;
+      judgement_.model = Evidence::kAsConfigured;
+    } else if (weighing_.closedByParameters()) {
+      const std::optional<int> hidden = most_effects_ > 0 ? weighing_.hiddenEffect() : std::nullopt;
+      judgement_.verdict = Verdict::parameter_error;
+      if (hidden) {
+        name(*hidden);
+      }
+    } else {
+      nameBest();
+      considerLastResort();
+    }
+    return std::move(judgement_);
+  }
+
+ private:
+  double left(int hypothesis) const { return weighing_.left(evidence_.at(hypothesis)); }
+
+  int hypotheses() const { return static_cast<int>(evidence_.hypotheses.size()); }
+
+  bool allowed(int hypothesis) const {
+    const HypothesisEvidence& h = evidence_.at(hypothesis);
+    return (trends_ || !h.free_trends) && (last_resort_ || !h.last_resort);
+  }
+
+  // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
+  bool testable(int hypothesis) const {
+    const std::vector<int>& members = evidence_.at(hypothesis).members;
+    return std::all_of(members.begin(), members.end(), [&](int member) {
+      return weighing_.shows(member) ||
+             (members.size() > 1 && left(hypothesis) < criteria_.contributes * leftWithout(hypothesis, member));
+    });
+  }
+
+  // Probability of each effect from what it leaves against what its absence leaves: a power of the ratio, softened
+  // by the noise, within which nothing can be told apart, less that of an effect that changes nothing. The last entry
+  // is that of none of them, of weight `none`.
+  std::vector<double> probabilities(const std::vector<double>& rests, double absent, double none) const {
+    const double blur = std::pow(criteria_.noise_blur * evidence_.noise_floor + criteria_.gap_blur * gap_, 2);
+    std::vector<double> weights;
+    for (const double rest : rests) {
+      const double ratio = (absent * absent + blur) / (rest * rest + blur);
+      weights.push_back(std::isfinite(rest) ? std::max(0.0, std::pow(ratio, criteria_.sharpness) - 1.0) : 0.0);
+    }
+    weights.push_back(none);
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (double& weight : weights) {
+      weight = sum > 0.0 ? weight / sum : 0.0;
+    }
+    return weights;
+  }
+
+  void rank() {
+    std::vector<double> rests;
+    for (int effect = 0; effect < evidence_.effects(); ++effect) {
+      const int single = Evidence::kFirstSingle + effect;
+      rests.push_back(allowed(single) ? left(single) : kInfinity);
+    }
+    const std::vector<double> weights = probabilities(rests, gap_, 1.0);
+    std::copy(weights.begin(), weights.end() - 1, judgement_.probabilities.begin());
+    judgement_.probability_none_of_these = weights.back();
+  }
+
+  // The best hypothesis of so many effects.
+  std::optional<int> best(std::size_t effects) const {
+    std::optional<int> found;
+    for (int h = 0; h < hypotheses(); ++h) {
+      const bool counts = evidence_.at(h).members.size() == effects && allowed(h) && testable(h);
+      if (counts && (!found || left(h) < left(*found))) {
+        found = h;
+      }
+    }
+    return found;
+  }
+
+  void nameBest() {
+    judgement_.verdict = Verdict::unknown;
+    const std::optional<int> single = weighing_.bestSingle(trends_);
+    if (most_effects_ == 0 || !single) {
+      return;
+    }
+    int chosen = *single;
+    for (const std::size_t effects : {std::size_t{2}, std::size_t{3}}) {
+      const bool more = evidence_.at(chosen).members.size() < most_effects_;
+      const std::optional<int> further = more ? best(effects) : std::nullopt;
+      if (!further || (left(chosen) < weighing_.enough() && !evidence_.at(chosen).free_trends)) {
+        continue;
+      }
+      const double ratio = left(*further) / left(chosen);
+      if (ratio < criteria_.needs_another || left(chosen) - left(*further) > criteria_.worth_naming * gap_) {
+        chosen = *further;
+      }
+    }
+    if (1.0 - left(chosen) / gap_ >= criteria_.unknown) {
+      name(chosen);
+    }
+  }
+
+  void name(int chosen) {
+    judgement_.model = chosen;
+    orderEffects(chosen);
+    findSets(chosen);
+    const double closed = 1.0 - left(chosen) / gap_;
+    const bool rest = left(chosen) > weighing_.enough() && closed < criteria_.partly;
+    const bool ambiguous = std::any_of(judgement_.confounded.begin(), judgement_.confounded.end(),
+                                       [](const std::vector<int>& set) { return set.size() > 1; });
+    judgement_.verdict = rest ? Verdict::partly : ambiguous ? Verdict::confounded : Verdict::named;
+  }
+
+  // The least that any of the others leave.
+  double leastOfOthers() const {
+    double least = gap_;
+    for (int h = Evidence::kFirstSingle; h < hypotheses(); ++h) {
+      least = allowed(h) ? std::min(least, left(h)) : least;
+    }
+    return least;
+  }
+
+  // An effect that can look like several others stands where it leaves half of the gap at most, and all others leave
+  // much more.
+  void considerLastResort() {
+    if (most_effects_ == 0 || (judgement_.verdict != Verdict::unknown && judgement_.verdict != Verdict::partly)) {
+      return;
+    }
+    const double others = leastOfOthers();
+    for (int effect = 0; effect < evidence_.effects(); ++effect) {
+      const int single = Evidence::kFirstSingle + effect;
+      if (evidence_.at(single).last_resort && weighing_.shows(effect) &&
+          left(single) < criteria_.last_resort_left * gap_ && left(single) < criteria_.last_resort_of_others * others) {
+        last_resort_ = true;
+        rank();
+        judgement_.confounded.clear();
+        name(single);
+      }
+    }
+  }
+
+  std::optional<int> find(std::vector<int> members) const {
+    std::sort(members.begin(), members.end());
+    for (int h = Evidence::kFirstSingle; h < hypotheses(); ++h) {
+      if (evidence_.at(h).members == members) {
+        return h;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // What would be left without one of the effects; infinite where that was not worth a fit.
+  double leftWithout(int hypothesis, int effect) const {
+    const std::vector<int>& members = evidence_.at(hypothesis).members;
+    std::vector<int> others;
+    std::copy_if(members.begin(), members.end(), std::back_inserter(others),
+                 [&](int member) { return member != effect; });
+    const std::optional<int> rest = others.empty() ? Evidence::kReEstimated : find(others);
+    return rest ? left(*rest) : kInfinity;
+  }
+
+  // Most important is the effect whose absence leaves most.
+  void orderEffects(int hypothesis) {
+    judgement_.effects = evidence_.at(hypothesis).members;
+    std::stable_sort(judgement_.effects.begin(), judgement_.effects.end(),
+                     [&](int a, int b) { return leftWithout(hypothesis, a) > leftWithout(hypothesis, b); });
+  }
+
+  // What each effect would leave in the place of one of the effects named; infinite where that was not fitted.
+  std::vector<double> leftInPlaceOf(int effect, const std::vector<int>& members) const {
+    std::vector<double> rests;
+    for (int other = 0; other < evidence_.effects(); ++other) {
+      std::vector<int> replaced = members;
+      std::replace(replaced.begin(), replaced.end(), effect, other);
+      const bool twice = other != effect && std::find(members.begin(), members.end(), other) != members.end();
+      const std::optional<int> found = twice ? std::nullopt : find(replaced);
+      rests.push_back(found && allowed(*found) ? left(*found) : kInfinity);
+    }
+    return rests;
+  }
+
+  // For each effect: which others in its place would explain the logs as well.
+  void findSets(int hypothesis) {
+    const std::vector<int>& members = evidence_.at(hypothesis).members;
+    for (const int effect : judgement_.effects) {
+      const double absent = std::min(leftWithout(hypothesis, effect), gap_);
+      std::vector<double> weights = probabilities(leftInPlaceOf(effect, members), absent, 0.0);
+      weights.pop_back();
+      if (members.size() > 1) {  // beside others, an effect is as sure as its place is
+        judgement_.probabilities[static_cast<std::size_t>(effect)] = weights[static_cast<std::size_t>(effect)];
+      }
+      judgement_.confounded.push_back(smallestSet(weights));
+    }
+  }
+
+  std::vector<int> smallestSet(const std::vector<double>& weights) const {
+    std::vector<int> order(weights.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      return weights[static_cast<std::size_t>(a)] > weights[static_cast<std::size_t>(b)];
+    });
+    std::vector<int> set;
+    double sum = 0.0;
+    for (const int effect : order) {
+      if (sum >= criteria_.set_probability) {
+        break;
+      }
+      set.push_back(effect);
+      sum += weights[static_cast<std::size_t>(effect)];
+    }
+    return set;
+  }
+
+  const Evidence& evidence_;
+  const Criteria& criteria_;
+  Weighing weighing_;
+  std::size_t most_effects_;
+  bool trends_;
+  bool last_resort_ = false;
+  double gap_;  // left by re-estimation
+  Judgement judgement_;
+};
+
+}  // namespace
+
+Judgement nameEffects(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, bool trends) {
+  return Naming(evidence, criteria, most_effects, trends).run();
+}
+
+}  // namespace rubber_suspension::diagnosis

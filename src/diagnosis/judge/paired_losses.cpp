@@ -1,0 +1,48 @@
+// Paired differences of losses, clustered by log.
+#include "diagnosis/judge/paired_losses.h"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace rubber_suspension::diagnosis {
+
+double PairedDifference::pValueOfNoGain() const {
+  if (degrees_of_freedom < 1 || !std::isfinite(standard_error)) {
+    return 0.5;
+  }
+  if (standard_error == 0.0) {
+    return mean < 0.0 ? 0.0 : 1.0;
+  }
+  return boost::math::cdf(boost::math::students_t(degrees_of_freedom), mean / standard_error);
+}
+
+PairedDifference compare(const Losses& losses, Eigen::Index one, Eigen::Index other) {
+  const Eigen::VectorXd difference = (losses.loss.row(one) - losses.loss.row(other)).transpose();
+  const double total = losses.weight.sum();
+  PairedDifference result;
+  result.mean = losses.weight.dot(difference) / total;
+  std::map<int, double> scores;  // by cluster: weighted sum of what departs from the mean
+  for (Eigen::Index b = 0; b < difference.size(); ++b) {
+    scores[losses.cluster[static_cast<std::size_t>(b)]] += losses.weight[b] * (difference[b] - result.mean);
+  }
+  const auto clusters = static_cast<double>(scores.size());
+  result.degrees_of_freedom = static_cast<int>(scores.size()) - 1;
+  if (result.degrees_of_freedom < 1) {
+    result.standard_error = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  double squares = 0.0;
+  for (const auto& [cluster, score] : scores) {
+    squares += score * score;
+  }
+  result.standard_error = std::sqrt(clusters / (clusters - 1.0) * squares) / total;
+  return result;
+}
+
+Eigen::MatrixXd logarithmicLoss(const Eigen::MatrixXd& mean_square_error, double floor) {
+  return 0.5 * (mean_square_error.array() + floor).log().matrix();
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,96 @@
+// Weighing of hypotheses.
+#include "diagnosis/judge/weighing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+
+double Weighing::left(double error) const {
+  return gap::residualAboveFloor(error, criteria_.floor_margin * evidence_.noise_floor);
+}
+
+double Weighing::left(const HypothesisEvidence& hypothesis) const {
+  const double penalised = std::hypot(left(hypothesis.held_out), hypothesis.penalty);
+  return hypothesis.free_trends
+             ? std::hypot(penalised, criteria_.trend_penalty * left(evidence_.reEstimated().held_out))
+             : penalised;
+}
+
+double Weighing::insignificant() const {
+  return std::max({criteria_.within_noise * evidence_.noise_floor, criteria_.insignificant_gap,
+                   criteria_.discretisation * evidence_.discretisation});
+}
+
+double Weighing::enough() const {
+  return std::max(criteria_.within_noise * evidence_.noise_floor,
+                  criteria_.share_of_gap_enough * left(evidence_.reEstimated()));
+}
+
+std::optional<int> Weighing::bestSingle(bool trends) const {
+  std::optional<int> best;
+  for (int effect = 0; effect < evidence_.effects(); ++effect) {
+    const HypothesisEvidence& single = evidence_.single(effect);
+    if ((!trends && single.free_trends) || single.last_resort) {
+      continue;
+    }
+    if (shows(effect) && (!best || left(single) < left(evidence_.at(*best)))) {
+      best = Evidence::kFirstSingle + effect;
+    }
+  }
+  return best;
+}
+
+bool Weighing::shows(int effect) const {
+  return evidence_.testable[static_cast<std::size_t>(effect)] ||
+         left(evidence_.single(effect)) < criteria_.shows * left(evidence_.reEstimated());
+}
+
+bool Weighing::closedByParameters() const {
+  const double configured = left(evidence_.at(Evidence::kAsConfigured).held_out);
+  const double rest = left(evidence_.reEstimated().held_out);
+  if (rest < insignificant() || rest < std::min(criteria_.above_noise_by_parameters * evidence_.noise_floor,
+                                                criteria_.share_left_by_parameters * configured)) {
+    return true;
+  }
+  // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
+  // closed by the values of the specification.
+  return left(evidence_.element_level) <
+             std::max(criteria_.within_noise * evidence_.noise_floor, criteria_.share_left_by_elements * rest) &&
+         rest < criteria_.share_left_before_elements * configured;
+}
+
+std::optional<int> Weighing::hiddenEffect() const {
+  const double re_estimated = left(evidence_.reEstimated());
+  std::optional<int> best;
+  if (evidence_.reEstimated().largest_change <= criteria_.changed_far) {
+    return best;
+  }
+  for (int effect = 0; effect < evidence_.effects(); ++effect) {
+    const HypothesisEvidence& single = evidence_.single(effect);
+    const bool simple = single.terms <= criteria_.few_terms && !single.free_trends;
+    const double change = single.largest_change;
+    const double may_leave = change < criteria_.changed_little ? criteria_.hides_as_specified
+                             : change < criteria_.changed_far  ? criteria_.hides
+                                                               : 0.0;
+    const double rest = left(single);
+    if (simple && rest < may_leave * re_estimated && (!best || rest < left(evidence_.at(*best)))) {
+      best = Evidence::kFirstSingle + effect;
+    }
+  }
+  return best;
+}
+
+bool needsFurtherEffects(const Evidence& evidence, const Criteria& criteria) {
+  const Weighing weighing(evidence, criteria);
+  if (weighing.closedByParameters()) {
+    return false;
+  }
+  const std::optional<int> single = weighing.bestSingle();
+  // A trend follows whatever is slow: it may stand for two effects that are.
+  return !single || weighing.left(evidence.at(*single)) > weighing.enough() || evidence.at(*single).free_trends;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,50 @@
+// What hypotheses leave above the noise floor, and what that says of them.
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/judge/criteria.h"
+#include "diagnosis/judge/evidence.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// All numbers in units of the force's standard deviation. The evidence and criteria have to outlive it.
+class Weighing {
+ public:
+  Weighing(const Evidence& evidence, const Criteria& criteria) : evidence_(evidence), criteria_(criteria) {}
+
+  /// What an error (RMS) is above the noise floor.
+  double left(double error) const;
+
+  /// What a fitted hypothesis leaves above the noise floor, its penalties included.
+  double left(const HypothesisEvidence& hypothesis) const;
+
+  /// Less above the floor cannot be told from noise and discretisation.
+  double insignificant() const;
+
+  /// Less above the floor calls for no further effect.
+  double enough() const;
+
+  /// The hypothesis of the single effect that leaves least, among those without a free trend if `trends` is false;
+  /// none where no effect shows.
+  std::optional<int> bestSingle(bool trends = true) const;
+
+  /// True if the fits to these logs may be relied on to show an effect: a typical size of it would stand out, or what
+  /// was fitted does.
+  bool shows(int effect) const;
+
+  /// True if re-estimated model parameters leave next to nothing of the gap.
+  bool closedByParameters() const;
+
+  /// The hypothesis of the effect that re-estimation may hide, if any.
+  std::optional<int> hiddenEffect() const;
+
+ private:
+  const Evidence& evidence_;
+  const Criteria& criteria_;
+};
+
+/// True if a search should go on to pairs of effects: what the single ones leave calls for it.
+bool needsFurtherEffects(const Evidence& evidence, const Criteria& criteria);
+
+}  // namespace rubber_suspension::diagnosis

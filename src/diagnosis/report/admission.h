@@ -1,0 +1,12 @@
+// What the report says of each log.
+#pragma once
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// `noise`: its floor in units of the force's standard deviation.
+Admission admit(const log::Record& record, bool hold_out, double noise);
+
+}  // namespace rubber_suspension::diagnosis

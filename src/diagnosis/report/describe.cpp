@@ -1,0 +1,236 @@
+// Description of a judged search.
+#include "diagnosis/report/describe.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "diagnosis/augmented.h"
+#include "diagnosis/report/admission.h"
+#include "diagnosis/report/characteristics.h"
+#include "diagnosis/report/closed_interval.h"
+#include "diagnosis/report/model_parameters_by_log.h"
+#include "diagnosis/report/sentence.h"
+#include "diagnosis/rig.h"
+#include "diagnosis/unseen_logs.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+class Describer {
+ public:
+  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<log::Record>& recorded,
+            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+      : prepared_(prepared),
+        recorded_(recorded),
+        options_(options),
+        workings_(std::move(workings)),
+        search_(workings_->search),
+        judgement_(workings_->judgement),
+        judged_(search_.at(judgement_.model)) {
+    result_.rig_findings = std::move(findings);
+  }
+
+  Diagnosis run() {
+    result_.component = prepared_.component.name;
+    result_.verdict = toString(judgement_.verdict);
+    result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
+    result_.augmented = augmentedDescription(prepared_.model, judged_);
+    simulateAll();
+    measureGap();
+    mapGap();
+    describeRig();
+    describeLogs();
+    describeCandidates();
+    describeParameters();
+    describeJudgement();
+    result_.workings = std::move(workings_);
+    return std::move(result_);
+  }
+
+ private:
+  bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
+
+  void simulateAll() {
+    Workings& w = *workings_;
+    w.records = prepared_.training;
+    w.records.insert(w.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
+    w.training = prepared_.training.size();
+    const auto all = [&](const io::ComponentDescription& description) {
+      const auto elements = description.allElements();
+      gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
+      const gap::Forces unseen = gap::simulateEach(elements, prepared_.held_out);
+      forces.insert(forces.end(), unseen.begin(), unseen.end());
+      return forces;
+    };
+    const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
+        {{&prepared_.component, &w.force_configured},
+         {&result_.re_estimated, &w.force_re_estimated},
+         {&result_.augmented, &w.force_augmented}}};
+    fit::parallelFor(models.size(), options_.threads,
+                     [&](std::size_t i) { *models[i].second = all(*models[i].first); });
+  }
+
+  // The forces of the logs that took no part in the fit.
+  gap::Forces unseen(const gap::Forces& forces) const {
+    return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
+  }
+
+  void measureGap() {
+    noise_ = search_.record_noise;
+    result_.noise_source = search_.noise_source;
+    if (hasUnseenLogs()) {
+      const Workings& w = *workings_;
+      const std::vector<log::Record>& held_out = prepared_.held_out;
+      before_ = gap::partErrors(held_out, unseen(w.force_re_estimated));
+      after_ = gap::partErrors(held_out, unseen(w.force_augmented));
+      const std::vector<double> floors =
+          noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented), held_out);
+      noise_.insert(noise_.end(), floors.begin(), floors.end());
+      const auto configured = gap::partErrors(held_out, unseen(w.force_configured));
+      result_.gap = {gap::gapOfParts(configured), gap::gapOfParts(before_), gap::gapOfParts(after_),
+                     commonFloor(floors)};
+    } else {
+      before_ = search_.re_estimated.fit.blocks;
+      after_ = judged_.fit.blocks;
+      result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
+    }
+    result_.gap_as_recorded = {asRecorded(prepared_.component), asRecorded(result_.re_estimated),
+                               asRecorded(result_.augmented)};
+    result_.closed = closed(result_.gap.augmented);
+    result_.closed_interval = interval(after_);
+  }
+
+  // Gap of the logs with all that the rig did to them.
+  double asRecorded(const io::ComponentDescription& description) const {
+    const auto elements = description.allElements();
+    const gap::Forces forces =
+        hasUnseenLogs() ? gap::simulateEach(elements, recorded_) : gap::simulate(elements, recorded_, gap::asRecorded);
+    return gap::gapOfParts(gap::partErrors(recorded_, forces));
+  }
+
+  double closed(double gap) const {
+    return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
+  }
+
+  std::array<double, 2> interval(const std::vector<gap::PartError>& after) const {
+    return closedInterval(before_, after, result_.gap.noise_floor, options_.resamplings, options_.seed);
+  }
+
+  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
+  void mapGap() {
+    const Workings& w = *workings_;
+    const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+    const auto of = [&](const gap::Forces& forces) { return hasUnseenLogs() ? unseen(forces) : forces; };
+    const std::array<std::function<void()>, 3> tasks = {
+        [&] { result_.errors_re_estimated = characteristicErrors(records, of(w.force_re_estimated)); },
+        [&] { result_.errors_augmented = characteristicErrors(records, of(w.force_augmented)); },
+        [&] {
+          gap::Forces residual;
+          for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
+            const log::Record& record = prepared_.training[r];
+            residual.push_back(record.withoutRig(record.force - w.force_configured[r]));
+          }
+          result_.where = gap::gapMap(prepared_.training, residual, search_.record_noise);
+        }};
+    fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
+  }
+
+  // What the rig did to each log, by what the best model leaves of it.
+  void describeRig() {
+    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
+    const auto elements = result_.augmented.allElements();
+    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
+      const auto found = rigFindings(elements, tolerances, *records, gap::simulate(elements, *records));
+      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+    }
+  }
+
+  void describeLogs() {
+    result_.admission.resize(noise_.size());
+    fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
+      result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
+    });
+  }
+
+  void describeCandidates() {
+    result_.candidates.resize(search_.candidates.size());
+    fit::parallelFor(result_.candidates.size(), options_.threads,
+                     [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
+    std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
+                     [](const CandidateResult& a, const CandidateResult& b) {
+                       return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
+                     });
+  }
+
+  CandidateResult describeCandidate(std::size_t c) const {
+    const FittedHypothesis& single = search_.singles[c];
+    std::vector<gap::PartError> errors = single.fit.blocks;
+    if (hasUnseenLogs()) {
+      const auto elements = augmentedDescription(prepared_.model, single).allElements();
+      errors = gap::partErrors(prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
+    }
+    CandidateResult candidate;
+    candidate.effect = search_.candidates[c].effect;
+    candidate.documentation = search_.candidates[c].documentation;
+    candidate.on_rig = search_.candidates[c].on_rig;
+    candidate.probability = judgement_.probabilities[c];
+    candidate.gap = gap::gapOfParts(errors);
+    candidate.closed = closed(candidate.gap);
+    candidate.interval = interval(errors);
+    candidate.visible_share = search_.visible_share[c];
+    candidate.testable = judgement_.testable[c];
+    candidate.add = entriesOf(single);
+    candidate.parameters = headlineOf(candidate.add);
+    return candidate;
+  }
+
+  void describeParameters() {
+    const fit::Fit& joint = search_.re_estimated.fit;
+    result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
+    result_.by_log = parametersByLog(prepared_.fitter, joint);
+  }
+
+  void describeJudgement() {
+    result_.probability_none = judgement_.probability_none_of_these;
+    result_.effects = names(judgement_.effects);
+    for (const auto& set : judgement_.confounded) {
+      result_.confounded.push_back(names(set));
+    }
+    result_.next_experiment = nextExperiment(search_, judgement_, prepared_.model);
+    result_.sentence = sentence(judgement_, result_);
+  }
+
+  std::vector<std::string> names(const std::vector<int>& effects) const {
+    std::vector<std::string> result;
+    for (const int effect : effects) {
+      result.push_back(search_.candidates[static_cast<std::size_t>(effect)].effect);
+    }
+    return result;
+  }
+
+  const PreparedCase& prepared_;
+  const std::vector<log::Record>& recorded_;
+  const DiagnosisOptions& options_;
+  std::shared_ptr<Workings> workings_;
+  const Search& search_;
+  const Judgement& judgement_;
+  const FittedHypothesis& judged_;
+  std::vector<double> noise_;  // floor of each record
+  std::vector<gap::PartError> before_;
+  std::vector<gap::PartError> after_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
+                   const std::vector<log::Record>& recorded, std::vector<measurement::RigFinding> findings,
+                   const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
+}
+
+}  // namespace rubber_suspension::diagnosis

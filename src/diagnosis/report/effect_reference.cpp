@@ -1,0 +1,55 @@
+// The reference page of the effects that a diagnosis may name.
+#include "diagnosis/report/effect_reference.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "diagnosis/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute; which elements a candidate takes does not depend on it.
+fit::Excitation typicalExcitation() {
+  fit::Excitation excitation;
+  excitation.largest_displacement = 2e-3;
+  excitation.stiffness = 3e6;
+  excitation.force = 4e3;
+  excitation.power = 100.0;
+  excitation.highest_frequency = 10.0;
+  excitation.highest_rate = 0.1;
+  excitation.longest_duration = 60.0;
+  excitation.dt = 1e-3;
+  return excitation;
+}
+
+std::string elementsOf(const fit::Candidate& candidate) {
+  std::set<std::string> types;
+  for (const fit::BasisTerm& term : candidate.terms) {
+    types.insert(term.at(term.typical).type);
+  }
+  std::string text;
+  for (const std::string& type : types) {
+    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", type);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string effectReference() {
+  std::string text =
+      "# Reference of the effects\n\n"
+      "Written by the command `reference` from the list of candidates that `diagnose` searches; what the elements are "
+      "is\nin [parameters.md](parameters.md), how the search works in [diagnosis.md](diagnosis.md). An effect of the "
+      "rig is one of\nthe measurement and not of the rubber: it explains a gap, and does not belong into a vehicle.\n\n"
+      "| effect | of the | what it is: how it shows | elements |\n|---|---|---|---|\n";
+  for (const fit::Candidate& candidate : candidates(typicalExcitation())) {
+    text += fmt::format("| `{}` | {} | {} | {} |\n", candidate.effect, candidate.on_rig ? "rig" : "rubber",
+                        candidate.documentation, elementsOf(candidate));
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,137 @@
+// The rig's part in the logs of a diagnosis.
+#include "diagnosis/rig.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <iterator>
+
+#include "fit/fitter.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+#include "rubber_suspension/measurement/rig_model.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr int kIterations = 8;      // of the fit whose zeros are compared
+constexpr double kChance = 1e-3;    // that zeros which are new in each log look common
+constexpr double kTolerated = 2.0;  // standard deviations of a tolerance
+
+std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
+  std::vector<measurement::Mask> masks;
+  std::transform(records.begin(), records.end(), std::back_inserter(masks), measurement::maskOf);
+  return masks;
+}
+
+gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
+                       const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
+  std::vector<log::Record> moved = records;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    moved[r].displacement = displacements[r];
+  }
+  return gap::simulate(elements, moved);
+}
+
+// What remains of each log's force on average [N] once the model is re-estimated with all zeros free.
+std::vector<double> meansLeft(const fit::ModelParameters& model, const std::vector<log::Record>& records) {
+  const fit::Fitter fitter(records, model);
+  const fit::Hypothesis alone;
+  const fit::Fit fit = fitter.fit(alone, fitter.configured(alone), kIterations);
+  const gap::Forces forces = *fitter.forces().at(alone, fit.parameters);
+  std::vector<double> means;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::VectorXd left = records[r].force - forces[r];
+    means.push_back(records[r].counts.size() == 0 ? left.mean()
+                                                  : left.dot(records[r].counts) / records[r].counts.sum());
+  }
+  return means;
+}
+
+// Zeros that are new in each log scatter as much as they are large; those of a cause do not (Student's t).
+bool areCommon(const std::vector<double>& zeros) {
+  const auto count = static_cast<double>(zeros.size());
+  if (zeros.size() < 3) {
+    return false;
+  }
+  const Eigen::Map<const Eigen::VectorXd> values(zeros.data(), static_cast<Eigen::Index>(zeros.size()));
+  const double variance = (values.array() - values.mean()).square().sum() / (count - 1.0);
+  if (variance == 0.0) {
+    return values.mean() != 0.0;
+  }
+  const boost::math::students_t distribution(count - 1.0);
+  const double statistic = std::abs(values.mean()) / std::sqrt(variance / count);
+  return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChance;
+}
+
+bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log::Record>& records,
+                        const io::RigTolerance& tolerance) {
+  for (std::size_t r = 0; r < zeros.size(); ++r) {
+    const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
+    const double allowed = tolerance.is_share ? tolerance.value * range : tolerance.value;
+    if (std::abs(zeros[r]) <= kTolerated * allowed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void setNuisances(std::vector<log::Record>& records, const io::RigTolerances& tolerances, bool zero_counts) {
+  for (log::Record& record : records) {
+    record.nuisances = measurement::freeNuisances(record, tolerances, zero_counts);
+  }
+}
+
+}  // namespace
+
+void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                   std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
+  setNuisances(training, tolerances, false);
+  const std::vector<double> zeros = meansLeft(model, training);
+  const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
+  if (cause) {
+    setNuisances(training, tolerances, true);
+  }
+  setNuisances(held_out, tolerances, cause);
+}
+
+bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
+                              const io::RigTolerances& tolerances, std::vector<log::Record>& records) {
+  const measurement::RigModel rig(records, masksOf(records), tolerances);
+  const gap::Forces simulated = gap::simulate(elements, records);
+  const auto fits = rig.fitAll(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
+    return simulateAt(elements, records, displacements);
+  });
+  bool any = false;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    for (const measurement::RigFinding& finding : rig.findings(r, fits[r])) {
+      if (finding.finding == measurement::finding::kDisplacementZero) {
+        records[r].displacement.array() -= finding.value;
+        records[r].raw_displacement.array() -= finding.value;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
+                                                 const io::RigTolerances& tolerances,
+                                                 const std::vector<log::Record>& records,
+                                                 const gap::Forces& simulated) {
+  const measurement::RigModel rig(records, masksOf(records), tolerances);
+  const auto fits = rig.fitAll(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
+    return simulateAt(elements, records, displacements);
+  });
+  std::vector<measurement::RigFinding> found;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const auto of_log = rig.findings(r, fits[r]);
+    found.insert(found.end(), of_log.begin(), of_log.end());
+    if (const auto colour = measurement::colouredNoiseFinding(records[r].name, fits[r].noise)) {
+      found.push_back(*colour);
+    }
+  }
+  return found;
+}
+
+}  // namespace rubber_suspension::diagnosis

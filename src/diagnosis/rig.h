@@ -1,0 +1,29 @@
+// The rig's part in the logs of a diagnosis: what is taken out before any effect is weighed, and what is told of it.
+#pragma once
+
+#include <vector>
+
+#include "fit/model_parameters.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Free the nuisances of each record (Record::nuisances). The zero of the force is one of them unless it is a cause:
+/// beyond the rig's tolerance in all logs, or common to them, which a zero that nobody set is not. The model is
+/// re-estimated for that.
+void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                   std::vector<log::Record>& training, std::vector<log::Record>& held_out);
+
+/// Take the displacement's zero out of records whose force under a model shows it beyond chance; true if any does.
+bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
+                              const io::RigTolerances& tolerances, std::vector<log::Record>& records);
+
+/// What the rig did to each record, by what a model of these forces leaves.
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
+                                                 const io::RigTolerances& tolerances,
+                                                 const std::vector<log::Record>& records, const gap::Forces& simulated);
+
+}  // namespace rubber_suspension::diagnosis

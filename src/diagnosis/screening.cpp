@@ -1,0 +1,127 @@
+// Screening of hypotheses by normal equations.
+#include "diagnosis/screening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fit/least_norm.h"
+#include "fit/parallel.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+std::vector<int> allOf(const std::vector<fit::Candidate>& candidates) {
+  std::vector<int> members(candidates.size());
+  std::iota(members.begin(), members.end(), 0);
+  return members;
+}
+
+}  // namespace
+
+Screening::Screening(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+                     const FittedHypothesis& about, int threads)
+    : candidates_(candidates),
+      model_size_(fitter.model().size()),
+      threads_(threads),
+      all_(fit::makeHypothesis(candidates, allOf(candidates))) {
+  all_.free_trends = true;
+  Eigen::Index column = model_size_;
+  for (const fit::Candidate& candidate : candidates) {
+    columns_of_.emplace_back(candidate.terms.size());
+    std::iota(columns_of_.back().begin(), columns_of_.back().end(), column);
+    column += static_cast<Eigen::Index>(candidate.terms.size());
+  }
+  fit::ParameterVector parameters = fitter.configured(all_);
+  parameters.model = about.fit.parameters.model;
+  Eigen::Index fitted = 0;
+  for (const int member : about.hypothesis.members) {
+    for (const Eigen::Index of_member : columns_of_[static_cast<std::size_t>(member)]) {
+      parameters.scales[of_member - model_size_] = about.fit.parameters.scales[fitted++];
+    }
+  }
+  blocks_ = fitter.linearise(all_, parameters, {}, threads);
+  fitter.stepBounds(all_, parameters, unknowns(), lower_, upper_);
+}
+
+Screened Screening::screen(std::vector<int> members) const {
+  std::sort(members.begin(), members.end());
+  std::vector<Eigen::Index> columns(static_cast<std::size_t>(model_size_));
+  std::iota(columns.begin(), columns.end(), 0);
+  bool trends = false;
+  for (const int member : members) {
+    const auto& more = columns_of_[static_cast<std::size_t>(member)];
+    columns.insert(columns.end(), more.begin(), more.end());
+    trends = trends || candidates_[static_cast<std::size_t>(member)].free_trend;
+  }
+  if (trends) {
+    for (Eigen::Index j = model_size_ + static_cast<Eigen::Index>(all_.terms.size()); j < unknowns(); ++j) {
+      columns.push_back(j);
+    }
+  }
+  Eigen::VectorXd lower(static_cast<Eigen::Index>(columns.size()));
+  Eigen::VectorXd upper(lower.size());
+  for (Eigen::Index i = 0; i < lower.size(); ++i) {
+    lower[i] = lower_[columns[static_cast<std::size_t>(i)]];
+    upper[i] = upper_[columns[static_cast<std::size_t>(i)]];
+  }
+  const std::vector<double> errors = fit::crossValidate(blocks_, columns, lower, upper);
+  return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
+}
+
+std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
+  std::vector<std::vector<int>> sets;
+  for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
+    const bool last_resort = candidates_[static_cast<std::size_t>(c)].last_resort;
+    if (!last_resort && std::find(members.begin(), members.end(), c) == members.end()) {
+      sets.push_back(members);
+      sets.back().push_back(c);
+    }
+  }
+  return screenAll(sets);
+}
+
+std::vector<Screened> Screening::pairs() const {
+  std::vector<std::vector<int>> sets;
+  const int count = static_cast<int>(candidates_.size());
+  const auto last_resort = [&](int c) { return candidates_[static_cast<std::size_t>(c)].last_resort; };
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      if (!last_resort(a) && !last_resort(b)) {
+        sets.push_back({a, b});
+      }
+    }
+  }
+  return screenAll(sets);
+}
+
+void Screening::measureVisibility(double noise, const Criteria& criteria, Search& result) const {
+  const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
+  const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
+  for (const auto& columns : columns_of_) {
+    double share = 0.0;
+    bool testable = false;
+    for (const Eigen::Index j : columns) {
+      const Eigen::VectorXd cross = total.col(j).head(model_size_);
+      const double whole = total(j, j);
+      const double rest = std::max(0.0, whole - cross.dot(fit::solveLeastNorm(base, cross)));
+      const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
+      share = std::max(share, visible);
+      const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);
+      testable = testable || (visible >= criteria.visible_share && size >= criteria.visible_size * noise);
+    }
+    result.visible_share.push_back(share);
+    result.testable.push_back(testable);
+  }
+}
+
+// Best first.
+std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& sets) const {
+  std::vector<Screened> result(sets.size());
+  fit::parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = screen(sets[i]); });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Screened& x, const Screened& y) { return x.error < y.error; });
+  return result;
+}
+
+}  // namespace rubber_suspension::diagnosis

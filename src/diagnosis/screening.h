@@ -1,0 +1,52 @@
+// Held-out errors of many hypotheses at once, to choose those that are worth a full fit.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/judge/criteria.h"
+#include "diagnosis/search.h"
+#include "fit/fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A hypothesis by its members, and its held-out error.
+struct Screened {
+  std::vector<int> members;
+  double error;
+};
+
+/// One set of normal equations with the basis terms of all candidates, from which any hypothesis about the same model
+/// follows as if it were linear. Fitter and candidates have to outlive it.
+class Screening {
+ public:
+  /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing.
+  Screening(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& about,
+            int threads);
+
+  Screened screen(std::vector<int> members) const;
+
+  /// Each other candidate added to these, best first; no last resorts.
+  std::vector<Screened> additions(const std::vector<int>& members) const;
+
+  /// All pairs, best first; no last resorts.
+  std::vector<Screened> pairs() const;
+
+  /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
+  /// out of the noise.
+  void measureVisibility(double noise, const Criteria& criteria, Search& result) const;
+
+ private:
+  Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
+  std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
+
+  const std::vector<fit::Candidate>& candidates_;
+  Eigen::Index model_size_;
+  int threads_;
+  fit::Hypothesis all_;
+  std::vector<std::vector<Eigen::Index>> columns_of_;
+  fit::BlockGrams blocks_;
+  Eigen::VectorXd lower_;
+  Eigen::VectorXd upper_;
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,55 @@
+// Errors on unseen logs.
+#include "diagnosis/unseen_logs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnosis/augmented.h"
+#include "diagnosis/friction_noise.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// From the displacement smoothed as for the fits.
+gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                    const std::vector<log::Record>& records) {
+  gap::Forces forces;
+  for (const log::Record& record : records) {
+    const fit::HypothesisForces of_record({record}, model);
+    const fit::Hypothesis hypothesis = fit::aboutOtherRecords(fitted.hypothesis, {record});
+    forces.push_back(of_record.at(hypothesis, fitted.fit.parameters)->front());
+  }
+  return forces;
+}
+
+}  // namespace
+
+UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                          const std::vector<log::Record>& records) {
+  const auto elements = augmentedDescription(model, fitted).allElements();
+  const gap::Forces replayed = gap::simulateEach(elements, records);
+  UnseenErrors errors;
+  errors.predicted = gap::gapOfParts(gap::partErrors(records, predict(model, fitted, records)));
+  errors.replayed = gap::gapOfParts(gap::partErrors(records, replayed));
+  errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records));
+  return errors;
+}
+
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
+                                const std::vector<log::Record>& records) {
+  std::vector<double> floors = frictionNoise(elements, records);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    floors[r] = std::max(measurement::relativeFloor(records[r], records[r].force - simulated[r]), floors[r]);
+  }
+  return floors;
+}
+
+double commonFloor(const std::vector<double>& floors) {
+  const double squares = std::inner_product(floors.begin(), floors.end(), floors.begin(), 0.0);
+  return std::sqrt(squares / static_cast<double>(floors.size()));
+}
+
+}  // namespace rubber_suspension::diagnosis

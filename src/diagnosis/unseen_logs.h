@@ -1,0 +1,25 @@
+// What fitted hypotheses say of logs that took no part in the fit.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/judge/evidence.h"
+#include "diagnosis/search.h"
+#include "fit/model_parameters.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Gaps of a fitted hypothesis over records, each of them recorded on a new component.
+UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                          const std::vector<log::Record>& records);
+
+/// Noise floor of each record, by what a component leaves of its force.
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
+                                const std::vector<log::Record>& records);
+
+/// Floor of several records, which count alike.
+double commonFloor(const std::vector<double>& floors);
+
+}  // namespace rubber_suspension::diagnosis

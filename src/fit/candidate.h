@@ -1,0 +1,51 @@
+// A candidate effect: what a model may lack, as entries for `add:` whose scales a fit determines.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/excitation.h"
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::fit {
+
+/// One entry for `add:` and the scale that a fit determines. The component's force is taken as differentiable in the
+/// scale; at scale 0 the entry is left out.
+struct BasisTerm {
+  std::function<element::ElementDescription(double scale)> at;
+  double typical = 1.0;  ///< a scale of the order that a visible effect has
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
+  bool refines = false;  ///< much like its fellows, so that a fit far from its end would confuse them
+  bool on_rig = false;   ///< additive whatever effects act on the component
+  /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
+  bool softening = false;
+  /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
+  std::function<Eigen::VectorXd(const log::Record&)> exact;
+  /// What the entry does to each log at scale 1: the force that it adds [N], or the share of the component's force that
+  /// it takes [-]. Set by findUnitEffects for additive and softening terms.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> unit_effect;
+};
+
+/// An unmodelled effect by its name in reports. Its basis terms span the shapes that the effect's law can take: their
+/// scales are bounded such that only physical laws can be composed (dissipating friction, stiffening stops, ...).
+struct Candidate {
+  std::string effect;
+  std::string documentation;  ///< what it is and its signature, one sentence
+  bool on_rig = false;        ///< belongs to the rig, not to the rubber
+  std::vector<BasisTerm> terms;
+  bool free_trend = false;   ///< a slow trend of each log belongs to it, which no model run reproduces
+  bool last_resort = false;  ///< named only where no other effects explain the gap
+};
+
+/// A basis term that scales one parameter of an element whose force is linear in it, the others being given.
+BasisTerm additiveTerm(const std::string& type, const std::string& scaled, double typical,
+                       const element::ParameterValues& others = {});
+
+}  // namespace rubber_suspension::fit

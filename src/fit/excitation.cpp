@@ -1,0 +1,35 @@
+// Summary of the logs' motion and force.
+#include "fit/excitation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/mass_bandwidth.h"
+
+namespace rubber_suspension::fit {
+
+Excitation summarise(const std::vector<log::Record>& records) {
+  Excitation result;
+  double force_power = 0.0;
+  double displacement_power = 0.0;
+  for (const log::Record& record : records) {
+    const auto count = static_cast<double>(record.size());
+    const Eigen::ArrayXd centred = record.displacement.array() - record.displacement.mean();
+    const Eigen::Index steps = record.size() - 1;
+    const Eigen::ArrayXd rate = (record.displacement.tail(steps) - record.displacement.head(steps)).array() / record.dt;
+    result.largest_displacement = std::max(result.largest_displacement, record.displacement.cwiseAbs().maxCoeff());
+    result.highest_frequency = std::max(result.highest_frequency, record.highest_frequency);
+    result.highest_rate = std::max(result.highest_rate, rate.abs().maxCoeff());
+    result.longest_duration = std::max(result.longest_duration, record.duration());
+    result.dt = std::max(result.dt, record.dt);
+    result.power = std::max(result.power, (rate * record.force.tail(steps).array()).abs().mean());
+    force_power += std::pow(record.force_deviation, 2) * count;
+    displacement_power += centred.square().sum();
+    result.force = std::max(result.force, record.force_deviation);
+  }
+  result.stiffness = std::sqrt(force_power / displacement_power);
+  result.mass_bandwidth = massBandwidth(records, result.highest_frequency);
+  return result;
+}
+
+}  // namespace rubber_suspension::fit

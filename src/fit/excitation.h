@@ -1,0 +1,24 @@
+// What the logs have in common; candidates choose their grids by it.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::fit {
+
+struct Excitation {
+  double largest_displacement = 0.0;  ///< largest |z| [m]
+  double stiffness = 0.0;             ///< force over displacement, by their standard deviations [N/m]
+  double force = 0.0;                 ///< standard deviation of the force [N]
+  double power = 0.0;                 ///< mean of |force x rate| [W]
+  double highest_frequency = 0.0;     ///< [Hz]
+  double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
+  double longest_duration = 0.0;      ///< [s]
+  double dt = 0.0;                    ///< [s]
+  double mass_bandwidth = 0.0;        ///< of the filter with which the node errs least by a mass [Hz]; 0: none
+};
+
+Excitation summarise(const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::fit

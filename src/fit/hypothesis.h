@@ -1,0 +1,41 @@
+// A hypothesis: the candidate effects that are supposed to be at work beside a model, ready to be fitted.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fit/candidate.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::fit {
+
+/// Without members it is the model alone, its parameters free.
+struct Hypothesis {
+  std::vector<int> members;      ///< the candidates at work by their index, ascending
+  std::vector<BasisTerm> terms;  ///< of all members, one member after the other
+  bool free_trends = false;      ///< a slow trend of each log is free as well, which no model run reproduces
+  bool last_resort = false;      ///< to be named only where no other effects explain the gap
+
+  /// True if the force is that of the model plus those of the terms.
+  bool isAdditive() const;
+};
+
+/// The hypothesis that these candidates are at work.
+Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members);
+
+/// Where a fit of a hypothesis is.
+struct ParameterVector {
+  Eigen::VectorXd model;   ///< logarithms of the model parameters over their configured values
+  Eigen::VectorXd scales;  ///< of the hypothesis' basis terms
+
+  /// Largest magnitude among the logarithms: how far a model parameter is from its configured value.
+  double largestChange() const { return model.size() > 0 ? model.cwiseAbs().maxCoeff() : 0.0; }
+};
+
+/// Find the unit effects of additive and softening terms on these records once, so that fits need not simulate them.
+void findUnitEffects(std::vector<Candidate>& candidates, const std::vector<log::Record>& records, int threads);
+
+/// The same hypothesis about other records: terms whose force the records tell have it, all others are to be simulated.
+Hypothesis aboutOtherRecords(const Hypothesis& hypothesis, const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::fit

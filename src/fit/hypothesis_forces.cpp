@@ -1,0 +1,183 @@
+// Forces of hypotheses and their derivatives.
+#include "fit/hypothesis_forces.h"
+
+#include <memory>
+
+#include "gap/simulate.h"
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+constexpr double kModelStep = 1e-4;  // of a logarithm, for difference quotients
+constexpr double kTermStep = 0.02;   // of the typical scale
+
+double scaleOf(const ParameterVector& parameters, std::size_t term) {
+  return parameters.scales[static_cast<Eigen::Index>(term)];
+}
+
+// Adds the forces of the terms that sit on the rig, or of those that do not, to that of a log.
+void addForces(const Hypothesis& hypothesis, const ParameterVector& parameters, bool on_rig, std::size_t record,
+               Eigen::VectorXd& force) {
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    const double scale = scaleOf(parameters, t);
+    if (scale != 0.0 && !term.softening && term.on_rig == on_rig) {
+      force += scale * (*term.unit_effect)[record];
+    }
+  }
+}
+
+// Multiplies the force of a log by the factors of the softening terms.
+void soften(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t record,
+            Eigen::VectorXd& force) {
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    const double scale = scaleOf(parameters, t);
+    if (scale != 0.0 && term.softening) {
+      force.array() *= 1.0 - scale * (*term.unit_effect)[record].array();
+    }
+  }
+}
+
+ForceColumn columnOf(std::vector<Eigen::VectorXd> forces) {
+  return std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(forces));
+}
+
+}  // namespace
+
+std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelParameters& model,
+                                                                   const Hypothesis& hypothesis,
+                                                                   const ParameterVector& parameters) {
+  auto result = model.elements(parameters.model);
+  for (std::size_t t = 0; result && t < hypothesis.terms.size(); ++t) {
+    if (scaleOf(parameters, t) != 0.0) {
+      result->push_back(hypothesis.terms[t].at(scaleOf(parameters, t)));
+    }
+  }
+  return result;
+}
+
+HypothesisForces::HypothesisForces(std::vector<log::Record> records, const ModelParameters& model)
+    : records_(std::move(records)), model_(model), of_model_(interactionOf(model)) {}
+
+HypothesisForces::Interaction HypothesisForces::interactionOf(const ModelParameters& model) {
+  Interaction interaction;
+  const auto elements = model.elements(Eigen::VectorXd::Zero(model.size()));
+  for (const element::ElementDescription& description : elements.value_or(std::vector<element::ElementDescription>{})) {
+    const element::ElementPointer element = element::makeElement(description);
+    if (const auto* parallel = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element)) {
+      interaction.on_rig = interaction.on_rig || (*parallel)->onRig();
+    } else if (std::holds_alternative<std::shared_ptr<const element::ForceEffect>>(element)) {
+      interaction.scales = true;
+    } else {
+      interaction.displaces = true;
+    }
+  }
+  return interaction;
+}
+
+HypothesisForces::Interaction HypothesisForces::interactionOf(const Hypothesis& hypothesis,
+                                                              const ParameterVector& parameters) const {
+  Interaction interaction = of_model_;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    const bool at_work = scaleOf(parameters, t) != 0.0;
+    interaction.softens = interaction.softens || (at_work && term.softening);
+    interaction.displaces = interaction.displaces || (at_work && !term.softening && !term.additive);
+  }
+  return interaction;
+}
+
+bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interaction) {
+  if (!term.unit_effect || term.on_rig) {
+    return term.unit_effect != nullptr;
+  }
+  // A factor on the simulated force would scale what sits on the rig, too.
+  const bool factors_known = !interaction.on_rig || !(term.softening || interaction.softens);
+  return !interaction.displaces && factors_known && (term.softening || !interaction.scales);
+}
+
+std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesis& hypothesis,
+                                                                 const ParameterVector& parameters) const {
+  // What is known by its unit effect is added or multiplied; the rest has to be simulated.
+  const Interaction interaction = interactionOf(hypothesis, parameters);
+  ParameterVector rest = parameters;
+  ParameterVector known = parameters;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    (isKnown(hypothesis.terms[t], interaction) ? rest : known).scales[static_cast<Eigen::Index>(t)] = 0.0;
+  }
+  const auto elements = elementsOf(model_, hypothesis, rest);
+  if (!elements) {
+    return std::nullopt;
+  }
+  auto result = gap::simulate(*elements, records_);
+  for (std::size_t r = 0; r < records_.size(); ++r) {
+    addForces(hypothesis, known, false, r, result[r]);
+    soften(hypothesis, known, r, result[r]);
+    addForces(hypothesis, known, true, r, result[r]);
+  }
+  return result;
+}
+
+ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                          Eigen::Index parameter, const std::vector<Eigen::VectorXd>& base) const {
+  ParameterVector moved = parameters;
+  double step = kModelStep;
+  moved.model[parameter] += step;
+  auto column = at(hypothesis, moved);
+  if (!column) {
+    step = -kModelStep;
+    moved.model[parameter] = parameters.model[parameter] + step;
+    column = at(hypothesis, moved);
+  }
+  if (!column) {
+    column = base;  // no model on either side: the parameter cannot move
+  }
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    (*column)[r] = ((*column)[r] - base[r]) / step;
+  }
+  return columnOf(std::move(*column));
+}
+
+ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                         std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
+  const BasisTerm& basis_term = hypothesis.terms[term];
+  if (isKnown(basis_term, interactionOf(hypothesis, parameters))) {
+    return knownColumn(hypothesis, parameters, term, base);
+  }
+  const double scale = scaleOf(parameters, term);
+  const double direction = scale + basis_term.typical > basis_term.upper ? -1.0 : 1.0;
+  const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
+  ParameterVector moved = parameters;
+  moved.scales[static_cast<Eigen::Index>(term)] += step;
+  auto column = *at(hypothesis, moved);
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    column[r] = (column[r] - base[r]) / step;
+  }
+  return columnOf(std::move(column));
+}
+
+// Where a term's effect is known the force is linear in its scale.
+ForceColumn HypothesisForces::knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                          std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
+  const BasisTerm& basis_term = hypothesis.terms[term];
+  if (basis_term.on_rig || !(basis_term.softening || interactionOf(hypothesis, parameters).softens)) {
+    return basis_term.unit_effect;
+  }
+  std::vector<Eigen::VectorXd> column = *basis_term.unit_effect;
+  ParameterVector others = parameters;
+  others.scales = -others.scales;
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    if (basis_term.softening) {
+      Eigen::VectorXd without_rig = base[r];
+      addForces(hypothesis, others, true, r, without_rig);
+      column[r].array() *= -without_rig.array() / (1.0 - scaleOf(parameters, term) * column[r].array());
+    } else {
+      soften(hypothesis, parameters, r, column[r]);
+    }
+  }
+  return columnOf(std::move(column));
+}
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,61 @@
+// Forces of hypotheses over logs, simulated only where they do not follow from unit effects.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "fit/hypothesis.h"
+#include "fit/model_parameters.h"
+#include "fit/normal_equations.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::fit {
+
+/// Elements of a model with the effects of a hypothesis; nothing where the model parameters have no solution.
+std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelParameters& model,
+                                                                   const Hypothesis& hypothesis,
+                                                                   const ParameterVector& parameters);
+
+/// What hypotheses about one model say of some logs. Thread-safe once constructed; the model has to outlive it.
+class HypothesisForces {
+ public:
+  HypothesisForces(std::vector<log::Record> records, const ModelParameters& model);
+
+  const std::vector<log::Record>& records() const { return records_; }
+  const ModelParameters& model() const { return model_; }
+
+  /// Force of each log [N]; nothing where the model parameters have no solution.
+  std::optional<std::vector<Eigen::VectorXd>> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+
+  /// Derivative by the logarithm of a model parameter, `base` being the forces there.
+  ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
+                          const std::vector<Eigen::VectorXd>& base) const;
+
+  /// Derivative by the scale of a basis term.
+  ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
+                         const std::vector<Eigen::VectorXd>& base) const;
+
+ private:
+  /// What else is at work, besides elements of the component that add up.
+  struct Interaction {
+    bool displaces = false;  ///< what acts on the displacement, or in a way that has to be simulated
+    bool scales = false;     ///< force effects of the model itself
+    bool softens = false;    ///< softening terms
+    bool on_rig = false;     ///< elements of the model that sit on the rig
+  };
+  static Interaction interactionOf(const ModelParameters& model);
+  Interaction interactionOf(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+
+  /// True where the effect of a term on the force follows from its unit effect, without simulation.
+  static bool isKnown(const BasisTerm& term, const Interaction& interaction);
+
+  ForceColumn knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
+                          const std::vector<Eigen::VectorXd>& base) const;
+
+  std::vector<log::Record> records_;
+  const ModelParameters& model_;
+  Interaction of_model_;
+};
+
+}  // namespace rubber_suspension::fit

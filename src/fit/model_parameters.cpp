@@ -1,0 +1,218 @@
+// A model's model parameters as unknowns.
+#include "fit/model_parameters.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+io::ComponentDescription asElements(const io::ComponentDescription& description) {
+  return {description.name, description.allElements()};
+}
+
+}  // namespace
+
+double ModelParameters::bound(Eigen::Index i) const {
+  const Slot::Where where = slots_[static_cast<std::size_t>(i)].where;
+  return where == Slot::element || where == Slot::added ? std::log(10.0) : std::log(3.0);
+}
+
+ModelParameters::ModelParameters(const io::ComponentDescription& description, Level level)
+    : description_(level == Level::elements ? asElements(description) : description) {
+  const estimation::Model model = description_.model();
+  if (model == estimation::Model::maxwell || model == estimation::Model::maxwell_dashpot ||
+      model == estimation::Model::multi_maxwell) {
+    addRelaxation();
+  } else if (model != estimation::Model::elements) {
+    addSpecification();
+  }
+  if (model == estimation::Model::elements) {
+    addElements(description_.elements(), Slot::element);
+  }
+  addElements(description_.add, Slot::added);
+}
+
+void ModelParameters::add(Slot slot, const std::string& name) {
+  slots_.push_back(std::move(slot));
+  names_.push_back(name);
+}
+
+void ModelParameters::addRelaxation() {
+  std::vector<double> break_frequencies;
+  std::vector<double> stiffnesses;
+  for (const element::ElementDescription& element : description_.elements()) {
+    if (element.type == "spring") {
+      relaxation_.static_stiffness = element.value("stiffness");
+    } else if (element.type == "dashpot") {
+      relaxation_.damping = element.value("damping");
+    } else if (element.type == "maxwell") {
+      stiffnesses.push_back(element.value("stiffness"));
+      break_frequencies.push_back(element.value("break_frequency"));
+      relaxation_.relaxing_stiffness += stiffnesses.back();
+    }
+  }
+  relaxation_.elements = stiffnesses.size();
+  relaxation_.break_frequency = break_frequencies.back();
+  if (relaxation_.elements > 1) {
+    relaxation_.alpha = stiffnesses[0] / stiffnesses[1];
+    relaxation_.band_ratio = break_frequencies[1] / break_frequencies[0];
+  }
+  for (const char* key : {"static_stiffness", "relaxing_stiffness", "break_frequency"}) {
+    add({Slot::relaxation, 0, key, 0}, key);
+  }
+  if (relaxation_.elements > 1) {
+    add({Slot::relaxation, 0, "alpha", 0}, "alpha");
+  }
+  if (description_.specification().has("low_frequency")) {
+    add({Slot::relaxation, 0, "band_ratio", 0}, "band_ratio");
+  }
+  if (relaxation_.damping > 0.0) {
+    add({Slot::relaxation, 0, "damping", 0}, "damping");
+  }
+}
+
+void ModelParameters::addSpecification() {
+  for (const auto& [key, value] : description_.specification().values()) {
+    const bool unused = description_.model() == estimation::Model::kelvin_voigt && key == "static_stiffness";
+    if (!unused && element::isFree(*element::findParameter(estimation::specificationParameters(), key), {value})) {
+      add({Slot::specification, 0, key, 0}, key);
+    }
+  }
+}
+
+void ModelParameters::addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where) {
+  for (std::size_t entry = 0; entry < elements.size(); ++entry) {
+    const element::ElementDescription completed = element::complete(elements[entry]);
+    const auto& table = element::findElementType(completed.type)->parameters;
+    for (const auto& [key, values] : completed.values) {
+      if (element::isFree(*element::findParameter(table, key), values)) {
+        add({where, entry, key, values.front()}, fmt::format("{}[{}].{}", completed.type, entry, key));
+      }
+    }
+  }
+}
+
+double& ModelParameters::coordinate(Relaxation& relaxation, const std::string& key) {
+  if (key == "static_stiffness") {
+    return relaxation.static_stiffness;
+  }
+  if (key == "relaxing_stiffness") {
+    return relaxation.relaxing_stiffness;
+  }
+  if (key == "alpha") {
+    return relaxation.alpha;
+  }
+  if (key == "band_ratio") {
+    return relaxation.band_ratio;
+  }
+  return key == "damping" ? relaxation.damping : relaxation.break_frequency;
+}
+
+// The specification of a point: Eqs. 17 to 21 of Polach (IAVSD 2015) read backwards.
+estimation::Specification ModelParameters::specificationOf(const Relaxation& relaxation) const {
+  estimation::Specification specification = description_.specification();
+  const double omega = 2.0 * element::kPi * specification.at("nominal_frequency");
+  double weights = 0.0;
+  double weight = 1.0;
+  for (std::size_t i = 0; i < relaxation.elements; ++i, weight *= relaxation.alpha) {
+    weights += weight;
+  }
+  std::complex<double> dynamic(relaxation.static_stiffness, omega * relaxation.damping);
+  double frequency = relaxation.break_frequency;
+  weight = 1.0;  // of the fastest element, i = n_M
+  for (std::size_t i = 0; i < relaxation.elements; ++i) {
+    const std::complex<double> iwt(0.0, omega / (2.0 * element::kPi * frequency));
+    dynamic += relaxation.relaxing_stiffness * weight / weights * iwt / (1.0 + iwt);
+    weight *= relaxation.alpha;
+    frequency /= relaxation.band_ratio;
+  }
+  specification.set("static_stiffness", relaxation.static_stiffness);
+  specification.set("dynamic_stiffness", std::abs(dynamic));
+  specification.erase("relative_damping");
+  specification.erase("loss_angle");
+  if (description_.model() == estimation::Model::multi_maxwell) {
+    const double high = 2.0 * relaxation.break_frequency / (1.0 + 1.0 / relaxation.band_ratio);
+    specification.set("maximum_stiffness", relaxation.static_stiffness + relaxation.relaxing_stiffness);
+    specification.set("high_frequency", high);
+    if (specification.has("low_frequency")) {
+      specification.set("low_frequency",
+                        high / std::pow(relaxation.band_ratio, static_cast<double>(relaxation.elements)));
+    }
+    return specification;
+  }
+  specification.erase("maximum_stiffness");
+  specification.set("break_frequency", relaxation.break_frequency);
+  if (description_.model() == estimation::Model::maxwell_dashpot) {
+    specification.set("loss_angle", std::arg(dynamic));
+  }
+  return specification;
+}
+
+io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithms) const {
+  if (logarithms.isZero(0.0)) {
+    return description_;  // as configured, to the last bit
+  }
+  Relaxation relaxation = relaxation_;
+  estimation::Specification specification = description_.specification();
+  std::vector<element::ElementDescription> elements = description_.elements();
+  std::vector<element::ElementDescription> added = description_.add;
+  bool relaxes = false;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const Slot& slot = slots_[static_cast<std::size_t>(i)];
+    const double factor = std::exp(logarithms[i]);
+    if (slot.where == Slot::relaxation) {
+      coordinate(relaxation, slot.key) *= factor;
+      relaxes = true;
+    } else if (slot.where == Slot::specification) {
+      specification.set(slot.key, specification.at(slot.key) * factor);
+    } else {
+      auto& entries = slot.where == Slot::element ? elements : added;
+      entries[slot.entry].values[slot.key] = {slot.configured * factor};
+    }
+  }
+  io::ComponentDescription result =
+      description_.model() == estimation::Model::elements
+          ? io::ComponentDescription(description_.name, std::move(elements))
+          : io::ComponentDescription(description_.name, description_.model(),
+                                     relaxes ? specificationOf(relaxation) : std::move(specification));
+  result.add = std::move(added);
+  return result;
+}
+
+std::optional<std::vector<element::ElementDescription>> ModelParameters::elements(
+    const Eigen::VectorXd& logarithms) const {
+  try {
+    std::vector<element::ElementDescription> result = apply(logarithms).allElements();
+    for (const element::ElementDescription& element : result) {
+      element::complete(element);
+    }
+    return result;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
+  std::vector<std::pair<std::string, double>> result;
+  const io::ComponentDescription moved = apply(logarithms);
+  for (const auto& [key, value] : moved.specification().values()) {
+    if (description_.specification().has(key) && description_.specification().at(key) != value) {
+      result.emplace_back(key, value / description_.specification().at(key));
+    }
+  }
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const Slot& slot = slots_[static_cast<std::size_t>(i)];
+    if (slot.where == Slot::element || slot.where == Slot::added) {
+      result.emplace_back(names_[static_cast<std::size_t>(i)], std::exp(logarithms[i]));
+    }
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension::fit

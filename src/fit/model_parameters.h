@@ -1,0 +1,80 @@
+// The parameters that a model already has, as unknowns of a fit.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::fit {
+
+/// Which numbers count as the model's own.
+enum class Level {
+  specification,  ///< those that the user wrote: K_st, K_n, K_max, f_h, ...; of a list of elements, all parameters
+  elements,       ///< those of the estimated elements: every stiffness, every break frequency
+};
+
+/// A model's model parameters as logarithms of their ratios to the configured values, so that 0 is "as configured".
+///
+/// A specification is not free: most combinations of stiffnesses have no model. The models of springs, dashpots and
+/// Maxwell elements are therefore moved in coordinates in which every point has one (static stiffness, relaxing
+/// stiffness K_max - K_st, ratio alpha of neighbouring elements, frequencies, damping); the specification follows from
+/// them. Other models are moved in the numbers of their specification. The point of operation (nominal frequency and
+/// amplitude) and counts are no unknowns.
+class ModelParameters {
+ public:
+  ModelParameters(const io::ComponentDescription& description, Level level);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// The bound on |logarithm| of a parameter: a factor of 3 on what was specified, beyond which it is another
+  /// component, and of 10 on values of single elements, which stand for each other.
+  double bound(Eigen::Index parameter) const;
+
+  /// The component with these logarithms of ratios. Throws std::invalid_argument where there is none.
+  io::ComponentDescription apply(const Eigen::VectorXd& logarithms) const;
+
+  /// Its elements; nothing where the specification has no solution or an element refuses its parameters.
+  std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
+
+  /// What the user would have to write: new over old value of every number of the specification, or of every parameter
+  /// of the elements, that is not equal.
+  std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
+
+ private:
+  struct Slot {
+    enum Where { relaxation, specification, element, added } where;
+    std::size_t entry;
+    std::string key;
+    double configured;  // of an element: the value, given or by default
+  };
+
+  /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
+  struct Relaxation {
+    double static_stiffness = 0.0;
+    double relaxing_stiffness = 0.0;  // sum of the Maxwell stiffnesses
+    double alpha = 1.0;               // k_i/k_(i+1)
+    double break_frequency = 0.0;     // of the fastest element
+    double band_ratio = 1.0;          // q, of neighbouring break frequencies
+    double damping = 0.0;             // of the dashpot
+    std::size_t elements = 0;
+  };
+
+  void addRelaxation();
+  void addSpecification();
+  void addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where);
+  void add(Slot slot, const std::string& name);
+  estimation::Specification specificationOf(const Relaxation& relaxation) const;
+  static double& coordinate(Relaxation& relaxation, const std::string& key);
+
+  io::ComponentDescription description_;
+  Relaxation relaxation_;
+  std::vector<Slot> slots_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,44 @@
+// Normal equations of a fit by blocks of the logs, and what they tell of data that are left out.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::fit {
+
+constexpr int kFolds = 4;
+
+/// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
+/// parameters, atoms, nuisance trends, and last the residual at the point of linearisation. Each log is weighted such
+/// that residuals are in units of its force's standard deviation, and all logs count alike.
+struct BlockGrams {
+  std::vector<Eigen::MatrixXd> gram;
+  std::vector<int> fold;
+  std::vector<int> record;
+  std::vector<double> weight;  ///< share of the block in all samples, weighted
+  Eigen::MatrixXd prior;       ///< what departing from the configured model parameters costs
+
+  Eigen::MatrixXd sum;                        ///< of all blocks and the prior
+  std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
+
+  /// Fill in the sums.
+  void sumUp();
+};
+
+/// Derivative of the force by an unknown, per log; null: zero everywhere.
+using ForceColumn = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
+
+/// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
+/// residuals of each log comparable [1/N]. `trends`: a zero, a ramp and some half cosines per log are unknown, too.
+BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
+                           const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
+                           bool trends, int threads);
+
+/// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
+std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+
+}  // namespace rubber_suspension::fit

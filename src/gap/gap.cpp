@@ -1,0 +1,83 @@
+// The gap and its noise floor.
+#include "rubber_suspension/gap/gap.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace rubber_suspension::gap {
+
+double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated) {
+  if (measured.empty() || measured.size() != simulated.size()) {
+    throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: as many, at least one",
+                                            measured.size(), simulated.size()));
+  }
+  const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
+  double gap = 0.0;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    gap += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
+    variance += (measured[i] - mean) * (measured[i] - mean);
+  }
+  if (!(variance > 0.0)) {
+    throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: one that varies", mean));
+  }
+  return std::sqrt(gap / variance);
+}
+
+double standardDeviation(const Eigen::VectorXd& values) {
+  return std::sqrt((values.array() - values.mean()).square().mean());
+}
+
+double relativeGap(const Eigen::VectorXd& residual, double standard_deviation) {
+  return std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size())) / standard_deviation;
+}
+
+double residualAboveFloor(double gap, double floor) { return std::sqrt(std::max(0.0, gap * gap - floor * floor)); }
+
+double closedFraction(double before, double after, double floor) {
+  const double closable = before - floor;
+  return closable > 1e-12 ? std::clamp((before - after) / closable, -1.0, kMostClosed) : 0.0;
+}
+
+double gapOfParts(const std::vector<PartError>& parts) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const PartError& part : parts) {
+    sum += part.weight * part.error;
+    weight += part.weight;
+  }
+  return std::sqrt(sum / weight);
+}
+
+std::vector<PartError> partErrors(const std::vector<log::Record>& records,
+                                  const std::vector<Eigen::VectorXd>& simulated) {
+  constexpr Eigen::Index kParts = 10;
+  std::vector<PartError> parts;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const log::Record& record = records[r];
+    const Eigen::VectorXd residual = record.withoutRig(record.force - simulated[r]);
+    for (Eigen::Index p = 0; p < kParts; ++p) {
+      const Eigen::Index first = record.size() * p / kParts;
+      const Eigen::Index count = record.size() * (p + 1) / kParts - first;
+      const double counted = record.counted(first, count);
+      if (counted > 0.0) {
+        const double error = residual.segment(first, count).squaredNorm() / counted;
+        parts.push_back({error / std::pow(record.force_deviation, 2), counted / record.counted()});
+      }
+    }
+  }
+  return parts;
+}
+
+double whiteNoiseFloor(const log::Record& record, const Eigen::VectorXd& residual) {
+  const double edge = std::min(3.0 * record.highest_frequency, 0.3 / record.dt);
+  return std::min(log::whiteNoiseAbove(residual, record.dt, edge),
+                  log::whiteNoiseAbove(record.force, record.dt, edge)) /
+         record.force_deviation;
+}
+
+}  // namespace rubber_suspension::gap

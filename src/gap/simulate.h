@@ -1,0 +1,30 @@
+// Force of elements over prepared records: what fits and diagnosis compare with the measurement.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::gap {
+
+/// Force of each record [N].
+using Forces = std::vector<Eigen::VectorXd>;
+
+/// Displacement of a record that drives a component.
+using Drive = std::function<Eigen::VectorXd(const log::Record&)>;
+
+/// Force of a component over records in the order of their recording on one component [N]: between two of them it
+/// relaxes. It is driven by the records' displacement unless `drive` gives another.
+Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+                const Drive& drive = {});
+
+/// The displacement as recorded, which drives `replay` and the node.
+Eigen::VectorXd asRecorded(const log::Record& record);
+
+/// Each record on a new component at rest, from the displacement as recorded: what `replay` and the node compute.
+Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,89 @@
+// Tolerances of a rig: their table, and how text becomes one.
+#include "rubber_suspension/io/rig_tolerances.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::io {
+namespace {
+
+std::string accepted(const RigToleranceInfo& info) {
+  const std::string share = fmt::format("a share of {} in %", info.share_of);
+  return info.unit == "1" ? fmt::format("{}, or such a number, at least 0", share)
+                          : fmt::format("a number in {}, text with such a unit, or {}, at least 0", info.unit, share);
+}
+
+const RigToleranceInfo& findRow(const std::string& key) {
+  const auto& table = rigToleranceTable();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const RigToleranceInfo& row) { return row.name == key; });
+  if (found == table.end()) {
+    std::vector<std::string> names(table.size());
+    std::transform(table.begin(), table.end(), names.begin(), [](const RigToleranceInfo& row) { return row.name; });
+    throw std::invalid_argument(
+        fmt::format("{}: no tolerance of a rig; accepted: {}", log::quoted(key), log::join(names)));
+  }
+  return *found;
+}
+
+}  // namespace
+
+const std::vector<RigToleranceInfo>& rigToleranceTable() {
+  static const std::vector<RigToleranceInfo> table = {
+      {"force_zero", "N", "the force's range in the log", "zero of the force, new in each log",
+       &RigTolerances::force_zero},
+      {"displacement_zero", "m", "the displacement's range in the log", "zero of the displacement, new in each log",
+       &RigTolerances::displacement_zero},
+      {"gain", "1", "the force", "gain of the force's channel against that of the displacement", &RigTolerances::gain},
+      {"delay", "s", "a sampling interval", "delay of the force's channel behind that of the displacement",
+       &RigTolerances::delay},
+      {"clock", "1", "the time", "difference of the clocks of force and displacement, where each has its own",
+       &RigTolerances::clock},
+      {"initial_state", "N", "the force's range in the log",
+       "force left from before the log, where it starts in motion", &RigTolerances::initial_state},
+  };
+  return table;
+}
+
+RigTolerance parseRigTolerance(const std::string& key, const std::string& text) {
+  const RigToleranceInfo& info = findRow(key);
+  const std::string trimmed = log::trimmed(text);
+  RigTolerance tolerance;
+  tolerance.is_share = info.unit == "1" || (!trimmed.empty() && trimmed.back() == '%');
+  try {
+    tolerance.value = log::parseQuantity(text, tolerance.is_share ? "1" : info.unit);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}: {}; accepted: {}", key, log::quoted(text), error.what(), accepted(info)));
+  }
+  if (!(tolerance.value >= 0.0) || !std::isfinite(tolerance.value)) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} is out of range; accepted: {}", key, log::quoted(text), accepted(info)));
+  }
+  return tolerance;
+}
+
+void setRigTolerance(RigTolerances& tolerances, const std::string& assignment) {
+  const std::size_t equal = assignment.find('=');
+  if (equal == std::string::npos) {
+    throw std::invalid_argument(
+        fmt::format("{}: no '='; accepted: KEY=VALUE, as force_zero=50 N", log::quoted(assignment)));
+  }
+  const std::string key = log::trimmed(assignment.substr(0, equal));
+  tolerances.*findRow(key).member = parseRigTolerance(key, assignment.substr(equal + 1));
+}
+
+std::string toString(const RigToleranceInfo& info, const RigTolerance& tolerance) {
+  if (info.unit == "1" || !tolerance.is_share) {
+    return fmt::format("{}", tolerance.value);
+  }
+  return fmt::format("{} %", tolerance.value * 100.0);
+}
+
+}  // namespace rubber_suspension::io

@@ -1,0 +1,496 @@
+// Spikes, held values and saturation, by rules relative to the log itself.
+#include "rubber_suspension/measurement/faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "measurement/statistics.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index kLongestSpike = 3;   // samples
+constexpr double kSpikeLimit = 6.0;  // deviations of the prediction; beyond chance in any log, and in 1/f noise
+// More holes than that are the signal's own form, not what happens to a cable.
+constexpr double kMostSpikes = 0.01;
+// A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
+// cannot be told.
+constexpr double kLargestClippedShare = 0.2;
+constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
+constexpr Index kAround = 6;       // samples about a spike that are no other visit
+
+// Share of the samples that equal the one before, extremes and long runs apart.
+constexpr double kFewRepeats = 0.02;
+double repeats(const VectorXd& samples) {
+  constexpr Index kLong = 4;
+  const double high = samples.maxCoeff();
+  const double low = samples.minCoeff();
+  Index equal = 0;
+  Index length = 1;
+  for (Index i = 1; i < samples.size(); ++i) {
+    const bool same = samples[i] == samples[i - 1] && samples[i] != high && samples[i] != low;
+    length = same ? length + 1 : 1;
+    equal += same && length < kLong ? 1 : 0;
+  }
+  return static_cast<double>(equal) / static_cast<double>(samples.size());
+}
+
+// One channel with what its samples scatter by about a prediction from their neighbours.
+struct Channel {
+  explicit Channel(const VectorXd& samples);
+
+  // Sample i against the cubic through two neighbours at either side.
+  double curvature(Index i) const {
+    return values[i] - (4.0 * (values[i - 1] + values[i + 1]) - values[i - 2] - values[i + 2]) / 6.0;
+  }
+  bool corner(Index i) const {
+    return i >= 2 && i + 2 < values.size() && std::abs(curvature(i)) > kSpikeLimit * scale[i];
+  }
+
+  const VectorXd& values;
+  double highest;
+  double lowest;
+  double range;
+  double step;     // smallest step, of a coarse sensor
+  bool noisy;      // its values hardly ever repeat, but at its extremes
+  VectorXd scale;  // standard deviation of curvature() about each sample
+};
+
+Channel::Channel(const VectorXd& samples)
+    : values(samples),
+      highest(samples.maxCoeff()),
+      lowest(samples.minCoeff()),
+      range(highest - lowest),
+      step(smallestStep(samples)),
+      noisy(repeats(samples) < kFewRepeats),
+      scale(samples.size()) {
+  const Index count = samples.size();
+  std::vector<double> all;
+  std::vector<double> blocks;
+  for (Index begin = 0; begin < count; begin += kScaleBlock) {
+    std::vector<double> block;
+    for (Index i = std::max<Index>(begin, 2); i < std::min(begin + kScaleBlock, count - 2); ++i) {
+      block.push_back(std::abs(curvature(i)));
+    }
+    all.insert(all.end(), block.begin(), block.end());
+    blocks.push_back(kMadToDeviation * medianOf(std::move(block)));
+  }
+  // A log that stands still for most of the time has no scatter; what is beyond a hundred thousandth of the range, and
+  // beyond the steps of its sensor, may be told from none.
+  const double least =
+      std::max({kMadToDeviation * medianOf(std::move(all)), 1e-5 * range, std::min(step, 0.01 * range)});
+  for (Index i = 0; i < count; ++i) {
+    const auto block = static_cast<std::size_t>(i / kScaleBlock);
+    const double before = block > 0 ? blocks[block - 1] : 0.0;
+    const double after = block + 1 < blocks.size() ? blocks[block + 1] : 0.0;
+    scale[i] = std::max({least, blocks[block], std::min(before, after)});
+  }
+}
+
+// A run of samples [begin, begin + width) and how far it stands out.
+struct Hole {
+  Index begin;
+  Index width;
+  double size;        // of the sample that stands out most, signed
+  double prediction;  // of that sample, from its neighbours
+};
+
+// The least of what a sample deviates by from straight lines and a cubic through its neighbours, if they agree on the
+// side: a step and a kink lie on one of the lines.
+std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
+  if (begin < 2 || begin + width + 1 >= x.size()) {
+    return std::nullopt;
+  }
+  const double a = x[begin - 2];
+  const double b = x[begin - 1];
+  const double c = x[begin + width];
+  const double d = x[begin + width + 1];
+  const auto w = static_cast<double>(width);
+  Hole hole{begin, width, 0.0, 0.0};
+  double sign = 0.0;
+  for (Index j = 0; j < width; ++j) {
+    const auto t = static_cast<double>(j);  // neighbours stand at -2, -1, w, w + 1
+    const double left = b + (b - a) * (t + 1.0);
+    const double right = c + (c - d) * (w - t);
+    const double between = b + (c - b) * (t + 1.0) / (w + 1.0);
+    const double value = x[begin + j];
+    const double high = std::max({left, right, between});
+    const double low = std::min({left, right, between});
+    const double size = value > high ? value - high : (value < low ? value - low : 0.0);
+    if (size == 0.0 || (sign != 0.0 && size * sign < 0.0) || high - low > std::abs(size)) {
+      return std::nullopt;
+    }
+    sign = size;
+    if (std::abs(size) > std::abs(hole.size)) {
+      hole.size = size;
+      hole.prediction = between;
+    }
+  }
+  return hole;
+}
+
+std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
+  for (Index width = 1; width <= kLongestSpike; ++width) {
+    const std::optional<Hole> hole = holeAt(channel.values, begin, width);
+    if (hole && std::abs(hole->size) > kSpikeLimit * channel.scale[begin]) {
+      return hole;
+    }
+  }
+  return std::nullopt;
+}
+
+bool cornerNear(const Channel& channel, const Hole& hole) {
+  for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
+    if (i < channel.values.size() && channel.corner(i)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
+// cycle), or there are no visits that would tell.
+bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
+  const double place = other.values[hole.begin];
+  Index visits = 0;
+  Index alike = 0;
+  for (Index i = 1; i + 1 < channel.values.size(); ++i) {
+    if (std::abs(other.values[i] - place) < 0.01 * other.range && std::abs(i - hole.begin) > kAround) {
+      ++visits;
+      alike += channel.corner(i - 1) || channel.corner(i) || channel.corner(i + 1) ? 1 : 0;
+    }
+  }
+  return visits < 3 ? std::abs(hole.size) < 0.5 * channel.range : 5 * alike > visits;
+}
+
+std::vector<Hole> findSpikes(const Channel& channel, const Channel& other, bool is_force) {
+  std::vector<Hole> holes;
+  const Index count = channel.values.size();
+  const auto most = static_cast<std::size_t>(std::max(3.0, kMostSpikes * static_cast<double>(count)));
+  for (Index i = 2; i + 2 < count; ++i) {
+    if (!channel.corner(i)) {
+      continue;
+    }
+    const std::optional<Hole> hole = spikeAt(channel, i);
+    if (hole && !cornerNear(other, *hole)) {
+      holes.push_back(*hole);
+      i += hole->width;
+    }
+    if (holes.size() > most) {
+      return {};
+    }
+  }
+  if (is_force) {
+    holes.erase(std::remove_if(holes.begin(), holes.end(),
+                               [&](const Hole& hole) { return belongsToThePlace(channel, other, hole); }),
+                holes.end());
+  }
+  return holes;
+}
+
+// Samples [begin, end) that are equal bit by bit.
+struct Run {
+  Index begin;
+  Index end;
+};
+
+std::vector<Run> equalRuns(const VectorXd& values, Index shortest) {
+  std::vector<Run> runs;
+  Index begin = 0;
+  for (Index i = 1; i <= values.size(); ++i) {
+    if (i == values.size() || values[i] != values[begin]) {
+      if (i - begin >= shortest) {
+        runs.push_back({begin, i});
+      }
+      begin = i;
+    }
+  }
+  return runs;
+}
+
+constexpr Index kShortestHold = 4;
+
+// Typical step between neighbours about a run.
+double typicalStep(const VectorXd& values, const Run& run) {
+  constexpr Index kReach = 50;
+  std::vector<double> steps;
+  for (Index i = std::max<Index>(1, run.begin - kReach); i < std::min(run.end + kReach, values.size()); ++i) {
+    if (i <= run.begin || i > run.end) {
+      steps.push_back(std::abs(values[i] - values[i - 1]));
+    }
+  }
+  return medianOf(std::move(steps));
+}
+
+double rangeWithin(const VectorXd& values, const Run& run) {
+  return rangeOf(values.segment(run.begin, run.end - run.begin));
+}
+
+// The other channel turns where the run ends: a force that is limited by friction changes there, too.
+bool turnsAtEnd(const VectorXd& other, const Run& run) {
+  constexpr Index kReach = 3;
+  const Index last = run.end - 1;
+  if (last < kReach || last + kReach >= other.size()) {
+    return true;
+  }
+  return (other[last + kReach] - other[last]) * (other[last] - other[last - kReach]) <= 0.0;
+}
+
+// A force with noise does not repeat while the displacement moves.
+bool repeatsAgainstNoise(const Channel& force, const Channel& displacement, const Run& run) {
+  const double moved = rangeWithin(displacement.values, run);
+  return force.noisy && moved > 0.005 * displacement.range && moved > kSpikeLimit * displacement.scale[run.begin];
+}
+
+bool isHeld(const Channel& channel, const Channel& other, const Run& run) {
+  const double jump = std::abs(channel.values[run.end] - channel.values[run.end - 1]);
+  const double other_jump = std::abs(other.values[run.end] - other.values[run.end - 1]) / other.range;
+  const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
+  if (jump <= 4.0 * typicalStep(channel.values, run) || jump <= 3.0 * coarse || jump < 1e-3 * channel.range) {
+    return false;
+  }
+  return other_jump < 0.5 * jump / channel.range &&
+         rangeWithin(other.values, run) / other.range > 0.25 * jump / channel.range && !turnsAtEnd(other.values, run);
+}
+
+bool atExtreme(const Channel& channel, const Run& run) {
+  const double value = channel.values[run.begin];
+  return value == channel.highest || value == channel.lowest;
+}
+
+// `mask`: false for spikes, which a run may end at.
+std::vector<Run> findHolds(const Channel& channel, const Channel& other, bool is_force, const Mask& mask) {
+  std::vector<Run> held;
+  for (const Run& run : equalRuns(channel.values, kShortestHold)) {
+    if (atExtreme(channel, run) || run.end >= channel.values.size() || !mask[run.end]) {
+      continue;  // at the sensor's stop, perhaps
+    }
+    if (isHeld(channel, other, run) || (is_force && repeatsAgainstNoise(channel, other, run))) {
+      held.push_back(run);
+    }
+  }
+  return held;
+}
+
+// How far the other channel bulges outwards over a run: its middle third against the thirds at the ends. Where it
+// relaxes towards a value, the bulge is inwards.
+double bulge(const VectorXd& other, const Run& run) {
+  const Index length = run.end - run.begin;
+  const Index third = std::max<Index>(1, length / 3);
+  const Index middle = length - 2 * third;
+  const double ends = other.segment(run.begin, third).sum() + other.segment(run.end - third, third).sum();
+  return other.segment(run.begin + third, middle).mean() - ends / static_cast<double>(2 * third);
+}
+
+struct Saturation {
+  std::vector<Run> runs;
+  Index samples = 0;
+  double limit = 0.0;
+};
+
+// A channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
+// channel goes further out and comes back.
+std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, bool is_force, double outward) {
+  Saturation found;
+  found.limit = outward > 0.0 ? channel.highest : channel.lowest;
+  double bulging = 0.0;
+  double variance = 0.0;
+  for (const Run& run : equalRuns(channel.values, 3)) {
+    if (channel.values[run.begin] == found.limit) {
+      const auto length = static_cast<double>(run.end - run.begin);
+      found.runs.push_back(run);
+      found.samples += run.end - run.begin;
+      bulging += outward * bulge(other.values, run) * length;
+      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
+    }
+  }
+  const double coarse = channel.step > 1e-4 * channel.range ? channel.step : 0.0;
+  const double width = std::max(3.5 * coarse, 0.005 * channel.range);
+  const auto distance = (outward * (found.limit - channel.values.array())).eval();
+  const Index near = (distance > 0.0 && distance < width).count();
+  // An extremum that is merely rounded leaves as many samples on the three levels below it as on its own.
+  if (found.samples < 5 || found.samples <= 2 * near) {
+    return std::nullopt;
+  }
+  // Turned the other way where force and displacement are of opposite sign.
+  const double slope = (channel.values.array() - channel.values.mean()).matrix().dot(other.values);
+  bulging *= slope < 0.0 ? -1.0 : 1.0;
+  // Beyond the scatter, and by what a peak has above a cut at 1 % of the range.
+  const bool bulges =
+      bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
+  // Or its noise is gone there.
+  return bulges || (is_force && channel.noisy) ? std::optional<Saturation>(found) : std::nullopt;
+}
+
+void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }
+
+const char* nameOf(bool is_force) { return is_force ? "force" : "displacement"; }
+
+RigFinding counted(const std::string& log, const char* finding, double count, std::string text) {
+  return {log, finding, count, {count, count}, "1", false, false, std::move(text)};
+}
+
+void addSpikes(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+               std::vector<RigFinding>& findings) {
+  const std::vector<Hole> holes = findSpikes(channel, other, is_force);
+  if (holes.empty()) {
+    return;
+  }
+  double largest = 0.0;
+  for (const Hole& hole : holes) {
+    largest = std::max(largest, std::abs(hole.size));
+    exclude(mask, hole.begin, hole.begin + hole.width);
+  }
+  findings.push_back(counted(
+      name, finding::kSpikes, static_cast<double>(holes.size()),
+      fmt::format("{} spike{} of the {} alone, the first at sample {}, the largest {:.2g} % of its range: left out; "
+                  "check cable and connector",
+                  holes.size(), holes.size() == 1 ? "" : "s", nameOf(is_force), holes.front().begin + 1,
+                  100.0 * largest / channel.range)));
+}
+
+void addHolds(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+              std::vector<RigFinding>& findings) {
+  const std::vector<Run> holds = findHolds(channel, other, is_force, mask);
+  if (holds.empty()) {
+    return;
+  }
+  Index samples = 0;
+  for (const Run& run : holds) {
+    samples += run.end - run.begin;
+    exclude(mask, run.begin + 1, run.end);  // the first sample of a run was measured
+  }
+  findings.push_back(counted(
+      name, finding::kHeldValues, static_cast<double>(samples),
+      fmt::format("the {} repeats its value for {} samples in {} place{}, the first from sample {}, while the {} moves "
+                  "on: left out; check the connection for dropouts",
+                  nameOf(is_force), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
+                  nameOf(!is_force))));
+}
+
+void addSaturation(const std::string& name, const Channel& channel, const Channel& other, bool is_force, Mask& mask,
+                   std::vector<RigFinding>& findings) {
+  for (const double outward : {1.0, -1.0}) {
+    const std::optional<Saturation> found = findSaturation(channel, other, is_force, outward);
+    if (!found) {
+      continue;
+    }
+    // What is just below the stop is there because noise did not lift it further: one-sided, so left out, too.
+    mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
+    const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
+    findings.push_back(counted(
+        name, finding::kSaturation, static_cast<double>(found->samples),
+        fmt::format("the {} stays at its {} {:.4g} {} for {} samples while the {} goes further (clipped): left out; "
+                    "choose a larger measuring range",
+                    nameOf(is_force), outward > 0.0 ? "maximum" : "minimum", found->limit, is_force ? "N" : "m",
+                    found->samples, nameOf(!is_force))));
+    findings.back().fatal = share > kLargestClippedShare;
+  }
+}
+
+// Straight lines over what was not measured, between the samples that were.
+void bridge(std::vector<double>& values, const Mask& mask) {
+  const Index count = mask.size();
+  Index last = -1;  // that counts
+  for (Index i = 0; i <= count; ++i) {
+    if (i < count && !mask[i]) {
+      continue;
+    }
+    for (Index j = last + 1; j < i; ++j) {
+      const double before = last >= 0 ? values[static_cast<std::size_t>(last)] : values[static_cast<std::size_t>(i)];
+      const double after = i < count ? values[static_cast<std::size_t>(i)] : before;
+      values[static_cast<std::size_t>(j)] =
+          before + (after - before) * static_cast<double>(j - last) / static_cast<double>(i - last);
+    }
+    last = i;
+  }
+}
+
+VectorXd vectorOf(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+}  // namespace
+
+Faults findFaults(const std::string& name, const VectorXd& displacement, const VectorXd& force) {
+  Faults faults;
+  faults.displacement = Mask::Constant(displacement.size(), true);
+  faults.force = faults.displacement;
+  if (displacement.size() < 2 * kAround || rangeOf(displacement) <= 0.0 || rangeOf(force) <= 0.0) {
+    return faults;
+  }
+  const Channel z(displacement);
+  const Channel f(force);
+  addSpikes(name, f, z, true, faults.force, faults.findings);
+  addSpikes(name, z, f, false, faults.displacement, faults.findings);
+  addHolds(name, f, z, true, faults.force, faults.findings);
+  addHolds(name, z, f, false, faults.displacement, faults.findings);
+  addSaturation(name, f, z, true, faults.force, faults.findings);
+  addSaturation(name, z, f, false, faults.displacement, faults.findings);
+  return faults;
+}
+
+Faults findFaults(const log::Log& log) {
+  if (log.force.empty()) {
+    Faults faults;
+    faults.displacement = Mask::Constant(static_cast<Index>(log.size()), true);
+    faults.force = faults.displacement;
+    return faults;
+  }
+  return findFaults(log.name, vectorOf(log.displacement), vectorOf(log.force));
+}
+
+log::Log repaired(const log::Log& log, const Faults& faults) {
+  log::Log result = log;
+  if (faults.displacement.any()) {
+    bridge(result.displacement, faults.displacement);
+  }
+  if (!result.force.empty() && faults.force.any()) {
+    bridge(result.force, faults.force);
+  }
+  return result;
+}
+
+Mask resampled(const Mask& mask, const log::Log& log, const log::Record& record) {
+  if (record.size() == mask.size()) {
+    return mask;
+  }
+  Mask result = Mask::Constant(record.size(), true);
+  std::size_t left = 0;
+  for (Index i = 0; i < record.size(); ++i) {
+    const double time = static_cast<double>(i) * record.dt;
+    while (left + 2 < log.size() && log.time(left + 1) - log.time(0) < time) {
+      ++left;
+    }
+    result[i] = mask[static_cast<Index>(left)] && mask[static_cast<Index>(left + 1)];
+  }
+  return result;
+}
+
+VectorXd huberWeights(const VectorXd& normalised) {
+  constexpr double kBend = 1.345;
+  return normalised.array().abs().max(kBend).inverse() * kBend;
+}
+
+double robustDeviation(const VectorXd& values, const Mask& mask) {
+  std::vector<double> magnitudes;
+  magnitudes.reserve(static_cast<std::size_t>(values.size()));
+  for (Index i = 0; i < values.size(); ++i) {
+    if (mask[i]) {
+      magnitudes.push_back(std::abs(values[i]));
+    }
+  }
+  return kMadToDeviation * medianOf(std::move(magnitudes));
+}
+
+Mask maskOf(const log::Record& record) {
+  return record.counts.size() == 0 ? Mask::Constant(record.size(), true).eval() : (record.counts.array() > 0.0).eval();
+}
+
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,217 @@
+// Noise floor from repeats, standstill, spectrum and model.
+#include "rubber_suspension/measurement/noise_floor.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "measurement/spectrum.h"
+#include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/measurement/noise_model.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kFewestRepeats = 100;  // samples, for a standard deviation known to 7 %
+constexpr Index kShortestStop = 50;
+
+// The band of the motion, with the harmonics that friction and knees make of it, in cycles per sample.
+ExcludedBand motionBand(const log::Record& record) {
+  constexpr double kHarmonics = 3.0;
+  const std::vector<SpectrumBand> bands = spectrumBands(record.displacement, Mask::Constant(record.size(), true));
+  double total = 0.0;
+  for (const SpectrumBand& band : bands) {
+    total += band.density * band.width;
+  }
+  ExcludedBand motion{0.0, 0.0};  // slow parts of the force are creep and heat: they do not count as noise
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    sum += band.density * band.width;
+    motion.high = band.frequency;
+    if (sum > 0.9999 * total) {
+      break;
+    }
+  }
+  motion.high = std::min(kHarmonics * motion.high, 0.4);
+  return motion;
+}
+
+// Samples at which the displacement crosses its mean upwards, by a twentieth of its range.
+std::vector<Index> upcrossings(const VectorXd& displacement) {
+  const double mean = displacement.mean();
+  const double margin = 0.02 * rangeOf(displacement);
+  std::vector<Index> crossings;
+  bool below = false;
+  for (Index i = 0; i < displacement.size(); ++i) {
+    below = below || displacement[i] < mean - margin;
+    if (below && displacement[i] > mean) {
+      crossings.push_back(i);
+      below = false;
+    }
+  }
+  return crossings;
+}
+
+// Second differences over three cycles, of force, displacement and speed.
+struct Differences {
+  std::vector<double> force;
+  std::vector<double> displacement;
+  std::vector<double> speed;
+  double lag = 0.0;  // sum over all, samples
+};
+
+bool repeats(const VectorXd& z, Index begin, Index lag) {
+  constexpr double kAlike = 0.02;  // of the cycle's RMS
+  if (begin + 3 * lag > z.size() || lag < 4) {
+    return false;
+  }
+  const VectorXd first = z.segment(begin, lag);
+  const double size = deviationOf(first);
+  return rmsOf(z.segment(begin + lag, lag) - first) < kAlike * size &&
+         rmsOf(z.segment(begin + 2 * lag, lag) - first) < kAlike * size;
+}
+
+void addCycle(const log::Record& record, const Mask& mask, Index begin, Index lag, Differences& differences) {
+  const VectorXd& z = record.displacement;
+  for (Index i = std::max<Index>(begin, 1); i < begin + lag && i + 2 * lag + 1 < z.size(); ++i) {
+    if (mask[i] && mask[i + lag] && mask[i + 2 * lag]) {
+      const auto second = [&](const VectorXd& x, Index at) { return x[at] - 2.0 * x[at + lag] + x[at + 2 * lag]; };
+      differences.force.push_back(second(record.force, i));
+      differences.displacement.push_back(second(z, i));
+      differences.speed.push_back(second(z, i + 1) - second(z, i - 1));
+      differences.lag += static_cast<double>(lag);
+    }
+  }
+}
+
+Differences secondDifferences(const log::Record& record, const Mask& mask) {
+  Differences differences;
+  const std::vector<Index> crossings = upcrossings(record.displacement);
+  for (std::size_t i = 0; i + 3 < crossings.size(); i += 3) {
+    const Index lag = (crossings[i + 3] - crossings[i] + 1) / 3;
+    if (repeats(record.displacement, crossings[i], lag)) {
+      addCycle(record, mask, crossings[i], lag, differences);
+    }
+  }
+  return differences;
+}
+
+VectorXd asVector(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+// Share of the noise's variance that second differences at a lag keep, 1 for white noise.
+double keptShare(const NoiseModel& noise, double lag) {
+  constexpr int kLines = 4000;
+  double kept = 0.0;
+  double all = 0.0;
+  for (int i = 0; i < kLines; ++i) {  // even on a log axis from one cycle in the log to half a cycle per sample
+    const double lowest = 1.0 / static_cast<double>(noise.samples);
+    const double frequency = lowest * std::pow(0.5 / lowest, (i + 0.5) / kLines);
+    const double power = spectralDensity(noise, frequency) * frequency;
+    all += power;
+    kept += power * std::pow(2.0 - 2.0 * std::cos(2.0 * element::kPi * frequency * lag), 2) / 6.0;
+  }
+  return kept / all;
+}
+
+// Deviation of the residual where the freedom of the fits is taken off.
+double unbiased(double square, Index count, Index freedom) {
+  return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
+}
+
+}  // namespace
+
+double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  const Differences differences = secondDifferences(record, mask);
+  const auto count = static_cast<Index>(differences.force.size());
+  if (count < kFewestRepeats) {
+    return 0.0;
+  }
+  MatrixXd columns(count, 2);
+  columns.col(0) = asVector(differences.displacement);
+  columns.col(1) = asVector(differences.speed);
+  const VectorXd force = asVector(differences.force);
+  const VectorXd left = force - columns * columns.colPivHouseholderQr().solve(force);
+  const double deviation = robustDeviation(left, Mask::Constant(count, true)) / std::sqrt(6.0);
+  const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
+  const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
+  return deviation / std::sqrt(kept);
+}
+
+double noiseFromStandstill(const log::Record& record, const Mask& mask) {
+  constexpr double kStill = 1e-6;  // of the stroke: a force from such a motion is far below any noise
+  const VectorXd& z = record.displacement;
+  const double still = kStill * rangeOf(z) + 4.0 * record.displacement_noise;
+  double square = 0.0;
+  Index count = 0;
+  Index freedom = 0;
+  for (Index begin = 0; begin + kShortestStop <= z.size();) {
+    Index end = begin;
+    while (end < z.size() && mask[end] && std::abs(z[end] - z[begin]) < still) {
+      ++end;
+    }
+    // The first third, where the force relaxes fastest, is left out.
+    const Index length = (end - begin) * 2 / 3;
+    if (length >= kShortestStop) {
+      MatrixXd trend(length, 3);
+      trend.col(1) = VectorXd::LinSpaced(length, -1.0, 1.0);
+      trend.col(0).setOnes();
+      trend.col(2) = trend.col(1).cwiseAbs2();
+      const VectorXd force = record.force.segment(end - length, length);
+      square += (force - trend * trend.householderQr().solve(force)).squaredNorm();
+      count += length;
+      freedom += 3;
+    }
+    begin = std::max(end, begin + 1);
+  }
+  return count >= kFewestRepeats ? unbiased(square, count, freedom) : 0.0;
+}
+
+double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  constexpr double kFewestOutside = 0.1;  // cycles per sample of the spectrum's half
+  const ExcludedBand motion = motionBand(record);
+  if (0.5 - motion.high < kFewestOutside) {
+    return 0.0;
+  }
+  return estimateNoise(residual, mask, motion).deviation;
+}
+
+NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {
+  NoiseFloor floor;
+  const double counted = std::max<double>(1.0, static_cast<double>(mask.count()));
+  const double left = std::sqrt((residual.array() * mask.cast<double>()).square().sum() / counted);
+  const auto take = [&](double deviation, const char* source) {
+    if (deviation > 0.0 && floor.smoothed == 0.0) {
+      floor.smoothed = deviation;
+      floor.source = source;
+    }
+  };
+  take(noiseFromRepeats(record, residual, mask), "repeats");
+  take(noiseFromSpectrum(record, residual, mask), "spectrum");
+  take(noiseFromStandstill(record, mask), "standstill");
+  if (floor.smoothed == 0.0 || left < floor.smoothed) {
+    floor.smoothed = left;
+    floor.source = "model";
+  }
+  // A step of the sensor, evenly rounded; and what rounding in arithmetic leaves.
+  const double least = std::max(smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force));
+  if (floor.smoothed < least) {
+    floor.smoothed = least;
+    floor.source = "quantisation";
+  }
+  floor.replay = std::hypot(floor.smoothed, replay_excess);
+  return floor;
+}
+
+double relativeFloor(const log::Record& record, const Eigen::VectorXd& residual) {
+  return noiseFloor(record, record.withoutRig(residual), maskOf(record), 0.0).smoothed / record.force_deviation;
+}
+
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,455 @@
+// White noise, 1/f noise and a filter: estimated from a signal, and undone.
+#include "rubber_suspension/measurement/noise_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measurement/spectrum.h"
+#include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index kFewestSamples = 32;
+constexpr double kTimeConstantRatio = 4.0;
+constexpr std::size_t kHighestOrder = 20;  // of the filter
+// White noise that is taken to be there below any filter (30 dB lower): what a simulation errs by between samples is
+// not to be weighed by what an anti-aliasing filter leaves of the noise near half of the sampling rate.
+constexpr double kWhiteShare = 1e-3;
+
+// One first-order process of the 1/f part.
+struct SlowPart {
+  double pole;      // per sample
+  double variance;  // as a share of the whole 1/f part
+};
+
+// Time constants from one sample to the length of the log; variances that add up to a spectrum of 1/f^exponent.
+std::vector<SlowPart> slowParts(double exponent, Index samples) {
+  std::vector<SlowPart> parts;
+  double sum = 0.0;
+  for (double time = 1.0; time <= static_cast<double>(samples); time *= kTimeConstantRatio) {
+    parts.push_back({std::exp(-1.0 / time), std::pow(time, exponent - 1.0)});
+    sum += parts.back().variance;
+  }
+  for (SlowPart& part : parts) {
+    part.variance /= sum;
+  }
+  return parts;
+}
+
+// One-sided spectral density of the 1/f part at variance 1.
+double colouredShape(const std::vector<SlowPart>& parts, double frequency) {
+  const double cosine = std::cos(2.0 * element::kPi * frequency);
+  double sum = 0.0;
+  for (const SlowPart& part : parts) {
+    const double p = part.pole;
+    sum += 2.0 * part.variance * (1.0 - p * p) / (1.0 - 2.0 * p * cosine + p * p);
+  }
+  return sum;
+}
+
+// White and 1/f part of largest likelihood for one exponent.
+struct SpectralFit {
+  double log_likelihood = -HUGE_VAL;
+  double share = 0.0;     // of the 1/f part in the variance
+  double variance = 0.0;  // of both
+};
+
+// Whittle's likelihood; the scale follows from the shape in closed form.
+SpectralFit fitShare(const std::vector<SpectrumBand>& bands, const std::vector<double>& shape, double share) {
+  SpectralFit fit;
+  fit.share = share;
+  double lines = 0.0;
+  double logarithms = 0.0;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const double model = 2.0 * (1.0 - share) + share * shape[i];
+    lines += bands[i].lines;
+    logarithms += bands[i].lines * std::log(model);
+    fit.variance += bands[i].lines * bands[i].density / model;
+  }
+  fit.variance /= lines;
+  fit.log_likelihood = -logarithms - lines * std::log(fit.variance) - lines;
+  return fit;
+}
+
+SpectralFit fitExponent(const std::vector<SpectrumBand>& bands, double exponent, Index samples) {
+  const std::vector<SlowPart> parts = slowParts(exponent, samples);
+  std::vector<double> shape(bands.size());
+  std::transform(bands.begin(), bands.end(), shape.begin(),
+                 [&](const SpectrumBand& band) { return colouredShape(parts, band.frequency); });
+  SpectralFit best;
+  for (double odds = -7.0; odds <= 12.0; odds += 0.25) {  // log odds of the share, 0.1 % to 99.999 %
+    const SpectralFit fit = fitShare(bands, shape, 1.0 / (1.0 + std::exp(-odds)));
+    best = fit.log_likelihood > best.log_likelihood ? fit : best;
+  }
+  return best;
+}
+
+// From where on a filter cuts the spectrum off: falling faster than any 1/f noise, and never back. 0.5 where it does
+// not.
+double cutOff(const std::vector<SpectrumBand>& bands) {
+  constexpr std::size_t kOctave = 6;     // bands
+  constexpr double kSteepest = -2.6;     // slope of the spectrum that is a filter's
+  constexpr double kFewestLines = 10.0;  // for the level of a band to be known to a third
+  for (std::size_t i = 0; i + kOctave < bands.size(); ++i) {
+    if (bands[i].lines < kFewestLines || bands[i].density <= 0.0) {
+      continue;
+    }
+    const auto& end = bands[i + kOctave];
+    const double slope = std::log(std::max(end.density, 1e-30 * bands[i].density) / bands[i].density) /
+                         std::log(end.frequency / bands[i].frequency);
+    const bool stays = std::all_of(bands.begin() + static_cast<std::ptrdiff_t>(i + kOctave), bands.end(),
+                                   [&](const SpectrumBand& band) { return band.density < 0.5 * bands[i].density; });
+    if (slope < kSteepest && stays) {
+      return bands[i].frequency;
+    }
+  }
+  return 0.5;
+}
+
+std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, const ExcludedBand& excluded) {
+  std::vector<SpectrumBand> outside;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(outside),
+               [&](const SpectrumBand& band) { return !excluded.contains(band.frequency); });
+  const double cut = cutOff(outside);
+  std::vector<SpectrumBand> counting;
+  std::copy_if(outside.begin(), outside.end(), std::back_inserter(counting),
+               [&](const SpectrumBand& band) { return band.frequency <= cut; });
+  return counting.size() >= 4 ? counting : outside;
+}
+
+// Where the log-likelihood over the exponent falls by 1.92 from its largest value.
+std::array<double, 2> profileInterval(const std::vector<double>& exponents, const std::vector<double>& profile) {
+  constexpr double kDrop = 1.92;
+  const double best = *std::max_element(profile.begin(), profile.end());
+  std::array<double, 2> interval = {exponents.back(), exponents.front()};
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    if (profile[i] >= best - kDrop) {
+      interval[0] = std::min(interval[0], exponents[i]);
+      interval[1] = std::max(interval[1], exponents[i]);
+    }
+  }
+  // The grid's own step, half to either side.
+  const double half = 0.5 * (exponents[1] - exponents[0]);
+  return {interval[0] - half, interval[1] + half};
+}
+
+void fitSpectrum(const std::vector<SpectrumBand>& bands, NoiseModel& model) {
+  const SpectralFit white = fitShare(bands, std::vector<double>(bands.size(), 2.0), 0.0);
+  model.white = std::sqrt(white.variance);
+  std::vector<double> exponents;
+  std::vector<double> profile;
+  SpectralFit best;
+  for (double exponent = 0.4; exponent < 2.05; exponent += 0.1) {
+    const SpectralFit fit = fitExponent(bands, exponent, model.samples);
+    exponents.push_back(exponent);
+    profile.push_back(fit.log_likelihood);
+    if (fit.log_likelihood > best.log_likelihood) {
+      best = fit;
+      model.exponent = exponent;
+    }
+  }
+  model.evidence = best.log_likelihood - white.log_likelihood;
+  double lines = 0.0;
+  for (const SpectrumBand& band : bands) {
+    lines += band.lines;
+  }
+  // Two more parameters, by the Bayesian information criterion.
+  if (model.evidence > std::log(std::max(lines, 2.0))) {
+    model.coloured = std::sqrt(best.variance * best.share);
+    model.white = std::sqrt(best.variance * (1.0 - best.share));
+    model.exponent_95 = profileInterval(exponents, profile);
+  } else {
+    model.exponent = 0.0;
+  }
+}
+
+// Runs of samples that count.
+std::vector<std::pair<Index, Index>> runsOf(const Mask& mask) {
+  std::vector<std::pair<Index, Index>> runs;
+  for (Index i = 0; i < mask.size(); ++i) {
+    if (mask[i] && (i == 0 || !mask[i - 1])) {
+      runs.emplace_back(i, i);
+    }
+    if (mask[i]) {
+      runs.back().second = i + 1;
+    }
+  }
+  return runs;
+}
+
+// Burg's method over runs (Burg 1975; Kay, Modern Spectral Estimation, 1988, ch. 7): the reflection coefficients, of
+// the order of lowest Bayesian information criterion.
+void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
+  const auto runs = runsOf(mask);
+  const auto count = static_cast<double>(mask.count());
+  VectorXd forward = signal;
+  VectorXd backward = signal;
+  double variance = 0.0;
+  for (const auto& [begin, end] : runs) {
+    variance += signal.segment(begin, end - begin).squaredNorm() / count;
+  }
+  model.filter_innovation = variance;
+  std::vector<double> reflection;
+  std::size_t best_order = 0;
+  double best = count * std::log(std::max(variance, 1e-300));
+  const auto highest = std::min<std::size_t>(kHighestOrder, static_cast<std::size_t>(count / 40.0));
+  for (std::size_t order = 1; order <= highest; ++order) {
+    const auto lag = static_cast<Index>(order);
+    double product = 0.0;
+    double power = 0.0;
+    for (const auto& [begin, end] : runs) {
+      if (end - begin > lag) {
+        const auto f = forward.segment(begin + lag, end - begin - lag);
+        const auto b = backward.segment(begin + lag - 1, end - begin - lag);
+        product += f.dot(b);
+        power += 0.5 * (f.squaredNorm() + b.squaredNorm());
+      }
+    }
+    if (power <= 0.0) {
+      break;
+    }
+    const double k = -product / (power * (1.0 + kWhiteShare));
+    reflection.push_back(k);
+    for (const auto& [begin, end] : runs) {
+      for (Index i = end - 1; i >= begin + lag; --i) {
+        const double f = forward[i];
+        const double b = backward[i - 1];
+        forward[i] = f + k * b;
+        backward[i] = b + k * f;
+      }
+    }
+    variance *= 1.0 - k * k;
+    const double criterion =
+        count * std::log(std::max(variance, 1e-300)) + static_cast<double>(order) * std::log(count);
+    if (criterion < best) {
+      best = criterion;
+      best_order = order;
+    }
+  }
+  reflection.resize(best_order);
+  model.reflection = reflection;
+}
+
+// Large single values would broaden every estimate; what is beyond six robust deviations is drawn there.
+VectorXd clamped(const VectorXd& signal, const Mask& mask) {
+  const double limit = 6.0 * robustDeviation(signal, mask);
+  return limit > 0.0 ? VectorXd(signal.cwiseMin(limit).cwiseMax(-limit)) : signal;
+}
+
+double meanSquare(const VectorXd& signal, const Mask& mask) {
+  return (signal.array() * mask.cast<double>()).square().sum() /
+         std::max<double>(1.0, static_cast<double>(mask.count()));
+}
+
+VectorXd centred(const VectorXd& signal, const Mask& mask) {
+  const double mean =
+      (signal.array() * mask.cast<double>()).sum() / std::max<double>(1.0, static_cast<double>(mask.count()));
+  return signal.array() - mean;
+}
+
+}  // namespace
+
+double spectralDensity(const NoiseModel& model, double frequency) {
+  double density = 2.0 * model.white * model.white;
+  if (model.isColoured()) {
+    density += model.coloured * model.coloured * colouredShape(slowParts(model.exponent, model.samples), frequency);
+  }
+  return density;
+}
+
+NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const ExcludedBand& excluded) {
+  NoiseModel model;
+  model.samples = signal.size();
+  const VectorXd values = clamped(centred(signal, mask), mask);
+  model.deviation = std::sqrt(meanSquare(values, mask));
+  model.white = model.deviation;
+  if (mask.count() < kFewestSamples || model.deviation <= 0.0) {
+    return model;
+  }
+  const std::vector<SpectrumBand> all = spectrumBands(values, mask);
+  const std::vector<SpectrumBand> bands = countingBands(all, excluded);
+  if (bands.size() >= 4) {
+    fitSpectrum(bands, model);
+  }
+  if (excluded.high > excluded.low) {
+    double variance = 0.0;
+    for (const SpectrumBand& band : all) {
+      const bool inside = excluded.contains(band.frequency);
+      variance += band.width * (inside ? spectralDensity(model, band.frequency) : band.density);
+    }
+    model.deviation = std::sqrt(variance);
+    return model;
+  }
+  // Near white, or white within the band that counts: the filter does the rest.
+  const Whitener whitener(model, mask);
+  fitFilter(whitener(values).col(0), mask, model);
+  return model;
+}
+
+Whitener::Whitener(const NoiseModel& model, const Mask& mask) : mask_(mask) {
+  prepareGains(model);
+  prepareFilter(model);
+}
+
+// Kalman's recursion for the sum of first-order processes in white noise: gains and innovations do not depend on the
+// data, so one pass serves all columns.
+void Whitener::prepareGains(const NoiseModel& model) {
+  const double total = model.white * model.white + model.coloured * model.coloured;
+  const double scale = total > 0.0 ? std::sqrt(total) : 1.0;
+  if (!model.isColoured()) {
+    deviation_ = ArrayXd::Constant(1, scale);
+    return;
+  }
+  const std::vector<SlowPart> parts = slowParts(model.exponent, model.samples);
+  const auto size = static_cast<Index>(parts.size());
+  poles_.resize(size);
+  ArrayXd variance(size);
+  for (Index i = 0; i < size; ++i) {
+    poles_[i] = parts[static_cast<std::size_t>(i)].pole;
+    variance[i] = parts[static_cast<std::size_t>(i)].variance * model.coloured * model.coloured;
+  }
+  const double white = std::max(model.white * model.white, 1e-9 * total);
+  const ArrayXXd decay = (poles_.matrix() * poles_.matrix().transpose()).array();
+  const ArrayXXd drive = (variance * (1.0 - poles_.square())).matrix().asDiagonal().toDenseMatrix().array();
+  ArrayXXd covariance = variance.matrix().asDiagonal().toDenseMatrix().array();
+  const Index count = mask_.size();
+  gains_.resize(size, count);
+  deviation_.resize(count);
+  gain_of_.assign(static_cast<std::size_t>(count), 0);
+  Index used = 0;
+  bool settled = false;
+  for (Index i = 0; i < count; ++i) {
+    if (!mask_[i]) {
+      settled = false;
+    } else if (settled) {
+      gain_of_[static_cast<std::size_t>(i)] = static_cast<int>(used - 1);
+      continue;
+    } else {
+      const ArrayXd sum = covariance.rowwise().sum();
+      const double innovation = sum.sum() + white;
+      gains_.col(used) = sum / innovation;
+      deviation_[used] = std::sqrt(innovation);
+      covariance -= (sum.matrix() * sum.matrix().transpose()).array() / innovation;
+      // What is still to come is then below a millionth of the gain in a thousand samples.
+      settled = used > 0 && ((gains_.col(used) - gains_.col(used - 1)).abs() < 1e-9 * gains_.col(used).abs()).all();
+      gain_of_[static_cast<std::size_t>(i)] = static_cast<int>(used);
+      ++used;
+    }
+    covariance = covariance * decay + drive;
+  }
+  gains_.conservativeResize(size, used);
+  deviation_.conservativeResize(used);
+}
+
+void Whitener::prepareFilter(const NoiseModel& model) {
+  reflection_ = model.reflection;
+  double variance = model.filter_innovation;
+  stage_ = {std::sqrt(variance)};
+  for (const double k : reflection_) {
+    variance *= 1.0 - k * k;
+    stage_.push_back(std::sqrt(variance));
+  }
+}
+
+VectorXd Whitener::withoutSlowParts(const VectorXd& column) const {
+  if (poles_.size() == 0) {
+    return (column.array() * mask_.cast<double>() / deviation_[0]).matrix();
+  }
+  VectorXd result = VectorXd::Zero(column.size());
+  ArrayXd state = ArrayXd::Zero(poles_.size());
+  for (Index i = 0; i < column.size(); ++i) {
+    if (mask_[i]) {
+      const Index gain = gain_of_[static_cast<std::size_t>(i)];
+      const double innovation = column[i] - state.sum();
+      result[i] = innovation / deviation_[gain];
+      state = poles_ * (state + gains_.col(gain) * innovation);
+    } else {
+      state *= poles_;
+    }
+  }
+  return result;
+}
+
+// The lattice, from the start of each run with as many stages as there are samples before.
+void Whitener::filter(VectorXd& column) const {
+  const std::size_t order = reflection_.size();
+  std::vector<double> backward(order + 1, 0.0);  // of the sample before, behind each stage
+  std::size_t known = 0;                         // samples of the run so far
+  for (Index i = 0; i < column.size(); ++i) {
+    if (!mask_[i]) {
+      known = 0;
+      column[i] = 0.0;
+      continue;
+    }
+    const std::size_t stages = std::min(known, order);
+    double forward = column[i];
+    double carried = forward;  // backward error of this sample behind the stage before
+    for (std::size_t m = 0; m < stages; ++m) {
+      const double before = backward[m];
+      backward[m] = carried;
+      carried = before + reflection_[m] * forward;
+      forward += reflection_[m] * before;
+    }
+    backward[stages] = carried;
+    column[i] = forward / stage_[stages];
+    ++known;
+  }
+}
+
+Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd result(columns.rows(), columns.cols());
+  for (Index j = 0; j < columns.cols(); ++j) {
+    VectorXd column = withoutSlowParts(columns.col(j));
+    filter(column);
+    result.col(j) = column;
+  }
+  return result;
+}
+
+double Whitener::logLikelihood(const VectorXd& residual) const {
+  const VectorXd white = (*this)(residual).col(0);
+  double logarithms = 0.0;
+  std::size_t known = 0;
+  for (Index i = 0; i < mask_.size(); ++i) {
+    if (!mask_[i]) {
+      known = 0;
+      continue;
+    }
+    const Index gain = poles_.size() == 0 ? 0 : gain_of_[static_cast<std::size_t>(i)];
+    logarithms += std::log(deviation_[gain] * stage_[std::min(known, reflection_.size())]);
+    ++known;
+  }
+  return -0.5 * white.squaredNorm() - logarithms -
+         0.5 * std::log(2.0 * element::kPi) * static_cast<double>(mask_.count());
+}
+
+std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {
+  // Beyond the criterion of information: by chance in less than one log in a thousand (chi-square of 2 parameters).
+  constexpr double kEvidence = 6.9;
+  if (!model.isColoured() || model.evidence < kEvidence) {
+    return std::nullopt;
+  }
+  const double slow = model.coloured * model.coloured;
+  const double share = slow / (slow + model.white * model.white);
+  return RigFinding{log,
+                    finding::kColouredNoise,
+                    model.exponent,
+                    model.exponent_95,
+                    "1",
+                    false,
+                    false,
+                    fmt::format("the noise rises towards low frequencies as 1/f^{:.1f}, {:.0f} % of its variance: "
+                                "intervals allow for it; check shielding and warm-up of the amplifier",
+                                model.exponent, 100.0 * share)};
+}
+
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,514 @@
+// Nuisances of a rig: their columns, their fit, and what is told of them.
+#include "rubber_suspension/measurement/rig_model.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "measurement/statistics.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kShift = 0.01;  // of the stroke, for the derivative by the displacement's zero
+// Relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
+constexpr double kRelaxationRatio = 4.0;
+constexpr double kChance = 1e-3;  // of a finding where there is nothing to find, for each value of each log
+constexpr double kNormal95 = 1.96;
+// RMS over the log, in units of the noise: what is less makes a gap larger by less than half a per cent of the noise.
+constexpr double kMatters = 0.1;
+
+VectorXd derivative(const VectorXd& values, double dt) {
+  const Index count = values.size();
+  VectorXd result(count);
+  result.segment(1, count - 2) = (values.tail(count - 2) - values.head(count - 2)) / (2.0 * dt);
+  result[0] = (values[1] - values[0]) / dt;
+  result[count - 1] = (values[count - 1] - values[count - 2]) / dt;
+  return result;
+}
+
+// RMS of the speed over RMS of the displacement about its mean: 2 pi times a typical frequency.
+double typicalRate(const log::Record& record) {
+  return rmsOf(derivative(record.displacement, record.dt)) / deviationOf(record.displacement);
+}
+
+struct Column {
+  Nuisance nuisance;
+  VectorXd values;
+};
+
+void addDelays(const VectorXd& simulated, double dt, std::vector<Column>& columns) {
+  const VectorXd rate = -derivative(simulated, dt);
+  const auto middle = 0.5 * static_cast<double>(simulated.size() - 1);
+  const VectorXd time = (VectorXd::LinSpaced(simulated.size(), -middle, middle)) * dt;
+  columns.push_back({Nuisance::delay, rate});
+  columns.push_back({Nuisance::clock, rate.cwiseProduct(time)});
+}
+
+void addInitialState(Index count, std::vector<Column>& columns) {
+  for (double time = 1.0; time < static_cast<double>(count); time *= kRelaxationRatio) {
+    columns.push_back({Nuisance::initial_state,
+                       (VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1)) / -time).array().exp()});
+  }
+}
+
+// The signal at t - delay - clock (t - middle of the log), by cubic interpolation.
+VectorXd delayed(const VectorXd& values, double delay, double clock) {
+  if (delay == 0.0 && clock == 0.0) {
+    return values;
+  }
+  const Index count = values.size();
+  const double middle = 0.5 * static_cast<double>(count - 1);
+  VectorXd result(count);
+  for (Index i = 0; i < count; ++i) {
+    const auto place = static_cast<double>(i);
+    const double at = place - delay - clock * (place - middle);
+    const Index left = std::clamp(static_cast<Index>(std::floor(at)), Index{1}, count - 3);
+    const double s = std::clamp(at - static_cast<double>(left), -1.0, 2.0);
+    result[i] = -s * (s - 1.0) * (s - 2.0) / 6.0 * values[left - 1] +
+                (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 * values[left] -
+                (s + 1.0) * s * (s - 2.0) / 2.0 * values[left + 1] + (s + 1.0) * s * (s - 1.0) / 6.0 * values[left + 2];
+  }
+  return result;
+}
+
+// What a machine may have done before the log; each leaves another force.
+enum class Before {
+  same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
+  from_above,   // down from the highest displacement
+  from_below,   // up from the lowest
+};
+constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below};
+
+VectorXd withMotionBefore(const VectorXd& displacement, Before kind) {
+  const Index before = displacement.size() / 4;
+  VectorXd result(before + displacement.size());
+  const double far = kind == Before::from_above ? displacement.maxCoeff() : displacement.minCoeff();
+  for (Index i = 0; i < before; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(before);
+    result[i] = kind == Before::same_motion ? 2.0 * displacement[0] - displacement[before - i]
+                                            : far + (displacement[0] - far) * share;
+  }
+  result.tail(displacement.size()) = displacement;
+  return result;
+}
+
+RigColumns assemble(std::vector<Column> columns, const std::function<double(Nuisance)>& prior) {
+  columns.erase(std::remove_if(columns.begin(), columns.end(),
+                               [&](const Column& c) { return !(prior(c.nuisance) > 0.0) || c.values.norm() == 0.0; }),
+                columns.end());
+  RigColumns rig;
+  rig.columns.resize(columns.empty() ? 0 : columns.front().values.size(), static_cast<Index>(columns.size()));
+  rig.priors.resize(static_cast<Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto j = static_cast<Index>(i);
+    rig.nuisances.push_back(columns[i].nuisance);
+    rig.columns.col(j) = columns[i].values;
+    rig.priors[j] = prior(columns[i].nuisance);
+  }
+  return rig;
+}
+
+// Least squares in units of the priors, so that the normal matrix is well scaled.
+struct Solution {
+  VectorXd values;
+  MatrixXd covariance;
+};
+
+Solution solveWithPriors(const MatrixXd& gram, const VectorXd& moment, const VectorXd& priors) {
+  const Index size = priors.size();
+  const MatrixXd scaled = priors.asDiagonal() * gram * priors.asDiagonal() + MatrixXd::Identity(size, size);
+  const Eigen::LLT<MatrixXd> factor(scaled);
+  return {priors.asDiagonal() * factor.solve(priors.asDiagonal() * moment),
+          priors.asDiagonal() * factor.solve(MatrixXd::Identity(size, size)) * priors.asDiagonal()};
+}
+
+Index columnOf(const RigColumns& rig, Nuisance nuisance) {
+  const auto found = std::find(rig.nuisances.begin(), rig.nuisances.end(), nuisance);
+  return found == rig.nuisances.end() ? -1 : static_cast<Index>(found - rig.nuisances.begin());
+}
+
+// So that values are those in all, not what is to be added to the point's.
+void setBase(const VectorXd& force, const RigPoint& point, RigColumns& rig) {
+  rig.base = force;
+  const auto subtract = [&](Nuisance nuisance, double value) {
+    const Index i = columnOf(rig, nuisance);
+    if (i >= 0) {
+      rig.base -= value * rig.columns.col(i);
+    }
+  };
+  subtract(Nuisance::displacement_zero, point.displacement_zero);
+  subtract(Nuisance::delay, point.delay);
+  subtract(Nuisance::clock, point.clock);
+}
+
+RigPoint pointOf(const RigFit& fit) {
+  const auto value = [&](Nuisance nuisance) {
+    const Index i = fit.column(nuisance);
+    return i >= 0 ? fit.values[i] : 0.0;
+  };
+  return {value(Nuisance::displacement_zero), value(Nuisance::delay), value(Nuisance::clock)};
+}
+
+// Rounds of weights and solution on whitened columns, and the normal equations of the last.
+struct NormalEquations {
+  MatrixXd gram;
+  VectorXd moment;
+};
+
+NormalEquations robustEquations(const MatrixXd& columns, const VectorXd& residual, const VectorXd& priors) {
+  constexpr int kRounds = 3;  // weights of few outliers settle at once
+  NormalEquations equations{columns.transpose() * columns, columns.transpose() * residual};
+  for (int round = 0; round < kRounds; ++round) {
+    const VectorXd left = residual - columns * solveWithPriors(equations.gram, equations.moment, priors).values;
+    const VectorXd weights = huberWeights(left);
+    const MatrixXd weighted = weights.asDiagonal() * columns;
+    equations = {weighted.transpose() * columns, weighted.transpose() * residual};
+  }
+  return equations;
+}
+
+Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors, Index dropped) {
+  VectorXd tight = priors;
+  tight[dropped] *= 1e-9;
+  return solveWithPriors(equations.gram, equations.moment, tight);
+}
+
+const char* findingOf(Nuisance nuisance) {
+  switch (nuisance) {
+    case Nuisance::force_zero:
+      return finding::kForceZero;
+    case Nuisance::displacement_zero:
+      return finding::kDisplacementZero;
+    case Nuisance::delay:
+      return finding::kDelay;
+    case Nuisance::clock:
+      return finding::kClock;
+    case Nuisance::gain:
+      return finding::kSensorGain;
+    default:
+      return finding::kRunningStart;
+  }
+}
+
+const char* unitOf(Nuisance nuisance) {
+  switch (nuisance) {
+    case Nuisance::displacement_zero:
+      return "m";
+    case Nuisance::delay:
+      return "s";
+    case Nuisance::clock:
+    case Nuisance::gain:
+      return "1";
+    default:
+      return "N";
+  }
+}
+
+std::string sentence(Nuisance nuisance, double value) {
+  switch (nuisance) {
+    case Nuisance::force_zero:
+      return fmt::format("the recorded force is too high by {:.3g} N: taken out; zero the load cell before the log",
+                         value);
+    case Nuisance::displacement_zero:
+      return fmt::format(
+          "the recorded displacement is too high by {:.3g} m: taken out; zero the transducer before the log", value);
+    case Nuisance::delay:
+      return fmt::format("the force is recorded {:.3g} s {} the displacement: taken out; use the same filter for both",
+                         std::abs(value), value > 0.0 ? "behind" : "ahead of");
+    case Nuisance::clock:
+      return fmt::format(
+          "the delay of the force changes by {:.3g} ppm of the time: taken out; record both on one clock", value * 1e6);
+    case Nuisance::gain:
+      return fmt::format("the recorded force is {:.3g} % {}: taken out; calibrate the force's channel",
+                         std::abs(value) * 100.0, value > 0.0 ? "too large" : "too small");
+    default:
+      return fmt::format(
+          "the log starts while the machine runs; {:.3g} N are left from before and decay: taken out; "
+          "start the log at rest",
+          value);
+  }
+}
+
+RigFinding told(const std::string& log, Nuisance nuisance, double value, double deviation, double prior) {
+  RigFinding result;
+  result.log = log;
+  result.finding = findingOf(nuisance);
+  result.value = value;
+  result.interval_95 = {value - kNormal95 * deviation, value + kNormal95 * deviation};
+  result.unit = unitOf(nuisance);
+  result.beyond_tolerance = std::abs(value) > 2.0 * prior;
+  result.text = sentence(nuisance, value);
+  return result;
+}
+
+// How unlikely values are if all of them were 0: a chi-square beyond its quantile.
+bool significant(const VectorXd& values, const MatrixXd& covariance) {
+  const double square = values.dot(covariance.llt().solve(values));
+  const boost::math::chi_squared distribution(static_cast<double>(values.size()));
+  return square > boost::math::quantile(boost::math::complement(distribution, kChance));
+}
+
+bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
+  const auto size = static_cast<Index>(columns.size());
+  VectorXd values(size);
+  MatrixXd covariance(size, size);
+  for (Index i = 0; i < size; ++i) {
+    values[i] = fit.values[columns[static_cast<std::size_t>(i)]];
+    for (Index j = 0; j < size; ++j) {
+      covariance(i, j) = fit.covariance(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+    }
+  }
+  return significant(values, covariance);
+}
+
+// A start matters while it lasts, over the samples that hold its weight; everything else over the whole log.
+bool matters(const RigFit& fit, const std::vector<Index>& columns) {
+  VectorXd part = VectorXd::Zero(fit.residual.size());
+  bool start = false;
+  for (const Index i : columns) {
+    part += fit.values[i] * fit.rig.columns.col(i);
+    start = start || fit.rig.nuisances[static_cast<std::size_t>(i)] == Nuisance::initial_state;
+  }
+  const double peak = part.cwiseAbs().maxCoeff();
+  const double lasting = start && peak > 0.0 ? part.cwiseAbs().sum() / peak : static_cast<double>(part.size());
+  return part.norm() > kMatters * fit.noise.deviation * std::sqrt(lasting);
+}
+
+std::vector<Index> columnsOf(const RigFit& fit, Nuisance nuisance) {
+  std::vector<Index> columns;
+  for (std::size_t i = 0; i < fit.rig.nuisances.size(); ++i) {
+    if (fit.rig.nuisances[i] == nuisance) {
+      columns.push_back(static_cast<Index>(i));
+    }
+  }
+  return columns;
+}
+
+// The force that is left at the log's first sample.
+RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const std::vector<Index>& columns,
+                               double prior) {
+  double value = 0.0;
+  double variance = 0.0;
+  for (const Index i : columns) {
+    value += fit.rig.columns(0, i) * fit.values[i];
+    for (const Index j : columns) {
+      variance += fit.rig.columns(0, i) * fit.covariance(i, j) * fit.rig.columns(0, j);
+    }
+  }
+  return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
+}
+
+double absolute(const io::RigTolerance& tolerance, double whole) {
+  return tolerance.is_share ? tolerance.value * whole : tolerance.value;
+}
+
+}  // namespace
+
+Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
+
+bool startsInMotion(const log::Record& record) {
+  constexpr double kCycle = 2.0 * element::kPi / 8.0;  // an eighth, of the phase
+  const VectorXd speed = derivative(record.displacement, record.dt);
+  const double samples = std::clamp(kCycle / (typicalRate(record) * record.dt), 3.0, static_cast<double>(speed.size()));
+  // The mean speed of the piece: noise of the displacement averages out.
+  const auto last = static_cast<Index>(samples) - 1;
+  const double start =
+      std::abs(record.displacement[last] - record.displacement[0]) / (static_cast<double>(last) * record.dt);
+  const double turning = rmsOf(speed.head(last + 1));
+  const double noise = record.displacement_noise * (record.passed_frequency > 0.0 ? 0.0 : 1.0) / record.dt;
+  return std::max(start, turning - noise) > 0.05 * rmsOf(speed);
+}
+
+RigModel::RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances)
+    : records_(std::move(records)), masks_(std::move(masks)), tolerances_(tolerances) {
+  if (!masks_.empty() && masks_.size() != records_.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} masks for {} records; accepted: one for each, or none", masks_.size(), records_.size()));
+  }
+  masks_.resize(records_.size());
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    if (masks_[i].size() == 0) {
+      masks_[i] = Mask::Constant(records_[i].size(), true);
+    }
+    if (masks_[i].size() != records_[i].size()) {
+      throw std::invalid_argument(fmt::format("{}: a mask of {} samples for {}; accepted: as many", records_[i].name,
+                                              masks_[i].size(), records_[i].size()));
+    }
+  }
+}
+
+double RigModel::prior(Nuisance nuisance, const log::Record& record) const {
+  switch (nuisance) {
+    case Nuisance::force_zero:
+      return absolute(tolerances_.force_zero, rangeOf(record.force));
+    case Nuisance::displacement_zero:
+      return absolute(tolerances_.displacement_zero, rangeOf(record.displacement));
+    case Nuisance::delay:
+      return absolute(tolerances_.delay, record.dt);
+    case Nuisance::clock:
+      return tolerances_.clock.value;
+    case Nuisance::gain:
+      return tolerances_.gain.value;
+    default:
+      return absolute(tolerances_.initial_state, rangeOf(record.force));
+  }
+}
+
+std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const std::vector<RigPoint>& points,
+                                                double shift) const {
+  std::vector<VectorXd> displacements;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
+    displacements.emplace_back(records_[i].displacement.array() - zero + shift * rangeOf(records_[i].displacement));
+  }
+  return simulate(displacements);
+}
+
+std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& simulate,
+                                                             const std::vector<RigPoint>& points) const {
+  const auto starts = [](const log::Record& record) { return startsInMotion(record); };
+  std::vector<std::vector<VectorXd>> forces;
+  if (std::none_of(records_.begin(), records_.end(), starts)) {
+    return forces;
+  }
+  for (const Before kind : kMotionsBefore) {
+    std::vector<VectorXd> displacements;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
+      const VectorXd displacement = records_[i].displacement.array() - zero;
+      displacements.push_back(starts(records_[i]) ? withMotionBefore(displacement, kind) : displacement);
+    }
+    forces.push_back(simulate(displacements));
+  }
+  return forces;
+}
+
+std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated, const Simulate& simulate,
+                                          const std::vector<RigPoint>& points) const {
+  std::vector<VectorXd> shifted;
+  std::vector<std::vector<VectorXd>> running;
+  if (simulate) {
+    shifted = simulateShifted(simulate, points, kShift);
+    running = simulateRunning(simulate, points);
+  }
+  std::vector<RigColumns> result;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const RigPoint point = points.empty() ? RigPoint() : points[i];
+    const log::Record& record = records_[i];
+    const auto late = [&](const VectorXd& force) { return delayed(force, point.delay / record.dt, point.clock); };
+    const VectorXd base = late(simulated[i]);
+    std::vector<Column> columns = {{Nuisance::force_zero, VectorXd::Ones(record.size())}};
+    if (!shifted.empty()) {
+      // Too high a displacement lets the simulation give too much.
+      columns.push_back(
+          {Nuisance::displacement_zero, (base - late(shifted[i])) / (kShift * rangeOf(record.displacement))});
+    }
+    addDelays(base, record.dt, columns);
+    columns.push_back({Nuisance::gain, base});
+    if (startsInMotion(record)) {
+      addInitialState(record.size(), columns);
+      const double scale = prior(Nuisance::initial_state, record);
+      for (const auto& forces : running) {
+        columns.push_back(
+            {Nuisance::initial_state, (forces[i].tail(record.size()) - simulated[i]) / std::max(scale, 1e-300)});
+      }
+    }
+    result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) { return prior(nuisance, record); }));
+    setBase(base, point, result.back());
+  }
+  return result;
+}
+
+RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations) const {
+  const log::Record& record = records_[log];
+  const Mask& mask = masks_[log];
+  const VectorXd residual = record.force - columns.base;
+  RigFit fit;
+  fit.rig = columns;
+  fit.values = VectorXd::Zero(columns.priors.size());
+  // A start that leaves neither zeros nor trends in what the noise is estimated from: as white noise of the residual's
+  // own size.
+  const VectorXd counted = mask.cast<double>();
+  const double scale = std::max(deviationOf(residual), 1e-12 * rangeOf(record.force));
+  const MatrixXd masked = counted.asDiagonal() * columns.columns / scale;
+  NormalEquations equations{masked.transpose() * masked, masked.transpose() * residual / scale};
+  Solution solution = solveWithPriors(equations.gram, equations.moment, columns.priors);
+  for (int i = 0; i < iterations; ++i) {
+    fit.noise = estimateNoise(residual - columns.columns * solution.values, mask);
+    const Whitener whitener(fit.noise, mask);
+    equations = robustEquations(whitener(columns.columns), whitener(residual).col(0), columns.priors);
+    solution = solveWithPriors(equations.gram, equations.moment, columns.priors);
+  }
+  fit.values = solution.values;
+  fit.covariance = solution.covariance;
+  fit.correction = columns.columns * fit.values;
+  fit.residual = residual - fit.correction;
+  const Index force = fit.column(Nuisance::force_zero);
+  const Index displacement = fit.column(Nuisance::displacement_zero);
+  if (force >= 0 && displacement >= 0) {
+    const Solution alone = withoutColumn(equations, columns.priors, displacement);
+    fit.zeros_as_force = alone.values[force];
+    fit.zeros_as_force_deviation = std::sqrt(alone.covariance(force, force));
+  }
+  return fit;
+}
+
+std::vector<RigFit> RigModel::fitAll(const std::vector<VectorXd>& simulated, const Simulate& simulate) const {
+  const std::vector<RigColumns> first = columns(simulated, simulate);
+  std::vector<RigPoint> points;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    points.push_back(pointOf(fit(i, first[i], 1)));
+  }
+  const std::vector<VectorXd> about = simulate ? simulateShifted(simulate, points, 0.0) : simulated;
+  const std::vector<RigColumns> second = columns(about, simulate, points);
+  std::vector<RigFit> fits;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    fits.push_back(fit(i, second[i]));
+    fits.back().correction = records_[i].force - simulated[i] - fits.back().residual;
+  }
+  return fits;
+}
+
+std::vector<RigFinding> RigModel::findings(std::size_t log, const RigFit& fit) const {
+  const std::string& name = records_[log].name;
+  std::vector<RigFinding> found;
+  bool zero_found = false;
+  for (const Nuisance nuisance :
+       {Nuisance::force_zero, Nuisance::displacement_zero, Nuisance::delay, Nuisance::clock, Nuisance::gain}) {
+    const Index i = fit.column(nuisance);
+    if (i >= 0 && significantAt(fit, {i}) && matters(fit, {i})) {
+      zero_found = zero_found || nuisance == Nuisance::force_zero || nuisance == Nuisance::displacement_zero;
+      found.push_back(told(name, nuisance, fit.values[i], std::sqrt(fit.covariance(i, i)), fit.rig.priors[i]));
+    }
+  }
+  const Index force = fit.column(Nuisance::force_zero);
+  const Index displacement = fit.column(Nuisance::displacement_zero);
+  if (!zero_found && force >= 0 && displacement >= 0 && significantAt(fit, {force, displacement}) &&
+      matters(fit, {force, displacement})) {
+    RigFinding zeros =
+        told(name, Nuisance::force_zero, fit.zeros_as_force, fit.zeros_as_force_deviation, fit.rig.priors[force]);
+    zeros.text = fmt::format(
+        "zeros of force and displacement together are too high by {:.3g} N; how much is each, this log cannot tell: "
+        "taken out; zero both before the log",
+        fit.zeros_as_force);
+    found.insert(found.begin(), zeros);
+  }
+  const std::vector<Index> initial = columnsOf(fit, Nuisance::initial_state);
+  if (!initial.empty() && significantAt(fit, initial) && matters(fit, initial)) {
+    found.push_back(initialStateFinding(name, fit, initial, prior(Nuisance::initial_state, records_[log])));
+  }
+  return found;
+}
+
+}  // namespace rubber_suspension::measurement

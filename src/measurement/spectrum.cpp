@@ -1,0 +1,82 @@
+// Periodogram in bands that are even on a log axis.
+#include "measurement/spectrum.h"
+
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd bridged(const VectorXd& signal, const Mask& mask) {
+  VectorXd result = signal;
+  Index last = -1;
+  for (Index i = 0; i <= signal.size(); ++i) {
+    if (i < signal.size() && !mask[i]) {
+      continue;
+    }
+    for (Index j = last + 1; j < i; ++j) {
+      const double before = last >= 0 ? signal[last] : (i < signal.size() ? signal[i] : 0.0);
+      const double after = i < signal.size() ? signal[i] : before;
+      result[j] = before + (after - before) * static_cast<double>(j - last) / static_cast<double>(i - last);
+    }
+    last = i;
+  }
+  return result;
+}
+
+// |FFT|^2 of the windowed signal, padded to a power of two; one-sided density.
+VectorXd periodogram(const VectorXd& signal) {
+  const Index count = signal.size();
+  Index padded = 64;
+  while (padded < count) {
+    padded *= 2;
+  }
+  std::vector<double> windowed(static_cast<std::size_t>(padded), 0.0);
+  const double mean = signal.mean();
+  double power = 0.0;
+  for (Index i = 0; i < count; ++i) {
+    const double window =
+        0.5 - 0.5 * std::cos(2.0 * element::kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    windowed[static_cast<std::size_t>(i)] = window * (signal[i] - mean);
+    power += window * window;
+  }
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<std::complex<double>> spectrum;
+  fft.fwd(spectrum, windowed);
+  VectorXd density(padded / 2 + 1);
+  for (Index i = 0; i < density.size(); ++i) {
+    density[i] = 2.0 * std::norm(spectrum[static_cast<std::size_t>(i)]) / power;
+  }
+  return density;
+}
+
+}  // namespace
+
+std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask) {
+  constexpr double kBandRatio = 1.122462048309373;  // 2^(1/6)
+  constexpr double kHannLines = 1.5;                // lines that a Hann window joins to one
+  const auto count = static_cast<double>(signal.size());
+  const VectorXd density = periodogram(bridged(signal, mask));
+  const auto padded = static_cast<double>(2 * (density.size() - 1));
+  const double line = std::max(1.0, padded / count);  // of the padded spectrum, per line of the signal
+  std::vector<SpectrumBand> bands;
+  auto begin = static_cast<Index>(std::ceil(2.0 * line));
+  while (begin < density.size() - 1) {
+    const double edge = std::max(static_cast<double>(begin) * kBandRatio, static_cast<double>(begin) + line);
+    const Index end = std::min(static_cast<Index>(std::ceil(edge)), density.size() - 1);
+    const auto lines = static_cast<double>(end - begin);
+    bands.push_back({0.5 * static_cast<double>(begin + end - 1) / padded, lines / padded,
+                     density.segment(begin, end - begin).mean(), std::max(1.0, lines / line / kHannLines)});
+    begin = end;
+  }
+  return bands;
+}
+
+}  // namespace rubber_suspension::measurement

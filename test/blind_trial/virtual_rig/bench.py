@@ -1,0 +1,102 @@
+# What a bench does to a log besides the component: zeros that nobody set, a recording that starts in motion, spikes,
+# coloured noise, gain, and the faults that make a log another one (sign, factor, columns swapped).
+"""Faults of the bench, applied to logs that are finished."""
+import numpy as np
+
+# Each at size 1; sizes of 0.5 and 2 are half and twice as much.
+NUISANCES = {
+    "zeros": 0.03,          # of the range of either channel, new in each log
+    "running_start": 0.10,  # share of the log that is cut off its beginning, so that it starts in motion
+    "spikes": 3,            # samples per log, of 3 to 10 standard deviations, in either channel
+    "pink": 0.005,          # noise of 1/f, of the force's standard deviation
+    "gain": 0.003,          # of the force transducer, the same in all logs
+    "delay": 0.25,          # of the sampling interval, the force late
+    "held": 0.002,          # share of the samples that repeat the one before, in runs of 5 to 20, force alone
+}
+FAULTS = ("sign", "newton_for_kilonewton", "metre_for_millimetre", "swapped", "clipped")
+
+
+def apply(logs, names, size, rng):
+    """The logs as a bench with these nuisances and faults writes them; also what was done, for the label."""
+    unknown = [name for name in names if name not in NUISANCES and name not in FAULTS]
+    if unknown:
+        raise ValueError(f"no fault of a bench: {unknown}; known are {sorted(NUISANCES)} and {sorted(FAULTS)}")
+    done = {"size": size, "faults": list(names)}
+    common = {"gain": 1.0 + rng.choice([-1.0, 1.0]) * NUISANCES["gain"] * size}
+    out = []
+    for kind, z, f in logs:
+        z, f = z.copy(), f.copy()
+        for name in names:
+            z, f = APPLY[name](z, f, size, rng, common)
+        out.append((kind, z, f))
+    return out, done
+
+
+def running_start(z, f, size, rng, common):
+    """Cut where the motion is fast: the first samples after that share of the log at which the speed is large."""
+    earliest = int(NUISANCES["running_start"] * size * len(z) * rng.uniform(0.5, 1.0))
+    speed = np.abs(np.gradient(z))
+    fast = np.flatnonzero(speed[earliest:len(z) // 2] > np.sqrt(np.mean(speed**2)))
+    start = earliest + (int(fast[0]) if len(fast) else 0)
+    return z[start:], f[start:]
+
+
+def zeros(z, f, size, rng, common):
+    share = NUISANCES["zeros"] * size
+    return z + rng.uniform(-share, share) * np.ptp(z), f + rng.uniform(-share, share) * np.ptp(f)
+
+
+def spikes(z, f, size, rng, common):
+    for _ in range(max(1, int(round(NUISANCES["spikes"] * size)))):
+        channel = f if rng.random() < 0.7 else z
+        channel[rng.integers(len(channel))] += rng.choice([-1.0, 1.0]) * rng.uniform(3.0, 10.0) * np.std(channel)
+    return z, f
+
+
+def pink(z, f, size, rng, common):
+    return z, f + NUISANCES["pink"] * size * np.std(f) * pink_noise(rng, len(f))
+
+
+def pink_noise(rng, n):
+    """Noise of standard deviation 1 whose power falls with 1/f, down to the length of the log."""
+    spectrum = np.fft.rfft(rng.standard_normal(n))
+    k = np.arange(len(spectrum))
+    spectrum[1:] /= np.sqrt(k[1:])
+    spectrum[0] = 0.0
+    noise = np.fft.irfft(spectrum, n)
+    return noise / np.std(noise)
+
+
+def gain(z, f, size, rng, common):
+    return z, f * common["gain"]
+
+
+def delay(z, f, size, rng, common):
+    late = NUISANCES["delay"] * size
+    n = np.arange(len(f))
+    return z, np.interp(n - late, n, f)
+
+
+def held(z, f, size, rng, common):
+    left = int(NUISANCES["held"] * size * len(f))
+    while left > 0:
+        run = int(rng.integers(5, 21))
+        start = int(rng.integers(1, len(f) - run))
+        f[start:start + run] = f[start - 1]
+        left -= run
+    return z, f
+
+
+def clipped(z, f, size, rng, common):
+    limit = np.quantile(np.abs(f), 0.8)
+    return z, np.clip(f, -limit, limit)
+
+
+APPLY = {
+    "zeros": zeros, "running_start": running_start, "spikes": spikes, "pink": pink, "gain": gain, "delay": delay,
+    "held": held, "clipped": clipped,
+    "sign": lambda z, f, *_: (z, -f),
+    "newton_for_kilonewton": lambda z, f, *_: (z, f * 1e3),
+    "metre_for_millimetre": lambda z, f, *_: (z * 1e-3, f),
+    "swapped": lambda z, f, *_: (f, z),
+}

@@ -1,0 +1,477 @@
+// The judgement on made-up evidence: each verdict and each rule, without a simulation.
+#include "diagnosis/judge/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "diagnosis/judge/weighing.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// Effects of the made-up list: two of many numbers, one of a single number, a drift, and a last resort.
+enum Effect { kMany, kSimple, kDrift, kLastResort, kOther, kEffects };
+constexpr int kOfKnown = Evidence::kFirstSingle;
+
+HypothesisEvidence fitted(std::vector<int> members, double held_out) {
+  HypothesisEvidence hypothesis;
+  hypothesis.held_out = held_out;
+  for (const int member : members) {
+    hypothesis.terms += member == kSimple || member == kDrift ? 1 : 8;
+    hypothesis.free_trends = hypothesis.free_trends || member == kDrift;
+    hypothesis.last_resort = hypothesis.last_resort || member == kLastResort;
+  }
+  hypothesis.members = std::move(members);
+  return hypothesis;
+}
+
+// A gap of 30 % as configured and of 20 % re-estimated over a floor of 1 %, of which no effect closes anything.
+Evidence unexplained() {
+  Evidence evidence;
+  evidence.noise_floor = 0.01;
+  evidence.element_level = 0.2;
+  evidence.hypotheses = {fitted({}, 0.3), fitted({}, 0.2)};
+  for (int effect = 0; effect < kEffects; ++effect) {
+    evidence.hypotheses.push_back(fitted({effect}, 0.2));
+  }
+  evidence.testable.assign(kEffects, true);
+  return evidence;
+}
+
+HypothesisEvidence& single(Evidence& evidence, int effect) {
+  return evidence.hypotheses[static_cast<std::size_t>(kOfKnown + effect)];
+}
+
+HypothesisEvidence& configured(Evidence& evidence) { return evidence.hypotheses[Evidence::kAsConfigured]; }
+HypothesisEvidence& reEstimated(Evidence& evidence) { return evidence.hypotheses[Evidence::kReEstimated]; }
+
+// Unseen logs on which each hypothesis is as good as on blocks of the logs of the fit.
+void addUnseenLogs(Evidence& evidence) {
+  evidence.has_unseen_logs = true;
+  for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    hypothesis.unseen = UnseenErrors{hypothesis.held_out, hypothesis.held_out, evidence.noise_floor};
+  }
+}
+
+// Model parameters that re-estimation moves far, where one number would do with the parameters as specified.
+void hideSimpleEffect(Evidence& evidence) {
+  reEstimated(evidence).held_out = 0.0101;
+  reEstimated(evidence).penalty = 0.05;
+  reEstimated(evidence).largest_change = 0.5;
+  single(evidence, kSimple).held_out = 0.0101;
+}
+
+// Residuals of 2 % in the band of the motion, which no effect explains.
+void leaveResidualNearNoise(Evidence& evidence) {
+  configured(evidence).held_out = 0.05;
+  reEstimated(evidence).held_out = 0.02;
+  for (int effect = 0; effect < kEffects; ++effect) {
+    single(evidence, effect).held_out = 0.02;
+  }
+  addUnseenLogs(evidence);
+}
+
+struct Row {
+  std::string rule;
+  std::function<void(Evidence&, Criteria&)> change;  // of the unexplained gap
+  Verdict verdict;
+  std::vector<int> effects;
+};
+
+void PrintTo(const Row& row, std::ostream* stream) { *stream << row.rule; }
+
+const std::vector<Row> kRows = {
+    {"a gap that nothing closes is unknown", [](Evidence&, Criteria&) {}, Verdict::unknown, {}},
+    // none
+    {"at the noise floor there is no gap",
+     [](Evidence& e, Criteria&) { configured(e).held_out = 0.0105; },
+     Verdict::none,
+     {}},
+    {"a gap of half a per cent is within the accuracy of discretisation",
+     [](Evidence& e, Criteria&) {
+       e.noise_floor = 0.0005;
+       configured(e).held_out = 0.005;
+     },
+     Verdict::none,
+     {}},
+    {"a gap that the time steps explain is none",
+     [](Evidence& e, Criteria&) {
+       e.discretisation = 0.02;
+       configured(e).held_out = 0.025;
+     },
+     Verdict::none,
+     {}},
+    // parameter_error
+    {"parameters that leave noise are the error",
+     [](Evidence& e, Criteria&) { reEstimated(e).held_out = 0.0105; },
+     Verdict::parameter_error,
+     {}},
+    {"parameters that leave a tenth of the gap and little more than noise are the error",
+     [](Evidence& e, Criteria&) { reEstimated(e).held_out = 0.024; },
+     Verdict::parameter_error,
+     {}},
+    {"parameters that leave a tenth of the gap far above the noise are not",
+     [](Evidence& e, Criteria&) {
+       configured(e).held_out = 1.0;
+       reEstimated(e).held_out = 0.08;
+       for (int effect = 0; effect < kEffects; ++effect) {
+         single(e, effect).held_out = 0.08;
+       }
+     },
+     Verdict::unknown,
+     {}},
+    {"parameters of all elements count where the specification's close most",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.08;
+       e.element_level = 0.02;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"parameters of all elements do not count where the specification's close little",
+     [](Evidence& e, Criteria&) { e.element_level = 0.02; },
+     Verdict::unknown,
+     {}},
+    // effects that re-estimation hides
+    {"one number with the parameters as specified is simpler than parameters moved far",
+     [](Evidence& e, Criteria&) { hideSimpleEffect(e); },
+     Verdict::named,
+     {kSimple}},
+    {"an effect of many numbers is no simpler",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       single(e, kSimple).terms = 8;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"an effect is no simpler that moves the parameters far itself",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       single(e, kSimple).largest_change = 0.5;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"parameters that hardly moved hide nothing",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       reEstimated(e).largest_change = 0.1;
+     },
+     Verdict::parameter_error,
+     {}},
+    // named, confounded, partly, unknown
+    {"an effect that leaves noise is named",
+     [](Evidence& e, Criteria&) { single(e, kMany).held_out = 0.011; },
+     Verdict::named,
+     {kMany}},
+    {"two effects that leave the same are confounded",
+     [](Evidence& e, Criteria&) { single(e, kMany).held_out = single(e, kOther).held_out = 0.011; },
+     Verdict::confounded,
+     {kMany}},
+    {"moved parameters count against an effect",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = single(e, kOther).held_out = 0.011;
+       single(e, kMany).penalty = 0.08;
+     },
+     Verdict::named,
+     {kOther}},
+    {"an effect that leaves half of the gap explains it in part",
+     [](Evidence& e, Criteria&) { single(e, kMany).held_out = 0.1; },
+     Verdict::partly,
+     {kMany}},
+    {"an effect that closes a tenth of the gap does not explain it",
+     [](Evidence& e, Criteria&) { single(e, kMany).held_out = 0.18; },
+     Verdict::unknown,
+     {}},
+    {"an effect that these logs hardly show is not named for a small gain",
+     [](Evidence& e, Criteria&) {
+       e.testable.assign(kEffects, false);
+       single(e, kMany).held_out = 0.15;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.149));
+     },
+     Verdict::unknown,
+     {}},
+    {"an effect that closes much does show, typical or not",
+     [](Evidence& e, Criteria&) {
+       e.testable.assign(kEffects, false);
+       single(e, kMany).held_out = 0.011;
+     },
+     Verdict::named,
+     {kMany}},
+    // several effects
+    {"two effects are named where one leaves much",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       single(e, kOther).held_out = 0.15;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+     },
+     Verdict::named,
+     {kMany, kOther}},
+    {"the effect without which most would be left comes first",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.15;
+       single(e, kOther).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+     },
+     Verdict::named,
+     {kOther, kMany}},
+    {"a second effect that gains little is not named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.05;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.045));
+     },
+     Verdict::named,
+     {kMany}},
+    {"three effects are named where two leave much",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.12;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.06));
+       e.hypotheses.push_back(fitted({kMany, kSimple, kOther}, 0.011));
+     },
+     Verdict::named,
+     {kMany, kOther, kSimple}},
+    {"no more effects are named than may be",
+     [](Evidence& e, Criteria& c) {
+       c.most_effects = 1;
+       single(e, kMany).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+     },
+     Verdict::partly,
+     {kMany}},
+    // drift and last resort
+    {"an effect goes before a drift that leaves as little",
+     [](Evidence& e, Criteria&) { single(e, kDrift).held_out = single(e, kOther).held_out = 0.011; },
+     Verdict::named,
+     {kOther}},
+    {"a last resort gives way to any effect that explains as much",
+     [](Evidence& e, Criteria&) { single(e, kLastResort).held_out = single(e, kOther).held_out = 0.02; },
+     Verdict::named,
+     {kOther}},
+    {"a last resort is named where all others fail",
+     [](Evidence& e, Criteria&) { single(e, kLastResort).held_out = 0.02; },
+     Verdict::named,
+     {kLastResort}},
+    {"a last resort is not named where it leaves more than half of the gap",
+     [](Evidence& e, Criteria&) { single(e, kLastResort).held_out = 0.12; },
+     Verdict::unknown,
+     {}},
+    // unseen logs
+    {"an effect that unseen logs confirm is named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       addUnseenLogs(e);
+     },
+     Verdict::named,
+     {kMany}},
+    {"an effect that closes nothing of unseen logs is a false positive",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       addUnseenLogs(e);
+       single(e, kMany).unseen->predicted = 0.21;
+     },
+     Verdict::unknown,
+     {}},
+    {"the second effect is withdrawn where only the first predicts unseen logs",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.05;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+       addUnseenLogs(e);
+       e.hypotheses.back().unseen->predicted = 0.25;
+     },
+     Verdict::named,
+     {kMany}},
+    {"unseen logs that show nothing speak neither for an effect nor against it",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       addUnseenLogs(e);
+       reEstimated(e).unseen->predicted = 0.0105;
+       single(e, kMany).unseen->predicted = 0.03;
+     },
+     Verdict::named,
+     {kMany}},
+    {"a hidden effect only has to lose little on unseen logs",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       addUnseenLogs(e);
+       reEstimated(e).unseen->predicted = 0.02;
+       single(e, kSimple).unseen->predicted = 0.03;
+     },
+     Verdict::named,
+     {kSimple}},
+    {"a drift cannot predict and only has to lose little",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.011;
+       addUnseenLogs(e);
+       single(e, kDrift).unseen->predicted = 0.22;
+     },
+     Verdict::named,
+     {kDrift}},
+    {"a drift that spoils unseen logs is a false positive",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.011;
+       addUnseenLogs(e);
+       single(e, kDrift).unseen->predicted = 0.3;
+     },
+     Verdict::unknown,
+     {}},
+    {"an effect that predicts goes before a drift that fits better",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.011;
+       single(e, kOther).held_out = 0.04;
+       addUnseenLogs(e);
+       single(e, kDrift).unseen->predicted = 0.19;
+     },
+     Verdict::named,
+     {kOther}},
+    {"an effect that predicts hardly more does not go before the drift",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.011;
+       single(e, kOther).held_out = 0.04;
+       addUnseenLogs(e);
+       single(e, kDrift).unseen->predicted = 0.06;
+     },
+     Verdict::named,
+     {kDrift}},
+    {"a small residual that unseen logs do not show is noise",
+     [](Evidence& e, Criteria&) {
+       leaveResidualNearNoise(e);
+       configured(e).unseen->replayed = 0.0105;
+     },
+     Verdict::none,
+     {}},
+    {"a small residual that unseen logs show as configured only is a parameter error",
+     [](Evidence& e, Criteria&) {
+       leaveResidualNearNoise(e);
+       reEstimated(e).unseen->replayed = 0.0105;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"a small residual that unseen logs confirm stays unknown",
+     [](Evidence& e, Criteria&) { leaveResidualNearNoise(e); },
+     Verdict::unknown,
+     {}},
+    {"a large residual is no noise, whatever unseen logs show",
+     [](Evidence& e, Criteria&) {
+       addUnseenLogs(e);
+       configured(e).unseen->replayed = reEstimated(e).unseen->replayed = 0.0105;
+     },
+     Verdict::unknown,
+     {}},
+    {"agreement that unseen logs deny is unknown",
+     [](Evidence& e, Criteria&) {
+       configured(e).held_out = 0.0105;
+       addUnseenLogs(e);
+       configured(e).unseen->replayed = 0.2;
+     },
+     Verdict::unknown,
+     {}},
+    {"a parameter error that unseen logs deny is unknown",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.0105;
+       addUnseenLogs(e);
+       reEstimated(e).unseen->replayed = 0.2;
+     },
+     Verdict::unknown,
+     {}},
+    {"unseen logs deny nothing within five of their floors",
+     [](Evidence& e, Criteria&) {
+       configured(e).held_out = 0.0105;
+       addUnseenLogs(e);
+       configured(e).unseen = UnseenErrors{0.08, 0.08, 0.02};
+     },
+     Verdict::none,
+     {}},
+};
+
+class Judge : public testing::TestWithParam<Row> {};
+
+INSTANTIATE_TEST_SUITE_P(Rules, Judge, testing::ValuesIn(kRows));
+
+TEST_P(Judge, FollowsTheRule) {
+  Evidence evidence = unexplained();
+  Criteria criteria;
+  GetParam().change(evidence, criteria);
+  const Judgement judgement = judge(evidence, criteria);
+  EXPECT_EQ(toString(judgement.verdict), toString(GetParam().verdict)) << GetParam().rule;
+  EXPECT_EQ(judgement.effects, GetParam().effects) << GetParam().rule;
+  EXPECT_FALSE(judgement.missing);
+}
+
+// Whatever the evidence: what a report relies on.
+TEST_P(Judge, AgreesWithItself) {
+  Evidence evidence = unexplained();
+  Criteria criteria;
+  GetParam().change(evidence, criteria);
+  const Judgement judgement = judge(evidence, criteria);
+  ASSERT_EQ(judgement.probabilities.size(), evidence.testable.size());
+  ASSERT_EQ(judgement.testable.size(), evidence.testable.size());
+  for (const double probability : judgement.probabilities) {
+    EXPECT_GE(probability, 0.0);
+    EXPECT_LE(probability, 1.0);
+  }
+  EXPECT_EQ(judgement.confounded.size(), judgement.effects.size());
+  std::vector<int> named = judgement.effects;
+  std::sort(named.begin(), named.end());
+  EXPECT_EQ(evidence.at(judgement.model).members, named) << "the model is made of what is named";
+  const bool names = judgement.verdict == Verdict::named || judgement.verdict == Verdict::confounded ||
+                     judgement.verdict == Verdict::partly;
+  EXPECT_EQ(names, !judgement.effects.empty());
+}
+
+TEST(Judgement, SaysWhereOnlyUnseenLogsDiffer) {
+  Evidence evidence = unexplained();
+  configured(evidence).held_out = 0.0105;
+  addUnseenLogs(evidence);
+  EXPECT_FALSE(judge(evidence).only_unseen_logs_differ);
+  configured(evidence).unseen->replayed = 0.2;
+  EXPECT_TRUE(judge(evidence).only_unseen_logs_differ);
+}
+
+TEST(Judgement, HoldsBothOfTwoEqualEffectsInTheSet) {
+  Evidence evidence = unexplained();
+  single(evidence, kMany).held_out = single(evidence, kOther).held_out = 0.011;
+  const Judgement judgement = judge(evidence);
+  ASSERT_EQ(judgement.confounded.size(), 1U);
+  EXPECT_EQ(judgement.confounded[0], (std::vector<int>{kMany, kOther}));
+  EXPECT_DOUBLE_EQ(judgement.probabilities[kMany], judgement.probabilities[kOther]);
+}
+
+// Simulations of unseen logs are asked for when the judgement turns on them, and for nothing else.
+TEST(Judgement, AsksForErrorsOnUnseenLogsOneByOne) {
+  Evidence complete = unexplained();
+  single(complete, kMany).held_out = 0.011;
+  addUnseenLogs(complete);
+  Evidence evidence = complete;
+  for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    hypothesis.unseen.reset();
+  }
+  std::vector<int> asked;
+  Judgement judgement = judge(evidence);
+  while (judgement.missing) {
+    ASSERT_LT(asked.size(), evidence.hypotheses.size()) << "asked twice";
+    asked.push_back(*judgement.missing);
+    evidence.hypotheses[static_cast<std::size_t>(asked.back())].unseen = complete.at(asked.back()).unseen;
+    judgement = judge(evidence);
+  }
+  EXPECT_EQ(asked, (std::vector<int>{Evidence::kReEstimated, kOfKnown + kMany}));
+  EXPECT_EQ(judgement.effects, judge(complete).effects);
+}
+
+TEST(Weighing, CallsForFurtherEffectsWhereMuchIsLeft) {
+  Evidence evidence = unexplained();
+  const Criteria criteria;
+  EXPECT_TRUE(needsFurtherEffects(evidence, criteria));
+  single(evidence, kMany).held_out = 0.011;
+  EXPECT_FALSE(needsFurtherEffects(evidence, criteria));
+  single(evidence, kDrift).held_out = 0.0;  // may stand for two effects that are slow
+  single(evidence, kMany).held_out = 0.05;
+  EXPECT_TRUE(needsFurtherEffects(evidence, criteria));
+  reEstimated(evidence).held_out = 0.0105;
+  EXPECT_FALSE(needsFurtherEffects(evidence, criteria));
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,119 @@
+// Paired comparison of models and the Model Confidence Set, on losses whose truth is known.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "diagnosis/judge/model_confidence_set.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using testing::Contains;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::Not;
+
+// Six logs of ten blocks; model m loses shift[m] on average, each log and each block adds what chance adds.
+Losses simulated(const std::vector<double>& shift, double by_log, double by_block, unsigned seed, int logs = 6) {
+  constexpr int kBlocks = 10;
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  Losses losses;
+  const auto models = static_cast<Eigen::Index>(shift.size());
+  losses.loss.resize(models, kBlocks * logs);
+  losses.weight = Eigen::VectorXd::Ones(kBlocks * logs);
+  Eigen::MatrixXd of_log(models, logs);
+  for (double& value : of_log.reshaped()) {
+    value = by_log * normal(generator);
+  }
+  for (int b = 0; b < kBlocks * logs; ++b) {
+    losses.cluster.push_back(b / kBlocks);
+    const double common = normal(generator);  // a block that is hard is hard for all
+    for (Eigen::Index m = 0; m < models; ++m) {
+      losses.loss(m, b) =
+          shift[static_cast<std::size_t>(m)] + of_log(m, b / kBlocks) + common + by_block * normal(generator);
+    }
+  }
+  return losses;
+}
+
+TEST(PairedDifference, IsTheWeightedMeanOfDifferences) {
+  Losses losses;
+  losses.loss.resize(2, 4);
+  losses.loss << 1.0, 2.0, 3.0, 4.0, 0.0, 0.0, 0.0, 0.0;
+  losses.weight = Eigen::Vector4d(1.0, 1.0, 1.0, 3.0);
+  losses.cluster = {0, 0, 1, 1};
+  const PairedDifference difference = compare(losses, 0, 1);
+  EXPECT_DOUBLE_EQ(difference.mean, 3.0);
+  // Scores of the clusters: (1 - 3) + (2 - 3) = -3 and (3 - 3) + 3 (4 - 3) = 3; sqrt(2/1 (9 + 9))/6 = 1.
+  EXPECT_DOUBLE_EQ(difference.standard_error, 1.0);
+  EXPECT_EQ(difference.degrees_of_freedom, 1);
+}
+
+TEST(PairedDifference, OneLogTellsNothingOfChance) {
+  const PairedDifference difference = compare(simulated({0.0, 1.0}, 0.0, 0.1, 1, 1), 0, 1);
+  EXPECT_EQ(difference.standard_error, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(difference.pValueOfNoGain(), 0.5);
+}
+
+TEST(PairedDifference, PValuesAreUniformWhereNothingDiffers) {
+  constexpr int kTrials = 2000;
+  int below = 0;
+  for (unsigned seed = 0; seed < kTrials; ++seed) {
+    below += compare(simulated({0.0, 0.0}, 0.3, 0.3, seed), 0, 1).pValueOfNoGain() < 0.1 ? 1 : 0;
+  }
+  // Binomial: 0.1 with a standard deviation of 0.0067; three of them.
+  EXPECT_THAT(below / static_cast<double>(kTrials), DoubleNear(0.1, 0.02));
+}
+
+TEST(PairedDifference, MoreBlocksOfOneLogMakeNobodySurer) {
+  const Losses losses = simulated({0.0, 0.2}, 0.3, 0.01, 3);
+  Losses doubled;
+  doubled.loss.resize(2, 2 * losses.loss.cols());
+  doubled.loss << losses.loss, losses.loss;
+  doubled.weight = Eigen::VectorXd::Ones(2 * losses.loss.cols());
+  doubled.cluster = losses.cluster;
+  doubled.cluster.insert(doubled.cluster.end(), losses.cluster.begin(), losses.cluster.end());
+  EXPECT_NEAR(compare(doubled, 0, 1).standard_error, compare(losses, 0, 1).standard_error, 1e-12);
+}
+
+TEST(ModelConfidenceSet, HoldsTheBestAndLeavesOutTheClearlyWorse) {
+  const ModelConfidenceSet set = modelConfidenceSet(simulated({0.0, 0.02, 2.0, 3.0}, 0.1, 0.1, 5), 0.9);
+  EXPECT_THAT(set.members, Contains(0));
+  EXPECT_THAT(set.members, Contains(1));
+  EXPECT_THAT(set.members, Not(Contains(2)));
+  EXPECT_THAT(set.members, Not(Contains(3)));
+}
+
+TEST(ModelConfidenceSet, HoldsTheTruthAsOftenAsItSays) {
+  constexpr int kTrials = 300;
+  int held = 0;
+  for (unsigned seed = 0; seed < kTrials; ++seed) {
+    const ModelConfidenceSet set = modelConfidenceSet(simulated({0.0, 0.0, 0.1, 0.3}, 0.2, 0.2, seed, 8), 0.9, 400);
+    held += std::find(set.members.begin(), set.members.end(), 0) != set.members.end() ? 1 : 0;
+  }
+  // At least 0.9 asymptotically; the Bayesian bootstrap of eight clusters is a little too narrow. Three standard
+  // deviations of the binomial are 0.05.
+  EXPECT_GE(held / static_cast<double>(kTrials), 0.82);
+}
+
+TEST(PseudoBmaWeights, AddUpToOneAndGrowSurerWithLogs) {
+  const std::vector<double> few = pseudoBmaWeights(simulated({0.0, 0.3}, 0.1, 0.1, 7, 3), 1.0);
+  const std::vector<double> many = pseudoBmaWeights(simulated({0.0, 0.3}, 0.1, 0.1, 7, 24), 1.0);
+  EXPECT_NEAR(few[0] + few[1], 1.0, 1e-12);
+  EXPECT_GT(few[0], few[1]);
+  EXPECT_GT(many[0], few[0]);
+}
+
+TEST(LogarithmicLoss, CountsFactorsAboveTheNoise) {
+  Eigen::MatrixXd errors(2, 2);
+  errors << 4.0, 1e-9, 1.0, 1e-12;
+  const Eigen::MatrixXd loss = logarithmicLoss(errors, 1e-4);
+  EXPECT_NEAR(loss(0, 0) - loss(1, 0), std::log(2.0), 1e-4);
+  EXPECT_NEAR(loss(0, 1) - loss(1, 1), 0.0, 1e-5);  // both are below the noise
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

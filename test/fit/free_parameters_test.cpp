@@ -1,0 +1,99 @@
+// What a fit moves: `estimate --from-log` and `diagnose` free the same parameters of every law.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <set>
+
+#include "element/typical_elements.h"
+#include "fit/force_model.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/fit/own_parameters.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsSupersetOf;
+
+fit::Measurement measurement() {
+  fit::Measurement result;
+  for (int i = 0; i < 200; ++i) {
+    result.stamp.push_back(i * 5000000LL);
+    result.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * 0.02 * i));
+    result.force.push_back(3e3 * result.displacement.back());
+  }
+  return result;
+}
+
+std::set<std::string> freeInEstimate(const std::vector<element::ElementDescription>& elements) {
+  std::vector<element::ElementDescription> completed;
+  for (const element::ElementDescription& element : elements) {
+    completed.push_back(element::complete(element));
+  }
+  const std::vector<fit::Measurement> measurements = {measurement()};
+  const fit::ForceModel model(completed, measurements, {});
+  std::set<std::string> names;
+  for (const auto* unknowns : {&model.nonlinear(), &model.linear()}) {
+    for (const fit::Unknown& unknown : *unknowns) {
+      names.insert(fmt::format("{}[{}].{}", elements[unknown.element].type, unknown.element, unknown.name));
+    }
+  }
+  return names;
+}
+
+std::set<std::string> freeInDiagnosis(const std::vector<element::ElementDescription>& elements) {
+  const fit::OwnParameters own(io::ComponentDescription("component", elements), fit::Level::elements);
+  return {own.names().begin(), own.names().end()};
+}
+
+class FreeParameters : public testing::TestWithParam<element::ElementDescription> {};
+
+INSTANTIATE_TEST_SUITE_P(AllLaws, FreeParameters, testing::ValuesIn(typicalElements()));
+
+TEST_P(FreeParameters, AreTheSameInEstimateAndDiagnosis) {
+  const std::vector<element::ElementDescription> elements = {{"spring", {{"stiffness", {3e6}}}}, GetParam()};
+  const std::set<std::string> names = freeInEstimate(elements);
+  EXPECT_EQ(names, freeInDiagnosis(elements));
+  EXPECT_THAT(names, IsSupersetOf({"spring[0].stiffness"}));
+}
+
+// The two lists that these roles replaced froze the order in one command, the ends of the range in the other.
+TEST(FreeParameters, OfASpringpotAreStiffnessAndOrder) {
+  const std::vector<element::ElementDescription> elements = {
+      {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}}};
+  EXPECT_THAT(freeInEstimate(elements), ElementsAre("springpot[0].order", "springpot[0].stiffness"));
+}
+
+TEST(FreeParameters, OfCreepIsTheFallPerDecade) {
+  const std::vector<element::ElementDescription> elements = {
+      {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}}};
+  EXPECT_THAT(freeInDiagnosis(elements), ElementsAre("creep[0].stiffness_per_decade"));
+}
+
+// A default counts as a given value, and moving it writes it down.
+TEST(FreeParameters, IncludeDefaults) {
+  const fit::OwnParameters own(io::ComponentDescription("component", {{"stress_softening", {{"reduction", {0.3}}}}}),
+                               fit::Level::elements);
+  ASSERT_THAT(own.names(), ElementsAre("stress_softening[0].reduction", "stress_softening[0].width"));
+  EXPECT_EQ(own.apply(Eigen::Vector2d(0.0, 0.0)).elements().at(0).values.count("width"), 0U);
+  EXPECT_DOUBLE_EQ(own.apply(Eigen::Vector2d(0.0, 0.1)).elements().at(0).value("width"), 0.5 * std::exp(0.1));
+}
+
+TEST(IsFree, KeepsEndsOfRangesListsChoicesAndReferences) {
+  const element::ParameterInfo share{"share", "1", element::Role::shape, {0.0, 1.0, true, false}, 1.0, "share"};
+  EXPECT_FALSE(element::isFree(share, {1.0}));
+  EXPECT_TRUE(element::isFree(share, {0.9}));
+  element::ParameterInfo other{"other", "1", element::Role::scale, element::Range::any(), std::nullopt, "other"};
+  EXPECT_TRUE(element::isFree(other, {-2.0}));
+  EXPECT_FALSE(element::isFree(other, {0.0}));
+  for (const element::Role role : {element::Role::choice, element::Role::reference}) {
+    other.role = role;
+    EXPECT_FALSE(element::isFree(other, {2.0}));
+  }
+  const element::ParameterInfo list{"list", "N", element::Role::scale, element::Range::any(), {}, "list", true};
+  EXPECT_FALSE(element::isFree(list, {1.0, 2.0}));
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

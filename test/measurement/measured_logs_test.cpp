@@ -1,0 +1,79 @@
+// Measured logs of other laboratories go through, and none of them is taken for a bench's mistake.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measurement/perturb.h"
+#include "rubber_suspension/measurement/bench_check.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+#include "rubber_suspension/measurement/rig_model.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+// Where the data lie; empty where they do not.
+std::string dataFolder() {
+  const char* given = std::getenv("RUBBER_SUSPENSION_DATA");
+  const std::string folder = given != nullptr ? given : TEST_DIR "/../../shared/data";
+  return std::filesystem::is_directory(folder) ? folder : "";
+}
+
+// What a data sheet would say of each, from what is visible without any model.
+struct Measured {
+  const char* folder;
+  const char* file;
+  Elements elements;
+};
+
+Elements springOf(double stiffness) { return {{"spring", {{"stiffness", {stiffness}}}}}; }
+
+std::vector<Measured> measuredLogs() {
+  std::vector<Measured> logs = {{"hdrb", "hdrb_shear_4amplitudes.csv", springOf(1.5e6)}};
+  for (const char* file : {"high_1.csv", "high_3.csv", "high_5.csv", "high_7.csv", "high_9.csv", "low_1.csv",
+                           "low_4.csv", "low_7.csv", "low_10.csv"}) {
+    logs.push_back({"mr_damper", file, springOf(1e3)});
+  }
+  for (const char* file : {"o_ring_1_bar.csv", "o_ring_3_bar.csv", "o_ring_7_bar.csv"}) {
+    logs.push_back({"rod_seal", file, springOf(10.0)});
+  }
+  for (const char* file : {"shear_relaxation.csv", "shear_relaxation_0d1.csv", "shear_relaxation_1.csv",
+                           "shear_relaxation_2.csv", "shear_relaxation_5.csv"}) {
+    logs.push_back({"adhesive_film", file, springOf(8e3)});
+  }
+  return logs;
+}
+
+TEST(MeasuredLogs, GoThrough) {
+  const std::string folder = dataFolder();
+  if (folder.empty()) {
+    GTEST_SKIP() << "no measured logs: RUBBER_SUSPENSION_DATA names no folder, and ../shared/data is not there";
+  }
+  for (const Measured& measured : measuredLogs()) {
+    SCOPED_TRACE(std::string(measured.folder) + "/" + measured.file);
+    const log::Log log = log::readLog(folder + "/" + measured.folder + "/" + measured.file);
+    const Faults faults = findFaults(log);
+    const log::Record record = log::makeRecord(repaired(log, faults));
+    const Mask mask = resampled(faults.usable(), log, record);
+    const std::vector<RigFinding> wrong = checkBench(measured.elements, {record});
+    EXPECT_TRUE(wrong.empty()) << wrong.front().text;
+    const RigModel model({record}, {mask}, {});
+    const Simulate simulate = [&](const std::vector<Eigen::VectorXd>& displacements) {
+      return simulateAll(measured.elements, {record.dt}, displacements);
+    };
+    const RigFit fit = model.fitAll(simulate({record.displacement}), simulate).front();
+    EXPECT_TRUE(fit.residual.allFinite());
+    const NoiseFloor floor = noiseFloor(record, fit.residual, mask, 0.0);
+    EXPECT_GT(floor.smoothed, 0.0);
+    EXPECT_LT(floor.smoothed, record.force_deviation);
+    printf("%s/%s: floor %.4f by %s, left %.3f\n", measured.folder, measured.file, floor.smoothed / record.force_deviation, floor.source.c_str(), std::sqrt(fit.residual.squaredNorm()/record.size())/record.force_deviation);
+    for (const auto& f : faults.findings) printf("    %s %s\n", f.finding.c_str(), f.text.c_str());
+    for (const auto& f : model.findings(0, fit)) printf("    %s %s%s\n", f.finding.c_str(), f.text.c_str(), f.beyond_tolerance ? " BEYOND" : "");
+    if (auto f = colouredNoiseFinding("x", fit.noise)) printf("    %s\n", f->text.c_str());
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension::measurement
