@@ -56,8 +56,13 @@ std::shared_ptr<LoggerService> LoggerService::get() {
   return result;
 }
 
+std::vector<std::string> LoggerService::names() {
+  const std::string& node = ros::this_node::getName();
+  return {ros::names::append(node, "get_loggers"), ros::names::append(node, "set_logger_level")};
+}
+
 LoggerService::LoggerService() {
-  const std::string name = ros::names::append(ros::this_node::getName(), "get_loggers");
+  const std::string name = names().front();
   ros::ServiceManager::instance()->unadvertiseService(name);
   server_ = handle_.advertiseService(name, answer);
 }

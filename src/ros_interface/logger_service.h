@@ -4,6 +4,8 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace rubber_suspension::ros_interface {
 
@@ -17,6 +19,9 @@ class LoggerService {
   LoggerService();
   LoggerService(const LoggerService&) = delete;
   LoggerService& operator=(const LoggerService&) = delete;
+
+  /// Resolved names of the services about loggers, roscpp's own ~set_logger_level among them.
+  static std::vector<std::string> names();
 
  private:
   ros::NodeHandle handle_;

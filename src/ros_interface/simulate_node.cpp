@@ -132,7 +132,11 @@ void SimulateNode::advertiseServices() {
     diagnostics_->watch(*threads_[i]);
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_);
-  registration_ = std::make_unique<RegistrationKeeper>(services_->names());
+  std::vector<std::string> services = LoggerService::names();
+  for (const std::string& name : services_->names()) {
+    services.push_back(name);
+  }
+  registration_ = std::make_unique<RegistrationKeeper>(services);
 }
 
 }  // namespace rubber_suspension::ros_interface
