@@ -1,2 +1,1 @@
-// A target needs a source, that of the precompiled headers too.
-#include "precompiled.h"
+// Nothing but the source that a target needs, here the one of the precompiled headers.

@@ -13,7 +13,8 @@ Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::Ve
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
 /// The same with 0 <= x_i where signed_unknown[i] is false and no bounds else; without a ridge, so exact to rounding,
-/// by a decomposition that reveals the rank: collinear columns share by least norm. A column of zeros gets x_i = 0.
+/// by a decomposition that reveals the rank: collinear columns of any sign share by least norm. A column of zeros gets
+/// x_i = 0.
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                         const std::vector<bool>& signed_unknown);
 

@@ -389,7 +389,7 @@ void describeResiduals(Identification& result, const ModelFit& fit, const Eigen:
   const auto count = static_cast<double>(force.size());
   const double variance = fit.residual.squaredNorm() / count;
   result.residual = std::sqrt(variance);
-  result.relative_residual = gap::relativeGap(fit.residual, gap::standardDeviation(force));
+  result.relative_residual = gap::gapOfResidual(fit.residual, gap::standardDeviation(force));
   result.independent_samples = independentSamples(fit.residual, noise);
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(

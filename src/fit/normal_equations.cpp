@@ -12,7 +12,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr int kTrendsPerLog = 10;     // the zero, a ramp and eight half cosines
+constexpr int kTrendsPerLog = 10;        // the zero, a ramp and eight half cosines
 constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than what a residual remembers
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
@@ -160,8 +160,7 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
                            bool trends, int threads) {
   const auto logs = static_cast<Eigen::Index>(records.size());
-  const Eigen::Index width =
-      static_cast<Eigen::Index>(columns.size()) + (trends ? kTrendsPerLog * logs : 0) + 1;
+  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + (trends ? kTrendsPerLog * logs : 0) + 1;
   const std::vector<Rows> blocks = cut(records);
   const Columns all{records, weights, base, columns, trends, width};
   const std::vector<Eigen::MatrixXd> shares = sharesOfNuisances(all, blocks, threads);

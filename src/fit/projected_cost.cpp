@@ -162,7 +162,7 @@ Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const 
     }
   }
   const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
-  return scaled.scale.asDiagonal() * LeastNorm(scaled.products).solve(moments);
+  return scaled.scale.asDiagonal() * solveLeastNorm(scaled.products, moments);
 }
 
 // By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.

@@ -37,7 +37,7 @@ Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coe
   }
   const Eigen::MatrixXd gram = basis.transpose() * basis;
   const Eigen::MatrixXd moment = basis.transpose() * columns;
-  return columns - basis * LeastNorm(gram).solve(moment);
+  return columns - basis * solveLeastNorm(gram, moment);
 }
 
 // The projected residual as Ceres calls it, made free of units. Its Jacobian is that of L. Kaufman, BIT 15 (1975)

@@ -32,7 +32,7 @@ double standardDeviation(const Eigen::VectorXd& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
 
-double relativeGap(const Eigen::VectorXd& residual, double standard_deviation) {
+double gapOfResidual(const Eigen::VectorXd& residual, double standard_deviation) {
   return std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size())) / standard_deviation;
 }
 

@@ -173,7 +173,7 @@ double excitedFrom(const Eigen::VectorXd& displacement, double dt) {
 double meanFrequency(const Eigen::VectorXd& displacement, double dt) {
   const Eigen::Index steps = displacement.size() - 1;
   const double squares = (displacement.tail(steps) - displacement.head(steps)).squaredNorm();
-  return std::sqrt(squares / static_cast<double>(steps)) / dt / (2.0 * M_PI * deviation(displacement));
+  return std::sqrt(squares / static_cast<double>(steps)) / dt / (2.0 * element::kPi * deviation(displacement));
 }
 
 void smoothDisplacement(Record& record) {

@@ -262,6 +262,8 @@ const UnitFactor* unitFactorOf(double ratio) {
   return best;
 }
 
+bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
+
 struct Evidence {
   Slope measured;
   Slope configured;
@@ -300,6 +302,11 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
 
 // The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
 RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
+  // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
+  // the only force that gives energy.
+  if (!e.isElastic() && !plausible(e.force_ratio)) {
+    return signFinding(record, e);
+  }
   const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
   const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
   const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
@@ -319,12 +326,10 @@ RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, c
 VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
   component::ComponentState state = component.makeState();
   VectorXd force(displacement.size());
-  force[0] = component.rest(state, displacement[0]).total;
+  force[0] = component.initialise(state, displacement[0]).total;
   component.simulate(state, dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1), force.data() + 1);
   return force;
 }
-
-bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
 
 // With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
 // loops do not say otherwise.

@@ -301,12 +301,17 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   found.limit = outward > 0.0 ? channel.highest : channel.lowest;
   double bulging = 0.0;
   double variance = 0.0;
+  double travelled = 0.0;
   for (const Run& run : equalRuns(channel.values, 3)) {
     if (channel.values[run.begin] == found.limit) {
       const auto length = static_cast<double>(run.end - run.begin);
       found.runs.push_back(run);
       found.samples += run.end - run.begin;
-      bulging += outward * bulge(other.values, run) * length;
+      // Where the other only passes by, as under friction at its limit, nothing bulges.
+      const double passed = std::abs(other.values[run.end - 1] - other.values[run.begin]);
+      const double size = outward * bulge(other.values, run);
+      bulging += passed < 3.0 * std::abs(size) ? size * length : 0.0;
+      travelled += passed * length;
       variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
     }
   }
@@ -324,8 +329,9 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   // Beyond the scatter, and by what a peak has above a cut at 1 % of the range.
   const bool bulges =
       bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
-  // Or its noise is gone there.
-  return bulges || (is_force && channel.noisy) ? std::optional<Saturation>(found) : std::nullopt;
+  // Or its noise is gone there, and not because it is at friction's limit all along a stroke.
+  const bool silent = is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
+  return bulges || silent ? std::optional<Saturation>(found) : std::nullopt;
 }
 
 void exclude(Mask& mask, Index begin, Index end) { mask.segment(begin, end - begin).setConstant(false); }

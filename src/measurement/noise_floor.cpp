@@ -180,6 +180,9 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;
   }
+  if (continuesInto(motion, residual, mask)) {
+    return std::sqrt((residual.array() * mask.cast<double>()).square().sum() / static_cast<double>(mask.count()));
+  }
   return estimateNoise(residual, mask, motion).deviation;
 }
 

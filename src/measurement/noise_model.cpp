@@ -31,7 +31,8 @@ struct SlowPart {
   double variance;  // as a share of the whole 1/f part
 };
 
-// Time constants from one sample to the length of the log; variances that add up to a spectrum of 1/f^exponent.
+// Time constants from a quarter of a sample, so that the spectrum goes on to its end, to the length of the log;
+// variances that add up to a spectrum of 1/f^exponent.
 std::vector<SlowPart> slowParts(double exponent, Index samples) {
   std::vector<SlowPart> parts;
   double sum = 0.0;
@@ -119,7 +120,8 @@ std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, co
   std::vector<SpectrumBand> outside;
   std::copy_if(all.begin(), all.end(), std::back_inserter(outside),
                [&](const SpectrumBand& band) { return !excluded.contains(band.frequency); });
-  const double cut = cutOff(outside);
+  // Above a quarter of a cycle per sample, aliases bend the 1/f law of the processes; elsewhere there is plenty.
+  const double cut = std::min(cutOff(outside), 0.25);
   std::vector<SpectrumBand> counting;
   std::copy_if(outside.begin(), outside.end(), std::back_inserter(counting),
                [&](const SpectrumBand& band) { return band.frequency <= cut; });
@@ -137,9 +139,9 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // The grid's own step, half to either side.
-  const double half = 0.5 * (exponents[1] - exponents[0]);
-  return {interval[0] - half, interval[1] + half};
+  // The grid's own step to either side; as much is a sum of processes off from 1/f near half of the sampling rate.
+  const double step = exponents[1] - exponents[0];
+  return {interval[0] - step, interval[1] + step};
 }
 
 void fitSpectrum(const std::vector<SpectrumBand>& bands, NoiseModel& model) {
@@ -256,7 +258,48 @@ VectorXd centred(const VectorXd& signal, const Mask& mask) {
   return signal.array() - mean;
 }
 
+// Whittle's log-likelihood of a model.
+double whittle(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    const double expected = spectralDensity(model, band.frequency);
+    sum -= band.lines * (std::log(expected) + band.density / expected);
+  }
+  return sum;
+}
+
+// How far bands are from a model, in mean: half for a true one, for each band is known to a chi-square.
+double misfit(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    const double ratio = band.density / spectralDensity(model, band.frequency);
+    sum += band.lines * (ratio - 1.0 - std::log(ratio));
+  }
+  return bands.empty() ? 0.0 : sum / static_cast<double>(bands.size());
+}
+
 }  // namespace
+
+bool continuesInto(const ExcludedBand& excluded, const VectorXd& signal, const Mask& mask) {
+  constexpr double kDrop = 3.9;    // half of chi-square with 3 parameters at 95 %
+  constexpr double kMisfit = 1.0;  // twice what chance leaves
+  if (mask.count() < kFewestSamples || meanSquare(signal, mask) <= 0.0) {
+    return false;
+  }
+  const std::vector<SpectrumBand> bands = spectrumBands(clamped(centred(signal, mask), mask), mask);
+  const std::vector<SpectrumBand> outside = countingBands(bands, excluded);
+  std::vector<SpectrumBand> inside;
+  std::copy_if(bands.begin(), bands.end(), std::back_inserter(inside),
+               [&](const SpectrumBand& band) { return excluded.contains(band.frequency); });
+  std::vector<SpectrumBand> both = inside;
+  both.insert(both.end(), outside.begin(), outside.end());
+  NoiseModel alone;
+  NoiseModel joint;
+  alone.samples = joint.samples = signal.size();
+  fitSpectrum(outside, alone);
+  fitSpectrum(both, joint);
+  return whittle(alone, outside) - whittle(joint, outside) < kDrop && misfit(joint, inside) < kMisfit;
+}
 
 double spectralDensity(const NoiseModel& model, double frequency) {
   double density = 2.0 * model.white * model.white;

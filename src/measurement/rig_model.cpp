@@ -37,11 +37,6 @@ VectorXd derivative(const VectorXd& values, double dt) {
   return result;
 }
 
-// RMS of the speed over RMS of the displacement about its mean: 2 pi times a typical frequency.
-double typicalRate(const log::Record& record) {
-  return rmsOf(derivative(record.displacement, record.dt)) / deviationOf(record.displacement);
-}
-
 struct Column {
   Nuisance nuisance;
   VectorXd values;
@@ -317,17 +312,28 @@ double absolute(const io::RigTolerance& tolerance, double whole) {
 
 Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
+namespace {
+
+// Samples until the displacement has first moved that far.
+double timeToMove(const VectorXd& displacement, double distance) {
+  for (Index i = 1; i < displacement.size(); ++i) {
+    if (std::abs(displacement[i] - displacement[0]) >= distance) {
+      return static_cast<double>(i);
+    }
+  }
+  return static_cast<double>(displacement.size());
+}
+
+}  // namespace
+
 bool startsInMotion(const log::Record& record) {
-  constexpr double kCycle = 2.0 * element::kPi / 8.0;  // an eighth, of the phase
-  const VectorXd speed = derivative(record.displacement, record.dt);
-  const double samples = std::clamp(kCycle / (typicalRate(record) * record.dt), 3.0, static_cast<double>(speed.size()));
-  // The mean speed of the piece: noise of the displacement averages out.
-  const auto last = static_cast<Index>(samples) - 1;
-  const double start =
-      std::abs(record.displacement[last] - record.displacement[0]) / (static_cast<double>(last) * record.dt);
-  const double turning = rmsOf(speed.head(last + 1));
-  const double noise = record.displacement_noise * (record.passed_frequency > 0.0 ? 0.0 : 1.0) / record.dt;
-  return std::max(start, turning - noise) > 0.05 * rmsOf(speed);
+  // From a turning point the way grows with the square of the time, so ten times the way takes 3.2 times as long; at
+  // speed, 10 times; an amplitude that is faded in, the third root or less; after a standstill, about as long.
+  constexpr double kFadedIn = 2.6;
+  const double range = rangeOf(record.displacement);
+  const double noise = record.passed_frequency > 0.0 ? 0.0 : record.displacement_noise;
+  const double near = std::min(std::max(0.01 * range, 6.0 * noise), 0.05 * range);
+  return timeToMove(record.displacement, 10.0 * near) > kFadedIn * timeToMove(record.displacement, near);
 }
 
 RigModel::RigModel(std::vector<log::Record> records, std::vector<Mask> masks, const io::RigTolerances& tolerances)

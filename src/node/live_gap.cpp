@@ -30,7 +30,7 @@ void measure(const std::vector<MatchedSample>& samples, LiveGap& gap) {
   const log::Record measured = log::makeRecord(logOf(samples, &MatchedSample::measured));
   const log::Record simulated = log::makeRecord(logOf(samples, &MatchedSample::simulated));
   const Eigen::VectorXd residual = measured.force - simulated.force;
-  gap.gap = gap::relativeGap(residual, measured.force_deviation);
+  gap.gap = gap::gapOfResidual(residual, measured.force_deviation);
   gap.noise_floor = std::min(gap::whiteNoiseFloor(measured, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({measured}, {residual}, {gap.noise_floor});

@@ -7,8 +7,8 @@
 
 #include "element/typical_elements.h"
 #include "fit/force_model.h"
+#include "fit/model_parameters.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/fit/own_parameters.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsSupersetOf;
 
-fit::Measurement measurement() {
-  fit::Measurement result;
+log::Log recorded() {
+  log::Log result;
   for (int i = 0; i < 200; ++i) {
     result.stamp.push_back(i * 5000000LL);
     result.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * 0.02 * i));
@@ -31,8 +31,8 @@ std::set<std::string> freeInEstimate(const std::vector<element::ElementDescripti
   for (const element::ElementDescription& element : elements) {
     completed.push_back(element::complete(element));
   }
-  const std::vector<fit::Measurement> measurements = {measurement()};
-  const fit::ForceModel model(completed, measurements, {});
+  const std::vector<log::Log> logs = {recorded()};
+  const fit::ForceModel model(completed, logs, {});
   std::set<std::string> names;
   for (const auto* unknowns : {&model.nonlinear(), &model.linear()}) {
     for (const fit::Unknown& unknown : *unknowns) {
@@ -43,8 +43,8 @@ std::set<std::string> freeInEstimate(const std::vector<element::ElementDescripti
 }
 
 std::set<std::string> freeInDiagnosis(const std::vector<element::ElementDescription>& elements) {
-  const fit::OwnParameters own(io::ComponentDescription("component", elements), fit::Level::elements);
-  return {own.names().begin(), own.names().end()};
+  const fit::ModelParameters model(io::ComponentDescription("component", elements), fit::Level::elements);
+  return {model.names().begin(), model.names().end()};
 }
 
 class FreeParameters : public testing::TestWithParam<element::ElementDescription> {};
@@ -73,11 +73,11 @@ TEST(FreeParameters, OfCreepIsTheFallPerDecade) {
 
 // A default counts as a given value, and moving it writes it down.
 TEST(FreeParameters, IncludeDefaults) {
-  const fit::OwnParameters own(io::ComponentDescription("component", {{"stress_softening", {{"reduction", {0.3}}}}}),
-                               fit::Level::elements);
-  ASSERT_THAT(own.names(), ElementsAre("stress_softening[0].reduction", "stress_softening[0].width"));
-  EXPECT_EQ(own.apply(Eigen::Vector2d(0.0, 0.0)).elements().at(0).values.count("width"), 0U);
-  EXPECT_DOUBLE_EQ(own.apply(Eigen::Vector2d(0.0, 0.1)).elements().at(0).value("width"), 0.5 * std::exp(0.1));
+  const fit::ModelParameters model(
+      io::ComponentDescription("component", {{"stress_softening", {{"reduction", {0.3}}}}}), fit::Level::elements);
+  ASSERT_THAT(model.names(), ElementsAre("stress_softening[0].reduction", "stress_softening[0].width"));
+  EXPECT_EQ(model.apply(Eigen::Vector2d(0.0, 0.0)).elements().at(0).values.count("width"), 0U);
+  EXPECT_DOUBLE_EQ(model.apply(Eigen::Vector2d(0.0, 0.1)).elements().at(0).value("width"), 0.5 * std::exp(0.1));
 }
 
 TEST(IsFree, KeepsEndsOfRangesListsChoicesAndReferences) {

@@ -7,6 +7,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -23,7 +25,7 @@ TEST(Gap, IsTheSameOfResiduals) {
   const std::vector<double> simulated = {2.5, -1.5, 2.0, 6.0};
   const Eigen::Map<const Eigen::VectorXd> force(measured.data(), 4);
   const Eigen::Map<const Eigen::VectorXd> model(simulated.data(), 4);
-  EXPECT_NEAR(gap::relativeGap(force - model, gap::standardDeviation(force)), gap::relativeGap(measured, simulated),
+  EXPECT_NEAR(gap::gapOfResidual(force - model, gap::standardDeviation(force)), gap::relativeGap(measured, simulated),
               1e-15);
 }
 
@@ -45,7 +47,7 @@ log::Record noisySine(double noise) {
   log::Record record;
   record.dt = 1e-3;
   record.highest_frequency = 2.0;
-  record.displacement = 1e-3 * (2.0 * M_PI * 2e-3 * Eigen::ArrayXd::LinSpaced(kSize, 0.0, kSize - 1.0)).sin();
+  record.displacement = 1e-3 * (2.0 * element::kPi * 2e-3 * Eigen::ArrayXd::LinSpaced(kSize, 0.0, kSize - 1.0)).sin();
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, noise);
   record.force = 1e6 * record.displacement + Eigen::VectorXd::NullaryExpr(kSize, [&] { return normal(generator); });
@@ -59,7 +61,7 @@ TEST(Gap, OfPartsIsThatOfTheWhole) {
   const auto parts = gap::partErrors({record}, {simulated});
   EXPECT_EQ(parts.size(), 10U);
   // Tenths of 8000 samples are of one size: their mean is that of all, up to rounding.
-  EXPECT_NEAR(gap::gapOfParts(parts), gap::relativeGap(record.force - simulated, record.force_deviation), 1e-12);
+  EXPECT_NEAR(gap::gapOfParts(parts), gap::gapOfResidual(record.force - simulated, record.force_deviation), 1e-12);
 }
 
 TEST(Gap, HasTheFloorOfWhiteNoise) {

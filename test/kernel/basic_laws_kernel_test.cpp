@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/spring.h"
@@ -286,7 +287,7 @@ TEST_P(BasicLawsKernel, AllocatesNothing) {
 }
 
 TEST(BasicLawsKernelStiffness, IsTheSumOfThoseOfItsLaws) {
-  constexpr double kOmega = 2.0 * M_PI * 4.0;
+  constexpr double kOmega = 2.0 * element::kPi * 4.0;
   element::BasicLaws sum;
   const element::Spring spring(3e6);
   const element::Dashpot dashpot(1e4);

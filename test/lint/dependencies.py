@@ -66,7 +66,7 @@ OPTIONAL |= {"GSL_LIBRARY", "GSL_BLAS_LIBRARY", "gsl", "SUNDIALS", "cvode", "nve
              "MUJOCO_LIBRARY", "MUJOCO_INCLUDE_DIR", "mujoco", "numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libgsl-dev",
-         "libsundials-dev", "libmujoco-dev", "python3-numba"}
+         "libsundials-dev", "libmujoco-dev", "python3-numba", "dpkg-dev", "file"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -68,10 +69,13 @@ TEST(MeasuredLogs, GoThrough) {
     const NoiseFloor floor = noiseFloor(record, fit.residual, mask, 0.0);
     EXPECT_GT(floor.smoothed, 0.0);
     EXPECT_LT(floor.smoothed, record.force_deviation);
-    printf("%s/%s: floor %.4f by %s, left %.3f\n", measured.folder, measured.file, floor.smoothed / record.force_deviation, floor.source.c_str(), std::sqrt(fit.residual.squaredNorm()/record.size())/record.force_deviation);
-    for (const auto& f : faults.findings) printf("    %s %s\n", f.finding.c_str(), f.text.c_str());
-    for (const auto& f : model.findings(0, fit)) printf("    %s %s%s\n", f.finding.c_str(), f.text.c_str(), f.beyond_tolerance ? " BEYOND" : "");
-    if (auto f = colouredNoiseFinding("x", fit.noise)) printf("    %s\n", f->text.c_str());
+    std::cout << measured.folder << "/" << measured.file << ": floor " << floor.smoothed / record.force_deviation
+              << " by " << floor.source << "\n";
+    for (const auto& findings : {faults.findings, model.findings(0, fit)}) {
+      for (const RigFinding& finding : findings) {
+        std::cout << "  " << finding.finding << ": " << finding.text << "\n";
+      }
+    }
   }
 }
 

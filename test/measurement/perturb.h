@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 
@@ -85,13 +86,13 @@ class Programme {
       const double frequency = 0.3 * std::pow(15.0 / 0.3, (i + uniform(generator)) / 40.0);
       frequency_.push_back(frequency);
       amplitude_.push_back(0.35 * std::pow(frequency, -0.7));
-      phase_.push_back(2.0 * M_PI * uniform(generator));
+      phase_.push_back(2.0 * element::kPi * uniform(generator));
     }
   }
 
   double operator()(double time) const {
     const double edge = std::min({1.0, std::max(time, 0.0) / 0.8, std::max(duration_ - time, 0.0) / 0.8});
-    const double envelope = 0.5 - 0.5 * std::cos(M_PI * edge);
+    const double envelope = 0.5 - 0.5 * std::cos(element::kPi * edge);
     return envelope * inner(std::max(time, 0.0));
   }
 
@@ -103,12 +104,12 @@ class Programme {
       case Motion::sweep: {
         const double growth = std::log(15.0 / 0.3) / duration_;
         const double frequency = 0.3 * std::exp(growth * time);
-        return std::min(1.0, 3.0 / frequency) * std::sin(2.0 * M_PI * 0.3 * std::expm1(growth * time) / growth);
+        return std::min(1.0, 3.0 / frequency) * std::sin(2.0 * element::kPi * 0.3 * std::expm1(growth * time) / growth);
       }
       case Motion::track: {
         double sum = 0.0;
         for (std::size_t i = 0; i < phase_.size(); ++i) {
-          sum += amplitude_[i] * std::sin(2.0 * M_PI * frequency_[i] * time + phase_[i]);
+          sum += amplitude_[i] * std::sin(2.0 * element::kPi * frequency_[i] * time + phase_[i]);
         }
         return sum;
       }
@@ -123,9 +124,9 @@ class Programme {
     const auto i = static_cast<std::size_t>(std::min(3.0, std::floor(time / block)));
     const double local = time - static_cast<double>(i) * block;
     const double edge = std::min({1.0, local / 0.4, (block - local) / 0.4});
-    const double envelope = 0.5 - 0.5 * std::cos(M_PI * std::max(edge, 0.0));
+    const double envelope = 0.5 - 0.5 * std::cos(element::kPi * std::max(edge, 0.0));
     const double amplitude[] = {1.0, 0.4, 0.8, 0.2};
-    return amplitude[i] * envelope * std::sin(2.0 * M_PI * std::min(frequency_[10 * i + 5], 6.0) * local);
+    return amplitude[i] * envelope * std::sin(2.0 * element::kPi * std::min(frequency_[10 * i + 5], 6.0) * local);
   }
 
   // Ramps to levels, each held.
@@ -134,7 +135,7 @@ class Programme {
     const auto i = static_cast<std::size_t>(std::min(7.0, std::floor(time / step)));
     const double level[] = {0.0, 0.5, 1.0, 0.3, -0.6, -1.0, 0.2, 0.8, 0.0};
     const double share = std::clamp((time - static_cast<double>(i) * step) / 0.3, 0.0, 1.0);
-    return level[i] + (level[i + 1] - level[i]) * (0.5 - 0.5 * std::cos(M_PI * share));
+    return level[i] + (level[i + 1] - level[i]) * (0.5 - 0.5 * std::cos(element::kPi * share));
   }
 
   Motion motion_;
@@ -151,7 +152,7 @@ inline std::vector<Eigen::VectorXd> simulateAll(const Elements& elements, const 
   for (std::size_t i = 0; i < displacements.size(); ++i) {
     component::ComponentState state = component.makeState();
     Eigen::VectorXd force(displacements[i].size());
-    force[0] = component.rest(state, displacements[i][0]).total;
+    force[0] = component.initialise(state, displacements[i][0]).total;
     component.simulate(state, steps[i], displacements[i].data() + 1, static_cast<std::size_t>(force.size() - 1),
                        force.data() + 1);
     forces.push_back(force);
@@ -180,7 +181,7 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
     fft.inv(white, spectrum);
   } else if (p.anti_alias > 0.0) {
     for (const double quality : {0.541196, 1.306563}) {  // two stages of a Butterworth filter of fourth order
-      const double t = std::tan(M_PI * p.anti_alias);
+      const double t = std::tan(element::kPi * p.anti_alias);
       const double n = 1.0 / (1.0 + t / quality + t * t);
       double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;
       for (double& x : white) {

@@ -16,7 +16,7 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
 double standardDeviation(const Eigen::VectorXd& values);
 
 /// The gap of a residual [N], by the standard deviation of the measured force [N].
-double relativeGap(const Eigen::VectorXd& residual, double standard_deviation);
+double gapOfResidual(const Eigen::VectorXd& residual, double standard_deviation);
 
 /// What a gap is beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.
 double residualAboveFloor(double gap, double floor);

@@ -45,6 +45,10 @@ struct ExcludedBand {
 /// it. A signal of fewer than 32 samples that count is taken as white.
 NoiseModel estimateNoise(const Eigen::VectorXd& signal, const Mask& mask, const ExcludedBand& excluded = {});
 
+/// True where one smooth law (white + 1/f) holds inside and outside of a band, so that what is inside may be noise as
+/// well: it is as likely outside as the law that was fitted there alone, and has no peaks left inside.
+bool continuesInto(const ExcludedBand& band, const Eigen::VectorXd& signal, const Mask& mask);
+
 /// Turns noise of a model into white noise of standard deviation 1, and every column of a fit alike; starts anew
 /// behind samples that do not count. Exact for white + 1/f and for the filter alone.
 class Whitener {

@@ -60,8 +60,8 @@ struct RigFit {
 /// than the record: it then has a motion before the log.
 using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 
-/// True where a record starts while the machine runs, or moves off at once: its speed over the first eighth of a
-/// typical cycle exceeds a twentieth of its usual speed.
+/// True where a record may start while the machine runs: at speed or at a turning point, by how the way grows at first.
+/// A ramp from rest may look the same; then nothing is found to be left from before.
 bool startsInMotion(const log::Record& record);
 
 /// The nuisances of a set of logs, and how wide each may be.

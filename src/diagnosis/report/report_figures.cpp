@@ -37,7 +37,7 @@ std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   }
   const auto gap = [&](std::size_t r) {
     const log::Record& record = diagnosis.workings->records[r];
-    return gap::relativeGap(record.force - diagnosis.workings->force_re_estimated[r], record.force_deviation);
+    return gap::gapOfResidual(record.force - diagnosis.workings->force_re_estimated[r], record.force_deviation);
   };
   const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->training);
   std::sort(first == order.begin() ? order.begin() : first, order.end(),
@@ -199,7 +199,7 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
     const log::Record& record = diagnosis.workings->records[r];
     const auto step = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1.0 / record.dt));
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
-      const double gap = gap::relativeGap((record.force - simulated[r]).segment(first, step), record.force_deviation);
+      const double gap = gap::gapOfResidual((record.force - simulated[r]).segment(first, step), record.force_deviation);
       curve.x.push_back(start + static_cast<double>(first) * record.dt);
       curve.y.push_back(std::max(1e-5, gap));
     }

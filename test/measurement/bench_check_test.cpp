@@ -1,0 +1,130 @@
+// Mistakes of a bench are named with their correction, and logs without one are left to the diagnosis.
+#include "rubber_suspension/measurement/bench_check.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "measurement/examine.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<RigFinding> check(const VirtualRig& rig, const Perturbation& p, const Elements& elements) {
+  const log::Log log = runRig(rig, p).log;
+  return checkBench(elements, {log::makeRecord(repaired(log, findFaults(log)))});
+}
+
+void expectAll(const Perturbation& p, const std::string& name, const std::string& word) {
+  for (const VirtualRig& rig : allRigs(2)) {
+    const std::vector<RigFinding> findings = check(rig, p, elementsOf(rig));
+    ASSERT_EQ(findings.size(), 1u) << static_cast<int>(rig.law) << static_cast<int>(rig.motion);
+    EXPECT_EQ(findings[0].finding, name) << static_cast<int>(rig.law) << static_cast<int>(rig.motion)
+                                         << findings[0].text;
+    EXPECT_TRUE(findings[0].fatal);
+    EXPECT_THAT(findings[0].text, HasSubstr(word));
+  }
+}
+
+TEST(BenchCheck, LeavesLogsAsBenchesWriteThemAlone) {
+  Perturbation messy;
+  messy.running_start = true;
+  messy.force_zero = 0.03;
+  messy.displacement_zero = 0.03;
+  messy.spikes = 0.2;
+  messy.pink = true;
+  messy.gain = 0.003;
+  messy.delay = 0.5;
+  for (const VirtualRig& rig : allRigs(3)) {
+    EXPECT_TRUE(check(rig, {}, elementsOf(rig)).empty());
+    EXPECT_TRUE(check(rig, messy, elementsOf(rig)).empty());
+  }
+}
+
+TEST(BenchCheck, NamesSign) {
+  Perturbation p;
+  p.sign = true;
+  expectAll(p, finding::kSign, "multiply the force by -1");
+}
+
+TEST(BenchCheck, NamesSwappedColumns) {
+  Perturbation p;
+  p.swapped = true;
+  expectAll(p, finding::kSwappedColumns, "swap");
+}
+
+TEST(BenchCheck, NamesUnitFactors) {
+  for (const double factor :
+       {1e3, 1e-3, 1e6, 1e-6, 9.81, 1.0 / 9.81, 10.0, 0.1, 25.4, 1.0 / 25.4, 4.448, 1.0 / 4.448}) {
+    Perturbation p;
+    p.factor = factor;
+    expectAll(p, finding::kUnitFactor, "--unit");
+  }
+}
+
+TEST(BenchCheck, NamesAnotherComponent) {
+  for (const double factor : {6.5, 0.15}) {
+    Perturbation p;
+    p.factor = factor;
+    expectAll(p, finding::kOtherComponent, "same component");
+  }
+}
+
+// What effects and a wrong specification do to stiffness is not for this check.
+TEST(BenchCheck, LeavesEffectsToTheDiagnosis) {
+  for (const VirtualRig& rig : allRigs(1)) {
+    for (const double factor : {0.5, 2.0}) {
+      Perturbation p;
+      p.factor = factor;
+      EXPECT_TRUE(check(rig, p, elementsOf(rig)).empty()) << factor;
+    }
+  }
+}
+
+// A damper: friction a hundred times as strong as its spring.
+TEST(BenchCheck, LeavesDampersWithWeakSpringAlone) {
+  VirtualRig rig;
+  rig.law = Law::friction;
+  for (const Motion motion : {Motion::sines, Motion::sweep, Motion::track}) {
+    rig.motion = motion;
+    const log::Log log = runRig(rig).log;
+    log::Record record = log::makeRecord(log);
+    const Elements friction = {{"friction", {{"maximum_force", {400.0}}, {"displacement", {1e-5}}}}};
+    record.force = simulateAll(friction, {record.dt}, {record.displacement}).front();
+    const Elements weak = {{"spring", {{"stiffness", {1e3}}}}};
+    EXPECT_TRUE(checkBench(weak, {record}).empty());
+    record.force *= -1.0;
+    const std::vector<RigFinding> reversed = checkBench(weak, {record});
+    ASSERT_EQ(reversed.size(), 1u);
+    EXPECT_EQ(reversed[0].finding, finding::kSign);
+  }
+}
+
+TEST(BenchCheck, NamesLogsThatHardlyMove) {
+  log::Record record = log::makeRecord(runRig({}).log);
+  record.displacement.setZero();
+  record.displacement.segment(100, 8).setLinSpaced(0.0, 1e-3);
+  record.displacement.tail(record.size() - 108).setConstant(1e-3);
+  const std::vector<RigFinding> findings = checkBench(elementsOf({}), {record});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].finding, finding::kTooShort);
+}
+
+TEST(BenchCheck, IsTheSameOnABenchOfAnySize) {
+  for (const double scale : {0.01, 100.0}) {
+    VirtualRig rig;
+    rig.length = scale;
+    rig.force = 1.0 / scale;
+    rig.time = scale;
+    Perturbation p;
+    EXPECT_TRUE(check(rig, p, elementsOf(rig)).empty());
+    p.sign = true;
+    ASSERT_EQ(check(rig, p, elementsOf(rig)).size(), 1u);
+    EXPECT_EQ(check(rig, p, elementsOf(rig))[0].finding, finding::kSign);
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension::measurement

@@ -1,0 +1,132 @@
+// Spikes, held values and saturation are found and left out; square corners, stops and standstills are not taken for
+// them.
+#include "rubber_suspension/measurement/faults.h"
+
+#include <gtest/gtest.h>
+
+#include "measurement/examine.h"
+
+namespace rubber_suspension::measurement {
+namespace {
+
+TEST(Faults, FindsSpikes) {
+  for (const double size : {0.05, 0.2, 0.5}) {
+    Perturbation p;
+    p.spikes = size;
+    int found = 0;
+    int all = 0;
+    for (const VirtualRig& rig : allRigs(3)) {
+      const VirtualLog log = runRig(rig, p);
+      const Mask usable = findFaults(log.log).usable();
+      for (const Eigen::Index spike : log.spikes) {
+        found += usable[spike] ? 0 : 1;
+        ++all;
+      }
+      EXPECT_LT(usable.size() - usable.count(), 15);  // six spikes of one or two samples, and no more than that
+    }
+    std::cout << "spikes of " << size << ": " << found << " of " << all << "\n";
+    EXPECT_GE(found, 0.95 * all);
+  }
+}
+
+TEST(Faults, FindsHeldValues) {
+  for (const int samples : {10, 25, 60}) {
+    Perturbation p;
+    p.held = samples;
+    int found = 0;
+    int all = 0;
+    for (const VirtualRig& rig : allRigs(3)) {
+      if (rig.motion == Motion::holds) {
+        continue;  // most holds of the sensor then lie where nothing moves
+      }
+      const Faults faults = findFaults(runRig(rig, p).log);
+      found += static_cast<int>(faults.force.size() - faults.force.count());
+      all += 3 * (samples - 1);
+    }
+    std::cout << "held for " << samples << " samples: " << found << " of " << all << "\n";
+    EXPECT_GE(found, (samples > 10 ? 0.9 : 0.75) * all);  // short ones happen where the motion turns
+    EXPECT_LE(found, all);
+  }
+}
+
+TEST(Faults, FindsSaturation) {
+  for (const double share : {0.02, 0.05, 0.1}) {
+    Perturbation p;
+    p.clipped = share;
+    int found = 0;
+    const std::vector<VirtualRig> rigs = allRigs(3);
+    for (const VirtualRig& rig : rigs) {
+      const VirtualLog log = runRig(rig, p);
+      const Faults faults = findFaults(log.log);
+      const double top = *std::max_element(log.log.force.begin(), log.log.force.end());
+      const bool left_out = !faults.force[static_cast<Eigen::Index>(
+          std::find(log.log.force.begin(), log.log.force.end(), top) - log.log.force.begin())];
+      found += left_out ? 1 : 0;
+    }
+    std::cout << "clipped by " << share << ": " << found << " of " << rigs.size() << "\n";
+    EXPECT_GE(found, 0.9 * static_cast<double>(rigs.size()));
+  }
+}
+
+// A triangle without noise that stands still at its ends, and a force with a stop that is hit in each cycle.
+TEST(Faults, LeavesCornersAndStopsAlone) {
+  const Eigen::Index count = 4000;
+  Eigen::VectorXd z(count);
+  Eigen::VectorXd f(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double phase = std::fmod(static_cast<double>(i) / 200.0, 1.0);
+    z[i] = phase < 0.4 ? -1.0 + 5.0 * phase : (phase < 0.5 ? 1.0 : (phase < 0.9 ? 1.0 - 5.0 * (phase - 0.5) : -1.0));
+    f[i] =
+        10.0 * z[i] + 500.0 * std::pow(std::max(z[i] - 0.98, 0.0), 1.0) + 0.3 * std::sin(37.1 * static_cast<double>(i));
+  }
+  const Faults faults = findFaults("triangle", z, f);
+  EXPECT_TRUE(faults.findings.empty()) << faults.findings.front().text;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double sine = std::sin(2.0 * M_PI * static_cast<double>(i) / 40.0);
+    z[i] = sine;
+    f[i] = 10.0 * sine + 2000.0 * std::max(sine - 0.99, 0.0) + 0.02 * std::sin(37.1 * static_cast<double>(i));
+  }
+  EXPECT_TRUE(findFaults("stop", z, f).findings.empty());
+}
+
+// The force of friction alone stays at its limit while the displacement goes on.
+TEST(Faults, LeavesFrictionAlone) {
+  const Eigen::Index count = 4000;
+  Eigen::VectorXd z(count);
+  Eigen::VectorXd f(count);
+  double force = 0.0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    z[i] = std::sin(2.0 * M_PI * static_cast<double>(i) / 200.0);
+    force = i > 0 ? std::clamp(force + 20.0 * (z[i] - z[i - 1]), -1.0, 1.0) : 0.0;
+    f[i] = force;
+  }
+  const Faults faults = findFaults("friction", z, f);
+  EXPECT_TRUE(faults.findings.empty()) << faults.findings.front().text;
+}
+
+TEST(Faults, BridgesWhatIsLeftOut) {
+  log::Log log;
+  for (int i = 0; i < 5; ++i) {
+    log.stamp.push_back(i);
+    log.displacement.push_back(i == 2 ? 99.0 : i);
+    log.force.push_back(i == 4 ? 99.0 : 2.0 * i);
+  }
+  Faults faults;
+  faults.displacement = Mask::Constant(5, true);
+  faults.force = faults.displacement;
+  faults.displacement[2] = false;
+  faults.force[4] = false;
+  const log::Log result = repaired(log, faults);
+  EXPECT_DOUBLE_EQ(result.displacement[2], 2.0);
+  EXPECT_DOUBLE_EQ(result.force[4], 6.0);  // the last value that was measured
+}
+
+TEST(HuberWeights, FallBeyondTheBend) {
+  const Eigen::VectorXd weights = huberWeights(Eigen::Vector3d(0.5, -1.345, 13.45));
+  EXPECT_DOUBLE_EQ(weights[0], 1.0);
+  EXPECT_DOUBLE_EQ(weights[1], 1.0);
+  EXPECT_DOUBLE_EQ(weights[2], 0.1);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::measurement
