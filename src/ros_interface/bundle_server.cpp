@@ -110,6 +110,7 @@ void BundleServer::shutdown() {
 
 void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event) {
   const auto callback = std::chrono::steady_clock::now();
+  lost_ += watch_.take(event.getConnectionHeaderPtr(), event.getConstMessage()->header.seq);
   const auto message = pool_.take();
   if (!answerBundle(*event.getConstMessage(), group_, *message)) {
     ++malformed_;

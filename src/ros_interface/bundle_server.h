@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "node/channel_group.h"
+#include "node/sequence_watch.h"
 #include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
 
@@ -33,6 +34,7 @@ class BundleServer {
 
   std::uint64_t answered() const { return answered_; }    ///< messages
   std::uint64_t malformed() const { return malformed_; }  ///< messages dropped: unknown names, lists of unequal length
+  std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
   std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are no bundles
   std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
 
@@ -43,6 +45,8 @@ class BundleServer {
   MessagePool<ForceArray> pool_;
   std::atomic<std::uint64_t> answered_{0};
   std::atomic<std::uint64_t> malformed_{0};
+  node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
+  std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> undecodable_{0};
   AnswerPublisher publisher_;
   ros::Subscriber subscriber_;

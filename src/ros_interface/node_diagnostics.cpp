@@ -171,9 +171,10 @@ void NodeDiagnostics::watch(const BundleServer& bundle) {
   updater_.add("bundled topics",
                [&bundle, before = std::uint64_t{0}](diagnostic_updater::DiagnosticStatusWrapper& status) mutable {
                  using diagnostic_msgs::DiagnosticStatus;
-                 const std::uint64_t wrong = bundle.malformed() + bundle.undecodable() + bundle.undelivered();
+                 const std::uint64_t wrong =
+                     bundle.malformed() + bundle.undecodable() + bundle.lost() + bundle.undelivered();
                  if (wrong > before) {
-                   status.summaryf(DiagnosticStatus::WARN, "%lu bundles dropped or not delivered",
+                   status.summaryf(DiagnosticStatus::WARN, "%lu bundles dropped, lost or not delivered",
                                    static_cast<unsigned long>(wrong - before));
                  } else {
                    status.summary(DiagnosticStatus::OK, "serving");
