@@ -188,7 +188,7 @@ void makeFolder(Options& options) {
 
 std::string describe(const ros_interface::BenchCount& count) {
   std::string text =
-      fmt::format("{}: {} samples, {} answered, {} forces of other stamps; {:.3g} s, {:.0f} samples per second",
+      fmt::format("{}: {} samples, {} answered, {} forces with unexpected stamps; {:.3g} s, {:.0f} samples per second",
                   count.component, count.samples, count.answered, count.unexpected + count.repeated, count.duration,
                   static_cast<double>(count.answered) / std::max(count.duration, 1e-9));
   return count.gaps > 0 ? text + fmt::format("; gap {} times", count.gaps) : text;
