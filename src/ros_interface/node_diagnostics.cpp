@@ -183,6 +183,7 @@ void NodeDiagnostics::watch(const BundleServer& bundle) {
                  status.add("answered", bundle.answered());
                  status.add("dropped, malformed", bundle.malformed());
                  status.add("dropped, undecodable", bundle.undecodable());
+                 status.add("lost before arrival", bundle.lost());
                  status.add("forces not delivered", bundle.undelivered());
                });
 }
