@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/output_options.h"
 #include "bag/bag_log.h"
 
 using namespace rubber_suspension;
@@ -13,12 +14,14 @@ struct Options {
   std::string component;
   std::string input;
   std::string output;
+  OutputOptions outputs;
 };
 
 int convert(const Options& options) {
+  options.outputs.check({{"--log", options.input}}, {{"--output", options.output, io::FileKind::force_csv}});
   const log::Log log = bag::readBagLog(options.input, options.component);
   for (const std::string& note : log.notes) {
-    std::cerr << "bag_to_csv: note: " << note << '\n';
+    printNote("bag_to_csv", note);
   }
   log::writeLogCsv(options.output, log);
   std::cout << options.output << ": " << log.size() << " samples"
@@ -39,6 +42,7 @@ int main(int argc, char** argv) {
                           ->type_name("NAME");
                       app.add_option("--log", options->input, "bag to read")->required()->type_name("FILE");
                       app.add_option("--output", options->output, "CSV file to write")->required()->type_name("FILE");
+                      options->outputs.addTo(app);
                       return [options] { return convert(*options); };
                     });
 }

@@ -22,7 +22,7 @@ inline void noteOpenness(const std::string& command) {
   }
 }
 
-/// Call a service that makes the specimen new, unless its name is empty. Throws PlayError.
+/// Call a service that makes the component new, unless its name is empty. Throws PlayError.
 inline void resetSpecimen(const ros::NodeHandle& handle, const std::string& service) {
   std_srvs::Trigger trigger;
   if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {

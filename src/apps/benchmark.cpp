@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "benchmark/cases.h"
 #include "benchmark/ratio_figure.h"
@@ -23,11 +24,12 @@ struct Options {
   std::string work;
   std::string config;
   std::string log;
+  OutputOptions outputs;
 };
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part : {benchmark::stepCases, benchmark::replayCases, benchmark::peerCases,
+  for (const auto part : {benchmark::stepCases, benchmark::logCases, benchmark::replayCases, benchmark::peerCases,
                           benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
@@ -102,6 +104,15 @@ int main(int argc, char** argv) {
             ->check(CLI::IsMember({"simulate", "fit"}));
         app.add_option("--config", options->config, "with --work: component file of one component")->type_name("FILE");
         app.add_option("--log", options->log, "with --work: CSV log")->type_name("FILE");
-        return [options] { return options->work.empty() ? run(*options) : runSingle(*options); };
+        options->outputs.addTo(app);
+        return [&app, options] {
+          if (options->work.empty()) {
+            refuseUnused(app, {"--config", "--log"}, "without --work");
+          } else {
+            refuseUnused(app, {"--quick", "--samples", "--log-duration", "--pairs", "--plot"}, "with --work");
+          }
+          options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
+          return options->work.empty() ? run(*options) : runSingle(*options);
+        };
       });
 }

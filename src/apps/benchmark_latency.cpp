@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "apps/command.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/echo_node.h"
@@ -28,6 +29,7 @@ struct Options {
   int echo = 0;
   std::uint64_t soak = 0;
   std::string plot;
+  OutputOptions outputs;
 };
 
 int serveEcho(ros_interface::RosCommandLine& line, int components) {
@@ -141,7 +143,13 @@ int main(int argc, char** argv) {
       [&](CLI::App& app) {
         const auto options = std::make_shared<Options>();
         addOptions(app, *options);
-        return
-            [&line, options] { return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options); };
+        options->outputs.addTo(app);
+        return [&line, &app, options] {
+          if (options->soak > 0) {
+            refuseUnused(app, {"--rate", "--total-rate", "--duration", "--pairs"}, "with --soak");
+          }
+          options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
+          return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);
+        };
       });
 }

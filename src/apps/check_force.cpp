@@ -9,6 +9,7 @@
 #include "apps/bench_client.h"
 #include "apps/command.h"
 #include "apps/log_options.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/force_check.h"
@@ -31,6 +32,7 @@ struct Options {
   std::string report;
   std::string plot;
   bool text = false;
+  OutputOptions outputs;
 };
 
 // Refuses what is not a number, which a range lets pass.
@@ -45,7 +47,7 @@ void addOptions(CLI::App& app, Options& options) {
                  "NAME/force, below the node's namespace")
       ->required()
       ->type_name("NAME");
-  app.add_option("--log", options.log, "log to play: .csv, .bag or .mat")->required()->type_name("FILE");
+  app.add_option("--log", options.log, "log to play: text (CSV), .mat, HDF5 or .bag")->required()->type_name("FILE");
   app.add_option("--tolerance", options.tolerance,
                  "largest gap that passes: RMS of the difference over the standard deviation of the reference")
       ->required()
@@ -135,6 +137,10 @@ std::string reportPath(const Options& options) {
 
 int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
+  options.outputs.check(
+      {{"--log", options.log}, {"--config", options.config}},
+      {{"--gtest_output", path, io::FileKind::test_report}, {"--plot", options.plot, io::FileKind::figure}});
+  options.log_options.requireUse({options.log});
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {
     ros_interface::writeTestReport(path, "check_force", outcome.cases);
@@ -166,6 +172,12 @@ int main(int argc, char** argv) {
         const auto options = std::make_shared<Options>();
         addOptions(app, *options);
         options->log_options.addTo(app);
-        return [&line, options] { return run(line, *options); };
+        options->outputs.addTo(app);
+        return [&line, &app, options] {
+          if (options->config.empty()) {
+            refuseUnused(app, {"--config-component"}, "without --config");
+          }
+          return run(line, *options);
+        };
       });
 }

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "apps/help_format.h"
+#include "io/output_files.h"
+#include "log/text.h"
 
 namespace rubber_suspension::apps {
 
@@ -27,9 +29,22 @@ struct VersionRequest {};
 /// What a command does once its options are read; returns the exit status.
 using CommandBody = std::function<int()>;
 
-inline void printError(const std::string& command, std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << command << ": " << message << '\n';
+/// One line on stderr, in which nothing of a file's content can steer the terminal.
+inline void printError(const std::string& command, const std::string& message) {
+  std::cerr << command << ": " << log::oneLine(message) << '\n';
+}
+
+inline void printNote(const std::string& command, const std::string& note) {
+  std::cerr << command << ": note: " << log::oneLine(note) << '\n';
+}
+
+/// No option is without effect: throws UsageError where one of these is given; `reason` says what they do not go with.
+inline void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& reason) {
+  for (const std::string& option : options) {
+    if (app.count(option) > 0) {
+      throw UsageError(option + " has no effect " + reason);
+    }
+  }
 }
 
 /// Run a command. `define` adds the options to the parser and returns the body; the variables that the options fill
@@ -59,6 +74,9 @@ inline int runCommand(int argc, char** argv, const std::string& name, const std:
     }
     return status;
   } catch (const UsageError& error) {
+    printError(name, error.what());
+    return kWrongUsage;
+  } catch (const io::OutputRefused& error) {
     printError(name, error.what());
     return kWrongUsage;
   } catch (const std::exception& error) {

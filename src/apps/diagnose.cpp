@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "apps/command.h"
 #include "apps/log_options.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "diagnosis/report/overview_figure.h"
 #include "fit/parallel.h"
@@ -27,6 +29,7 @@ struct Options {
   std::vector<std::string> rig;
   int threads = 2;
   LogOptions log_options;
+  OutputOptions outputs;
 };
 
 std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const std::string& component,
@@ -46,6 +49,23 @@ void showStage(const std::string& stage, double fraction) {
   }
 }
 
+// The files of the report, and those that stand beside it where the diagnosis has reason to write them.
+void checkOutputs(const Options& options) {
+  std::vector<io::InputFile> inputs = {{"--config", options.config}};
+  addInputs(inputs, "--log", options.logs);
+  addInputs(inputs, "--hold-out", options.hold_out);
+  const std::filesystem::path folder(options.output);
+  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
+  for (const auto& [name, kind] : {std::pair("report.json", io::FileKind::report_json),
+                                   {"report.html", io::FileKind::report_html},
+                                   {"augmented.yaml", io::FileKind::component_file},
+                                   {"surrogate.yaml", io::FileKind::component_file},
+                                   {"next_experiment.csv", io::FileKind::force_csv}}) {
+    outputs.push_back({"--output", (folder / name).string(), kind});
+  }
+  options.outputs.check(inputs, outputs);
+}
+
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component) {
   io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
   try {
@@ -61,6 +81,10 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 }
 
 int run(const Options& options) {
+  checkOutputs(options);
+  std::vector<std::string> all_logs = options.logs;
+  all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
+  options.log_options.requireUse(all_logs);
   const auto components = io::loadComponentFile(options.config);
   io::ComponentDescription component = io::selectComponent(components, options.component);
   setTolerances(options.rig, component);
@@ -79,7 +103,7 @@ int run(const Options& options) {
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\nreport: {}/report.html\n", diagnosis.sentence, options.output);
+  fmt::print("{}\nreport: {}/report.html\n", log::oneLine(diagnosis.sentence), options.output);
   return kSuccess;
 }
 
@@ -95,7 +119,7 @@ int main(int argc, char** argv) {
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
         app.add_option("--log", options->logs,
-                       "measured logs of one component in the order of recording: .csv, .bag or .mat")
+                       "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
             ->required()
             ->type_name("FILE");
         app.add_option("--hold-out", options->hold_out,
@@ -115,6 +139,7 @@ int main(int argc, char** argv) {
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         options->log_options.addTo(app);
+        options->outputs.addTo(app);
         return [options] { return run(*options); };
       });
 }

@@ -2,14 +2,15 @@
 // and loss angle over frequency and amplitude; turns data sheets into component files.
 #include "command/estimate.h"
 
-#include <fstream>
 #include <memory>
 
 #include "apps/command.h"
 #include "apps/log_options.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "command/data_sheet.h"
 #include "command/identify.h"
+#include "log/new_file.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::apps {
@@ -31,6 +32,7 @@ struct Options {
   LogOptions log_options;
   fit::IdentificationOptions identification;
   std::string output;
+  OutputOptions outputs;
 };
 
 double quantity(const std::string& option, const std::string& text, const std::string& unit) {
@@ -74,12 +76,46 @@ command::SweepOptions sweepOptions(const Options& options) {
   return sweeps;
 }
 
-void writeComponent(const io::ComponentDescription& component, const std::string& path) {
-  std::ofstream file(path);
-  file << io::toYaml({component});
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
+const std::vector<std::string> kSweepOptions = {"--frequencies", "--amplitudes", "--frequency",
+                                                "--amplitude",   "--product",    "--points"};
+const std::vector<std::string> kLogOptions = {"--hold", "--starts", "--columns", "--unit", "--rate"};
+
+// Each way to estimate takes some of the options; none is passed over.
+void checkOptions(const CLI::App& app, const Options& options) {
+  if (options.config.empty() == options.data_sheet.empty()) {
+    throw UsageError("accepted: one of --config and --data-sheet (see --help)");
   }
+  if (!options.data_sheet.empty()) {
+    refuseUnused(app, {"--component", "--json", "--plot", "--from-log"}, "with --data-sheet");
+    refuseUnused(app, kSweepOptions, "with --data-sheet");
+  }
+  if (options.logs.empty()) {
+    refuseUnused(app, kLogOptions, "without --from-log");
+  } else {
+    refuseUnused(app, kSweepOptions, "with --from-log");
+    options.log_options.requireUse(options.logs);
+  }
+  if (options.logs.empty() && options.data_sheet.empty()) {
+    refuseUnused(app, {"--output"}, "without --from-log or --data-sheet");
+  }
+}
+
+void checkFiles(const Options& options) {
+  std::vector<io::InputFile> inputs = {{"--config", options.config}, {"--data-sheet", options.data_sheet}};
+  addInputs(inputs, "--from-log", options.logs);
+  options.outputs.check(inputs, {{"--output", options.output, io::FileKind::component_file},
+                                 {"--plot", options.plot, io::FileKind::figure}});
+}
+
+int convertDataSheet(const Options& options) {
+  const std::string text = command::componentFileFromDataSheet(options.data_sheet);
+  if (options.output.empty()) {
+    std::cout << text;
+  } else {
+    log::writeNewFile(options.output, text);
+    std::cout << options.output << '\n';
+  }
+  return kSuccess;
 }
 
 int identifyComponent(const Options& options) {
@@ -94,7 +130,7 @@ int identifyComponent(const Options& options) {
     io::drawFigure(command::identificationFigure(description, result, logs), options.plot);
   }
   if (!options.output.empty()) {
-    writeComponent(command::identifiedComponent(description, result), options.output);
+    log::writeNewFile(options.output, io::toYaml({command::identifiedComponent(description, result)}));
   }
   std::cout << (options.json ? command::toJson(description.name, result) : command::toText(description.name, result));
   return kSuccess;
@@ -150,7 +186,7 @@ CommandBody define(CLI::App& app) {
       ->capture_default_str();
   app.add_option(
          "--from-log", options->logs,
-         "measured log with force (.csv, .mat or .bag): find the parameters from it; may be given several times")
+         "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several times")
       ->type_name("FILE");
   app.add_option("--hold", options->identification.held,
                  "parameter to keep fixed with --from-log, such as friction.displacement")
@@ -159,19 +195,16 @@ CommandBody define(CLI::App& app) {
       ->type_name("COUNT")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--output", options->output, "component file to write with the parameters found by --from-log")
+  app.add_option("--output", options->output,
+                 "component file to write, with the parameters found by --from-log or from --data-sheet")
       ->type_name("FILE");
   options->log_options.addTo(app);
-  return [options] {
-    if (options->config.empty() == options->data_sheet.empty()) {
-      throw UsageError("accepted: one of --config and --data-sheet (see --help)");
-    }
+  options->outputs.addTo(app);
+  return [&app, options] {
+    checkOptions(app, *options);
+    checkFiles(*options);
     if (!options->data_sheet.empty()) {
-      std::cout << command::componentFileFromDataSheet(options->data_sheet);
-      return static_cast<int>(kSuccess);
-    }
-    if (options->logs.empty() && !(options->output.empty() && options->identification.held.empty())) {
-      throw UsageError("--output and --hold go with --from-log");
+      return convertDataSheet(*options);
     }
     return options->logs.empty() ? estimateComponents(*options) : identifyComponent(*options);
   };

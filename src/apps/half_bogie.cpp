@@ -6,6 +6,7 @@
 
 #include "apps/bench_client.h"
 #include "apps/command.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "apps/topic_exchange.h"
 #include "ros_interface/command_line.h"
@@ -30,6 +31,7 @@ struct Options {
   std::string plot;
   std::string reset;
   bool stability = false;
+  OutputOptions outputs;
 };
 
 std::string percentages(const PerStrut& values) {
@@ -60,7 +62,11 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   const std::vector<component::Component> components = loadStruts(options.config);
   Scene scene;
   scene.parameters.speed = options.speed;
-  scene.track = Track(log::readLog(options.track));
+  const log::Log track = log::readLog(options.track);
+  for (const std::string& note : track.notes) {
+    printNote("half_bogie", options.track + ": " + note);
+  }
+  scene.track = Track(track);
   scene.duration = scene.track.duration();
   scene.step = std::llround(1e9 * options.step);
   const auto start = std::chrono::steady_clock::now();
@@ -130,10 +136,26 @@ int runStability(const Options& options) {
   return kSuccess;
 }
 
-int run(ros_interface::RosCommandLine& line, const Options& options) {
+// Each way to run takes some of the options; none is passed over.
+void checkOptions(const CLI::App& app, const Options& options) {
   if (options.stability != options.track.empty()) {
     throw UsageError("accepted: one of --track and --stability (see --help)");
   }
+  if (options.stability) {
+    refuseUnused(app, {"--loop", "--step", "--delay", "--output", "--reset"}, "with --stability");
+  }
+  if (options.loop != "topics") {
+    refuseUnused(app, {"--reset"}, "without --loop topics");
+  }
+  if (options.loop == "implicit") {
+    refuseUnused(app, {"--delay"}, "with --loop implicit");
+  }
+  options.outputs.check(
+      {{"--config", options.config}, {"--track", options.track}},
+      {{"--output", options.output, io::FileKind::vehicle_csv}, {"--plot", options.plot, io::FileKind::figure}});
+}
+
+int run(ros_interface::RosCommandLine& line, const Options& options) {
   return options.stability ? runStability(options) : runTrack(line, options);
 }
 
@@ -165,6 +187,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
       ->type_name("SERVICE");
   app.add_flag("--stability", options.stability, "print the largest stable step of a loop instead of running");
+  options.outputs.addTo(app);
 }
 
 }  // namespace
@@ -177,6 +200,9 @@ int main(int argc, char** argv) {
                     [&](CLI::App& app) -> CommandBody {
                       const auto options = std::make_shared<Options>();
                       addOptions(app, *options);
-                      return [&line, options] { return run(line, *options); };
+                      return [&line, &app, options] {
+                        checkOptions(app, *options);
+                        return run(line, *options);
+                      };
                     });
 }

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <iostream>
-#include <memory>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,12 +16,22 @@ class LogOptions {
   /// Adds --columns, --unit and --rate; the object has to live as long as the parser. A command whose --rate is another
   /// gives the option a name of its own.
   void addTo(CLI::App& app, const std::string& rate_option = "--rate") {
-    app.add_option("--columns", columns_,
-                   "columns of other names: time=NAME displacement=NAME force=NAME temperature=NAME")
+    app.add_option(
+           "--columns", columns_,
+           "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
+           "temperature=NAME, where NAME may be a number from 1; or the words alone, in the order of the columns")
         ->type_name("QUANTITY=NAME");
-    app.add_option("--unit", unit_, "units of the columns named by --columns, such as mm,kN or mm,kN,ms")
+    app.add_option("--unit", unit_, "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms")
         ->type_name("LENGTH,FORCE,TIME");
     app.add_option(rate_option, rate_, "sampling rate of a log without a time column")->type_name("HZ");
+  }
+
+  /// Refuses the options where all logs are bags, which tell columns, units and time themselves. Throws UsageError.
+  void requireUse(const std::vector<std::string>& paths) const {
+    const bool given = !columns_.empty() || !unit_.empty() || rate_ > 0.0;
+    if (given && std::all_of(paths.begin(), paths.end(), bag::isBagPath)) {
+      throw UsageError("--columns, --unit and the sampling rate have no effect on a bag; accepted: without them");
+    }
   }
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
@@ -39,7 +48,7 @@ class LogOptions {
 
   static void printNotes(const std::string& command, const std::string& path, const log::Log& log) {
     for (const std::string& note : log.notes) {
-      std::cerr << command << ": note: " << path << ": " << note << '\n';
+      printNote(command, path + ": " + note);
     }
   }
 

@@ -4,12 +4,12 @@
 #include <ros/node_handle.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "apps/bench_client.h"
 #include "apps/command.h"
 #include "apps/log_options.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "ros_interface/bench_player.h"
 #include "ros_interface/command_line.h"
@@ -35,6 +35,7 @@ struct Options {
   std::size_t passes = 1;
   std::size_t step = 0;
   bool paused = false;
+  OutputOptions outputs;
 };
 
 void addRecordOptions(CLI::App& app, Options& options) {
@@ -44,8 +45,10 @@ void addRecordOptions(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap")->type_name("FILE");
   addPlotOption(app, options.plot, "forces over time and displacement");
-  app.add_option("--folder", options.folder,
-                 "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component")
+  app.add_option(
+         "--folder", options.folder,
+         "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a folder that "
+         "holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 behind NAME")
       ->type_name("FOLDER");
 }
 
@@ -88,13 +91,15 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--component", options.components, "names of the components, one or several")
       ->required()
       ->type_name("NAME");
-  app.add_option("--log", options.logs,
-                 "logs to play: .csv, .mat, or .bag with the node's topics; one per component, or one for all")
+  app.add_option(
+         "--log", options.logs,
+         "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
       ->required()
       ->type_name("FILE");
   options.log_options.addTo(app, "--sampling-rate");
   addRecordOptions(app, options);
   addPlayOptions(app, options);
+  options.outputs.addTo(app);
 }
 
 void checkCounts(const Options& options) {
@@ -124,20 +129,39 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   const std::string& path = options.logs[options.logs.size() == 1 ? 0 : i];
   track.log = options.log_options.read("play_log", path, track.component);
   track.paths = recordPaths(options, track.component);
-  for (const std::string& output : {track.paths.forces, track.paths.gaps, track.paths.bag}) {
-    std::error_code none;
-    if (std::filesystem::equivalent(output, path, none)) {
-      throw UsageError(output + " would overwrite the log; accepted: another file or folder");
-    }
-  }
   if (track.log.force.empty()) {
+    if (!options.gap_output.empty()) {
+      throw UsageError("--gap has no effect: " + path + " has no measured force; accepted: without it");
+    }
     track.paths.gaps.clear();
   }
   return track;
 }
 
+// Before anything is read.
+void checkFiles(const Options& options) {
+  std::vector<io::InputFile> inputs;
+  addInputs(inputs, "--log", options.logs);
+  options.outputs.check(inputs, {{"--output", options.output, io::FileKind::force_csv},
+                                 {"--gap", options.gap_output, io::FileKind::gap_csv},
+                                 {"--bag", options.bag, io::FileKind::bag},
+                                 {"--plot", options.plot, io::FileKind::figure}});
+  options.log_options.requireUse(options.logs);
+}
+
+// What --output and its like name may lie in the folder, too.
+void checkRecords(const Options& options) {
+  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
+  for (const std::string& component : options.components) {
+    const ros_interface::RecordPaths paths = recordPaths(options, component);
+    outputs.push_back({"forces", paths.forces, io::FileKind::force_csv});
+    outputs.push_back({"gap", paths.gaps, io::FileKind::gap_csv});
+    outputs.push_back({"bag", paths.bag, io::FileKind::bag});
+  }
+  options.outputs.check({}, outputs);
+}
+
 std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
-  checkCounts(options);
   std::vector<ros_interface::BenchTrack> tracks;
   for (std::size_t i = 0; i < options.components.size(); ++i) {
     tracks.push_back(readTrack(options, i));
@@ -145,16 +169,26 @@ std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
   return tracks;
 }
 
-void makeFolder(const std::string& folder) {
-  std::error_code error;
-  if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
-    throw ros_interface::PlayError(folder + ": " + error.message());
+// A run never replaces an earlier one.
+void makeFolder(Options& options) {
+  if (options.folder.empty()) {
+    return;
   }
+  std::vector<std::string> records;
+  for (const std::string& component : options.components) {
+    const std::vector<std::string> names = ros_interface::recordNames(component);
+    records.insert(records.end(), names.begin(), names.end());
+  }
+  const std::string folder = io::makeRunFolder(options.folder, records);
+  printNote("play_log", folder == options.folder ? "records go to " + folder
+                                                 : fmt::format("{} holds the records of an earlier run: these go to {}",
+                                                               options.folder, folder));
+  options.folder = folder;
 }
 
 std::string describe(const ros_interface::BenchCount& count) {
   std::string text =
-      fmt::format("{}: {} samples, {} answered, {} forces of other stamps; {:.3g} s, {:.0f} samples per second",
+      fmt::format("{}: {} samples, {} answered, {} forces with unexpected stamps; {:.3g} s, {:.0f} samples per second",
                   count.component, count.samples, count.answered, count.unexpected + count.repeated, count.duration,
                   static_cast<double>(count.answered) / std::max(count.duration, 1e-9));
   return count.gaps > 0 ? text + fmt::format("; gap {} times", count.gaps) : text;
@@ -177,8 +211,11 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
 }
 
 int play(ros_interface::RosCommandLine& line, Options& options) {
+  checkCounts(options);
+  checkFiles(options);
+  makeFolder(options);
+  checkRecords(options);
   std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
-  makeFolder(options.folder);
   line.initialise("play_log");
   ros::NodeHandle handle;
   noteOpenness("play_log");
@@ -191,7 +228,9 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   player.connect();
   resetSpecimen(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
-  if (!options.plot.empty() && counts.front().complete) {
+  if (!options.plot.empty() && !counts.front().complete) {
+    printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
+  } else if (!options.plot.empty()) {
     io::drawFigure(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
   }
   return report(counts, options.passes == 0);

@@ -1,11 +1,13 @@
 // replay: simulates a component on a recorded log, offline, to the last bit as the node does.
 #include "rubber_suspension/gap/replay.h"
 
-#include <filesystem>
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "apps/command.h"
 #include "apps/log_options.h"
+#include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -21,24 +23,25 @@ struct Options {
   std::string output;
   std::string plot;
   LogOptions log_options;
+  OutputOptions outputs;
 };
 
 int run(const Options& options) {
+  options.outputs.check(
+      {{"--config", options.config}, {"--log", options.log}},
+      {{"--output", options.output, io::FileKind::force_csv}, {"--plot", options.plot, io::FileKind::figure}});
+  options.log_options.requireUse({options.log});
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
   const log::Log log = options.log_options.read("replay", options.log, description.name);
-  std::error_code none;
-  if (std::filesystem::equivalent(options.output, options.log, none)) {
-    throw UsageError("--output: " + options.output + " is the log itself; accepted: another file");
-  }
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   log::writeForceCsv(options.output, log, result.force);
   if (!options.plot.empty()) {
     io::drawFigure(gap::replayFigure(description.name, log, result.force), options.plot);
   }
   if (result.bridged > 0) {
-    std::cerr << "replay: note: " << options.log << ": " << result.bridged
-              << " gaps in time bridged, displacement linear in between\n";
+    printNote("replay",
+              fmt::format("{}: {} time gaps bridged, displacement linear in between", options.log, result.bridged));
   }
   std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
   return kSuccess;
@@ -54,12 +57,15 @@ int main(int argc, char** argv) {
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");
-        app.add_option("--log", options->log, "log to simulate: .csv, .bag or .mat")->required()->type_name("FILE");
+        app.add_option("--log", options->log, "log to simulate: text (CSV), .mat, HDF5 or .bag")
+            ->required()
+            ->type_name("FILE");
         app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
             ->required()
             ->type_name("FILE");
         addPlotOption(app, options->plot, "forces over time and displacement");
         options->log_options.addTo(app);
+        options->outputs.addTo(app);
         return [options] { return run(*options); };
       });
 }

@@ -2,16 +2,35 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/output_options.h"
 #include "command/paper_figures.h"
 
 namespace rubber_suspension::apps {
 namespace {
 
+struct Options {
+  std::string folder;
+  OutputOptions outputs;
+};
+
+void checkOutputs(const Options& options) {
+  std::vector<io::OutputFile> outputs;
+  for (const std::string& path : command::paperFigurePaths(options.folder)) {
+    const bool is_figure = io::isFigurePath(path);
+    outputs.push_back({"--output", path, is_figure ? io::FileKind::figure : io::FileKind::figure_csv});
+  }
+  options.outputs.check({}, outputs);
+}
+
 CommandBody define(CLI::App& app) {
-  auto folder = std::make_shared<std::string>();
-  app.add_option("--output", *folder, "folder for the figures; made if missing")->required()->type_name("FOLDER");
-  return [folder] {
-    for (const std::string& path : command::writePaperFigures(command::paperFigures(), *folder)) {
+  auto options = std::make_shared<Options>();
+  app.add_option("--output", options->folder, "folder for the figures; made if missing")
+      ->required()
+      ->type_name("FOLDER");
+  options->outputs.addTo(app);
+  return [options] {
+    checkOutputs(*options);
+    for (const std::string& path : command::writePaperFigures(command::paperFigures(), options->folder)) {
       std::cout << path << '\n';
     }
     return kSuccess;

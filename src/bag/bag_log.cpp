@@ -15,6 +15,7 @@
 #include <set>
 
 #include "bag/bag_check.h"
+#include "log/file_format.h"
 
 namespace rubber_suspension::bag {
 namespace {
@@ -233,7 +234,9 @@ log::Log readBagLog(const std::string& path, const std::string& component) {
   }
 }
 
-bool isBagPath(const std::string& path) { return endsWith(path, ".bag"); }
+bool isBagPath(const std::string& path) {
+  return endsWith(path, ".bag") || log::formatOfFile(path) == log::FileFormat::bag;
+}
 
 log::Log readAnyLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
   return isBagPath(path) ? readBagLog(path, component) : log::readLog(path, format);
@@ -258,16 +261,19 @@ ros::Time toRosTime(std::int64_t stamp) {
 
 BagWriter::BagWriter(const std::string& path, const std::string& component) : path_(path), component_(component) {
   try {
-    bag_.open(path, rosbag::bagmode::Write);
+    new_file_ = std::make_unique<log::NewFile>(path);
+    bag_.open(new_file_->writingPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(error.what());
   }
 }
 
 BagWriter::~BagWriter() {
   try {
-    close();
-  } catch (const log::LogError&) {  // close() tells it to whoever cares to call it
+    bag_.close();
+  } catch (const rosbag::BagException&) {  // what was not closed by close() is not kept
   }
 }
 
@@ -310,8 +316,14 @@ void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
 void BagWriter::close() {
   try {
     bag_.close();
+    if (new_file_) {
+      new_file_->commit();
+      new_file_.reset();
+    }
   } catch (const rosbag::BagException& error) {
     throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(error.what());
   }
 }
 

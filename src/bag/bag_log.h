@@ -5,8 +5,10 @@
 #include <rosbag/bag.h>
 #include <rubber_suspension/Gap.h>
 
+#include <memory>
 #include <string>
 
+#include "log/new_file.h"
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/log/log.h"
 
@@ -20,10 +22,10 @@ namespace rubber_suspension::bag {
 /// topic, message and reason.
 log::Log readBagLog(const std::string& path, const std::string& component = "");
 
-/// True for a path that ends in .bag.
+/// True for a file that ends in .bag or begins as a bag does.
 bool isBagPath(const std::string& path);
 
-/// A log of any kind, by its extension: .bag, .mat, otherwise CSV.
+/// A log of any kind: a bag, else as log::readLog().
 log::Log readAnyLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
 /// The time that shifts a log's stamps into those that a ROS header can hold (0 to 2^32 s); 0 where none is needed
@@ -33,7 +35,8 @@ std::int64_t headerShift(const log::Log& log);
 /// A stamp in [ns] as ROS time. Throws LogError where a header cannot hold it.
 ros::Time toRosTime(std::int64_t stamp);
 
-/// Writes a component's samples to a bag, each at the time of its own stamp. All calls throw LogError.
+/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written beside and takes its
+/// name in close(), complete; without that call nothing is left. All calls throw LogError.
 class BagWriter {
  public:
   BagWriter(const std::string& path, const std::string& component);
@@ -53,6 +56,7 @@ class BagWriter {
 
   std::string path_;
   std::string component_;
+  std::unique_ptr<log::NewFile> new_file_;
   rosbag::Bag bag_;
 };
 

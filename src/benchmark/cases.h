@@ -22,6 +22,9 @@ std::vector<Case> stepCases(const BenchmarkSize& size);
 /// Estimation from five inputs; the table of stiffness and loss angle of Berg's model.
 std::vector<Case> estimationCases(const BenchmarkSize& size);
 
+/// Reading a log from text, in the form that this package writes and in another dialect.
+std::vector<Case> logCases(const BenchmarkSize& size);
+
 /// A log offline; many components at each tick.
 std::vector<Case> replayCases(const BenchmarkSize& size);
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "io/progress.h"
+#include "log/new_file.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/specification.h"
 
@@ -177,23 +177,26 @@ PaperFigure loopFigure() {
 }
 
 // Quotes a label, which may hold commas.
-void writeCsv(const PaperFigure& figure, const std::string& path) {
-  std::ofstream file(path);
+std::string csvText(const PaperFigure& figure) {
   const bool loops = !figure.curves.at(0).loop.force.empty();
-  file << (loops ? "curve,displacement_m,force_n\n"
-                 : "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad\n");
+  std::string text =
+      loops ? "curve,displacement_m,force_n\n" : "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad\n";
   for (const PaperCurve& curve : figure.curves) {
     for (const response::SweepPoint& point : curve.points) {
-      file << fmt::format("\"{}\",{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.label, point.frequency, point.amplitude,
+      text += fmt::format("\"{}\",{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.label, point.frequency, point.amplitude,
                           point.characteristics.stiffness, point.characteristics.loss_angle);
     }
     for (std::size_t i = 0; i < curve.loop.force.size(); ++i) {
-      file << fmt::format("\"{}\",{:.17g},{:.17g}\n", curve.label, curve.loop.displacement[i], curve.loop.force[i]);
+      text += fmt::format("\"{}\",{:.17g},{:.17g}\n", curve.label, curve.loop.displacement[i], curve.loop.force[i]);
     }
   }
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  return text;
+}
+
+constexpr int kNumbers[] = {3, 4, 5, 6, 8};  // of the figures that paperFigures() makes
+
+std::string basePath(const std::string& folder, int number) {
+  return (std::filesystem::path(folder) / fmt::format("figure_{}", number)).string();
 }
 
 }  // namespace
@@ -201,6 +204,16 @@ void writeCsv(const PaperFigure& figure, const std::string& path) {
 std::vector<PaperFigure> paperFigures() {
   return {breakFrequencyFigure(), productFigure(4, "models over frequency", allModels()), amplitudeFigure(),
           loopFigure(), productFigure(8, "three and five Maxwell elements beside M6", multiMaxwellModels())};
+}
+
+std::vector<std::string> paperFigurePaths(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const int number : kNumbers) {
+    for (const char* extension : {".csv", ".svg", ".png"}) {
+      paths.push_back(basePath(folder, number) + extension);
+    }
+  }
+  return paths;
 }
 
 std::vector<std::string> writePaperFigures(const std::vector<PaperFigure>& figures, const std::string& folder) {
@@ -212,8 +225,8 @@ std::vector<std::string> writePaperFigures(const std::vector<PaperFigure>& figur
   io::Progress progress("figures", figures.size());
   std::vector<std::string> paths;
   for (const PaperFigure& figure : figures) {
-    const std::string base = (std::filesystem::path(folder) / fmt::format("figure_{}", figure.number)).string();
-    writeCsv(figure, base + ".csv");
+    const std::string base = basePath(folder, figure.number);
+    log::writeNewFile(base + ".csv", csvText(figure));
     io::drawFigure(figure.figure, base + ".svg");
     io::drawFigure(figure.figure, base + ".png");
     paths.insert(paths.end(), {base + ".csv", base + ".svg", base + ".png"});

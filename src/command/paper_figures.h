@@ -34,6 +34,9 @@ struct PaperFigure {
 /// these the two curves pass through the working point and differ between three and five elements as the text says.
 std::vector<PaperFigure> paperFigures();
 
+/// The files that writePaperFigures writes into the folder.
+std::vector<std::string> paperFigurePaths(const std::string& folder);
+
 /// Write figure_N.svg, figure_N.png and figure_N.csv into a folder, which is made if missing; returns the paths.
 /// CSV in SI units: curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad or curve,displacement_m,force_n.
 /// Throws FigureError or std::runtime_error with the path that cannot be written.

@@ -47,11 +47,12 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
 Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria) {
   Evidence evidence = evidenceOf(search);
   evidence.has_unseen_logs = !prepared.held_out.empty();
+  const double loudest = loudestNoise(search.record_noise, prepared.training);
   Judgement judgement = judge(evidence, criteria);
   while (judgement.missing) {
     const int hypothesis = *judgement.missing;
     evidence.hypotheses[static_cast<std::size_t>(hypothesis)].unseen =
-        unseenErrors(prepared.model, search.at(hypothesis), prepared.held_out);
+        unseenErrors(prepared.model, search.at(hypothesis), prepared.held_out, loudest);
     judgement = judge(evidence, criteria);
   }
   return judgement;

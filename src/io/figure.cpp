@@ -16,6 +16,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "log/new_file.h"
+
 extern char** environ;
 
 namespace rubber_suspension::io {
@@ -179,7 +181,15 @@ void drawFigure(const Figure& figure, const std::string& path) {
   if (!isFigurePath(path)) {
     throw FigureError(fmt::format("{}: accepted: a name that ends in .svg or .png", path));
   }
-  runScript(request({figure}, path));
+  try {
+    log::NewFile file(path);
+    runScript(request({figure}, file.writingPath()));
+    file.commit();
+  } catch (const FigureError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw FigureError(error.what());
+  }
 }
 
 std::vector<std::string> drawSvg(const std::vector<Figure>& figures) {

@@ -6,8 +6,12 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "log/byte_source.h"
+#include "log/csv_dialect.h"
 #include "log/line_reader.h"
 #include "log/log_columns.h"
 #include "log/text.h"
@@ -16,45 +20,13 @@
 namespace rubber_suspension::log {
 namespace {
 
-// The name in a field of the header, which some programs put into quotes.
-std::string fieldName(const std::string& field) {
-  const std::string name = trimmed(field);
-  const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
-  return quoted ? trimmed(name.substr(1, name.size() - 2)) : name;
-}
-
-std::vector<std::string> splitHeader(const std::string& line) {
-  std::vector<std::string> names;
-  std::size_t start = 0;
-  for (std::size_t comma = 0; comma != std::string::npos; start = comma + 1) {
-    comma = line.find(',', start);
-    names.push_back(fieldName(line.substr(start, comma == std::string::npos ? comma : comma - start)));
-  }
-  return names;
-}
-
-void refuseOtherFormats(const std::string& header) {
-  if (header.compare(0, 2, "\xFF\xFE") == 0 || header.compare(0, 2, "\xFE\xFF") == 0) {
-    throw std::runtime_error("text in UTF-16; accepted: UTF-8");
-  }
-  if (header.find('\r') != std::string::npos) {
-    throw std::runtime_error("lines end in CR alone; accepted: LF or CRLF");
-  }
-  for (const auto& [separator, name] : {std::pair<char, const char*>{';', "';'"}, {'\t', "tab"}}) {
-    if (header.find(',') == std::string::npos && header.find(separator) != std::string::npos) {
-      throw std::runtime_error(fmt::format("separator {} in the header; accepted: ','", name));
-    }
-  }
-}
-
 // Decimal notation only: strtod would take hexadecimal numbers as well.
 void requireDecimal(const char* field, const char* field_end, const Column& column) {
-  const std::size_t length = static_cast<std::size_t>(field_end - field);
-  for (const char* c = field; c != field_end; ++c) {
-    if (*c == 'x' || *c == 'X') {
-      throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: decimal notation", column.name,
-                                           quoted(std::string(field, length))));
-    }
+  const char* c = field + std::strspn(field, " \t");
+  c += *c == '-' || *c == '+' ? 1 : 0;
+  if (*c == '0' && (c[1] == 'x' || c[1] == 'X')) {
+    throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: decimal notation", column.name,
+                                         quoted(std::string(field, static_cast<std::size_t>(field_end - field)))));
   }
 }
 
@@ -110,91 +82,261 @@ void splitRow(const char* line, std::vector<const char*>& starts) {
   starts.push_back(c + 1);
 }
 
+// Numbers of any dialect: what is neither a field between commas nor without quotes may have a decimal comma.
+class FieldParser {
+ public:
+  /// The field with a decimal point, ended by a 0; valid until the next call.
+  const char* normalised(const Field& field, Separator separator, std::size_t line, const Column& column) {
+    if (field.text.size() >= sizeof buffer_) {
+      throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: a finite number", column.name,
+                                           quoted(std::string(field.text))));
+    }
+    field.text.copy(buffer_, field.text.size());
+    buffer_[field.text.size()] = '\0';
+    end_ = buffer_ + field.text.size();
+    char* const comma = std::strchr(buffer_, ',');
+    const bool may_have_comma = separator != Separator::comma || field.quoted;
+    if (comma != nullptr && may_have_comma) {
+      require(',', line, field, column);
+      *comma = '.';
+    } else if (may_have_comma && std::strchr(buffer_, '.') != nullptr) {
+      require('.', line, field, column);
+    }
+    return buffer_;
+  }
+
+  const char* end() const { return end_; }
+  bool hasDecimalComma() const { return mark_ == ','; }
+
+ private:
+  // One mark throughout: "1.234" is another number where the others are like "0,5".
+  void require(char mark, std::size_t line, const Field& field, const Column& column) {
+    const bool both = field.text.find('.') != std::string_view::npos && field.text.find(',') != std::string_view::npos;
+    if (both || (mark_ != '\0' && mark_ != mark)) {
+      throw std::runtime_error(fmt::format(
+          "{}: {} has {}; accepted: one decimal mark throughout, no separators of thousands", column.name,
+          quoted(std::string(field.text)),
+          both ? "point and comma"
+               : fmt::format("a decimal {} and line {} has a decimal {}", nameOf(mark), first_line_, nameOf(mark_))));
+    }
+    if (mark_ == '\0') {
+      mark_ = mark;
+      first_line_ = line;
+    }
+  }
+
+  static const char* nameOf(char mark) { return mark == ',' ? "comma" : "point"; }
+
+  char buffer_[128] = {};
+  const char* end_ = buffer_;
+  char mark_ = '\0';
+  std::size_t first_line_ = 0;
+};
+
 class CsvLogReader {
  public:
-  CsvLogReader(const std::string& path, const LogFormat& format) : reader_(path, kMaximumLogLine), format_(format) {}
+  CsvLogReader(const std::string& path, const LogFormat& format) : format_(format) {
+    TextSource source = openText(path);
+    coding_ = source.coding;
+    reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
+  }
 
   Log read() {
     readHeader();
-    while (const char* line = reader_.next()) {
+    for (line_ = reader_->line() + 1; const char* line = reader_->next(); ++line_) {
       readRow(line);
     }
+    line_ = std::max<std::size_t>(reader_->line(), 1);
     if (log_.size() < 2) {
       throw std::runtime_error(
           fmt::format("{} sample{}; accepted: at least 2", log_.size(), log_.size() == 1 ? "" : "s"));
     }
-    if (!reader_.lastLineEnded()) {
-      log_.notes.push_back(fmt::format("line {}, the last, has no line end: it may have been cut off", reader_.line()));
-    }
+    addNotes();
     return std::move(log_);
   }
 
-  std::size_t line() const { return std::max<std::size_t>(reader_.line(), 1); }
+  /// Of what an error is about.
+  std::size_t line() const { return line_; }
 
  private:
   void readHeader() {
-    const char* line = reader_.next();
-    std::string header = line == nullptr ? "" : line;
-    if (header.compare(0, 3, "\xEF\xBB\xBF") == 0) {
-      header.erase(0, 3);
+    HeaderFinder finder(format_);
+    std::vector<TextLine> head;
+    std::optional<CsvHeader> header;
+    while (!header && head.size() < kMaximumHeadLines) {
+      line_ = reader_->line() + 1;
+      const char* line = reader_->next();
+      if (line == nullptr) {
+        break;
+      }
+      head.push_back({line_, line});
+      header = finder.add(head.back());
     }
-    if (trimmed(header).empty()) {
-      throw std::runtime_error(line == nullptr ? "the file is empty; accepted: a header and at least 2 rows"
-                                               : "the header is blank; accepted: time_s,displacement_<unit>,...");
+    line_ = 1;
+    refuseEmpty(head);
+    header_ = header ? *header : finder.finish();
+    line_ = std::max<std::size_t>(header_.line, 1);
+    columns_ = findColumns(header_.names, format_);
+    log_.notes = notesOnIgnored(header_.names, columns_, format_);
+    readRowsOf(head);
+  }
+
+  static void refuseEmpty(const std::vector<TextLine>& head) {
+    if (head.empty()) {
+      throw std::runtime_error("the file is empty; accepted: a header and at least 2 rows");
     }
-    refuseOtherFormats(header);
-    const std::vector<std::string> names = splitHeader(header);
-    columns_ = findColumns(names, format_);
-    log_.notes = notesOnIgnored(names, columns_, format_);
+    if (std::all_of(head.begin(), head.end(), [](const TextLine& line) { return trimmed(line.text).empty(); })) {
+      throw std::runtime_error("the header is blank; accepted: time_s,displacement_<unit>,...");
+    }
+  }
+
+  // The rows among the lines that were read to find the header.
+  void readRowsOf(const std::vector<TextLine>& head) {
+    for (const TextLine& line : head) {
+      if (line.number >= header_.next_line) {
+        line_ = line.number;
+        const bool has_quotes = line.text.find('"') != std::string::npos;
+        by_fields_ = by_fields_ || header_.separator != Separator::comma || has_quotes;
+        readRow(line.text.c_str());
+      }
+    }
   }
 
   void readRow(const char* line) {
-    if (line[std::strspn(line, " \t")] == '\0') {
-      blank_line_ = blank_line_ == 0 ? reader_.line() : blank_line_;
+    const char* const text = line + std::strspn(line, " \t");
+    if (*text == '\0') {
+      blank_line_ = blank_line_ == 0 ? line_ : blank_line_;
       return;
     }
-    if (blank_line_ != 0) {
+    if (std::strchr("#%!/", *text) != nullptr && isComment(text)) {
+      noteComment();
+      return;
+    }
+    if (blank_line_ != 0 && log_.size() > 0) {
       throw std::runtime_error(
           fmt::format("a row after blank line {}; accepted: no blank line between rows", blank_line_));
     }
-    splitRow(line, starts_);
-    if (starts_.size() - 1 != columns_.count) {
-      throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header", starts_.size() - 1,
-                                           starts_.size() == 2 ? "" : "s", columns_.count));
-    }
+    blank_line_ = 0;
     if (log_.size() == kMaximumLogRows) {
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
-    appendStamp();
+    if (by_fields_ || !readPlainRow(line)) {
+      readRowByFields(line);
+    }
+  }
+
+  // Commas and nothing else: the fast path. False where the number of fields tells that there is more to it.
+  bool readPlainRow(const char* line) {
+    splitRow(line, starts_);
+    if (starts_.size() - 1 != columns_.count) {
+      return false;
+    }
+    appendPlainStamp();
+    appendPlain(columns_.displacement, log_.displacement);
+    appendPlain(columns_.force, log_.force);
+    appendPlain(columns_.temperature, log_.temperature);
+    return true;
+  }
+
+  const char* plainEnd(const Column& column) const { return starts_[column.index + 1] - 1; }
+
+  void appendPlain(const Column& column, std::vector<double>& values) {
+    if (column.found()) {
+      values.push_back(readNumber(starts_[column.index], plainEnd(column), column));
+    }
+  }
+
+  void appendPlainStamp() {
+    if (format_.rate) {
+      appendRateStamp();
+    } else {
+      appendStamp(readStamp(starts_[columns_.time.index], plainEnd(columns_.time), columns_.time));
+    }
+  }
+
+  void appendRateStamp() { log_.stamp.push_back(stampAtRate(log_.size(), *format_.rate)); }
+
+  void appendStamp(std::int64_t stamp) {
+    requireIncrease(log_.stamp, stamp, columns_.time);
+    log_.stamp.push_back(stamp);
+  }
+
+  void readRowByFields(const char* line) {
+    splitFields(line, header_.separator, fields_);
+    while (fields_.size() > columns_.count && fields_.back().text.empty() && !fields_.back().quoted) {
+      fields_.pop_back();  // a separator at the end of the line
+    }
+    if (fields_.size() != columns_.count) {
+      throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header", fields_.size(),
+                                           fields_.size() == 1 ? "" : "s", columns_.count));
+    }
+    if (format_.rate) {
+      appendRateStamp();
+    } else {
+      const char* const text = normalised(columns_.time);
+      appendStamp(readStamp(text, parser_.end(), columns_.time));
+    }
     append(columns_.displacement, log_.displacement);
     append(columns_.force, log_.force);
     append(columns_.temperature, log_.temperature);
   }
 
-  const char* fieldEnd(const Column& column) const { return starts_[column.index + 1] - 1; }
+  const char* normalised(const Column& column) {
+    return parser_.normalised(fields_[column.index], header_.separator, line_, column);
+  }
 
   void append(const Column& column, std::vector<double>& values) {
     if (column.found()) {
-      values.push_back(readNumber(starts_[column.index], fieldEnd(column), column));
+      const char* const text = normalised(column);
+      values.push_back(readNumber(text, parser_.end(), column));
     }
   }
 
-  void appendStamp() {
-    if (format_.rate) {
-      log_.stamp.push_back(stampAtRate(log_.size(), *format_.rate));
-      return;
-    }
-    const std::int64_t stamp = readStamp(starts_[columns_.time.index], fieldEnd(columns_.time), columns_.time);
-    requireIncrease(log_.stamp, stamp, columns_.time);
-    log_.stamp.push_back(stamp);
+  void noteComment() {
+    first_comment_ = comments_ == 0 ? line_ : first_comment_;
+    ++comments_;
   }
 
-  LineReader reader_;
+  void addNotes() {
+    const bool canonical = areCanonical(columns_) && coding_.empty() && header_.line == 1 && !header_.has_units_row &&
+                           header_.separator == Separator::comma && !parser_.hasDecimalComma();
+    if (!canonical) {
+      log_.notes.insert(log_.notes.begin(), describeColumns(columns_, log_) + layout());
+    }
+    if (comments_ > 0) {
+      log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_,
+                                       comments_ == 1 ? "" : "s", first_comment_));
+    }
+    if (!reader_->lastLineEnded()) {
+      log_.notes.push_back(
+          fmt::format("line {}, the last, has no line end: it may have been cut off", reader_->line()));
+    }
+  }
+
+  // "; header in line 3, separator semicolon, decimal comma, UTF-16"
+  std::string layout() const {
+    std::string text = "; ";
+    text += header_.line == 0 ? "no header" : fmt::format("header in line {}", header_.line);
+    text += header_.has_units_row ? " with a row of units" : "";
+    text += ", separator " + toString(header_.separator);
+    text += parser_.hasDecimalComma() ? ", decimal comma" : "";
+    return text + (coding_.empty() ? "" : ", " + coding_);
+  }
+
   LogFormat format_;
+  std::string coding_;
+  std::unique_ptr<LineReader> reader_;
+  CsvHeader header_;
   Columns columns_;
   Log log_;
+  std::size_t line_ = 1;
   std::size_t blank_line_ = 0;
+  std::size_t comments_ = 0;
+  std::size_t first_comment_ = 0;
+  bool by_fields_ = false;  // rows are not commas and numbers alone
   std::vector<const char*> starts_;
+  std::vector<Field> fields_;
+  FieldParser parser_;
 };
 
 }  // namespace

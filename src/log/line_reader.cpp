@@ -3,35 +3,39 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace rubber_suspension::log {
 
-LineReader::LineReader(const std::string& path, std::size_t maximum_line)
-    : file_(std::fopen(path.c_str(), "rb"), std::fclose), maximum_line_(maximum_line) {
-  if (!file_) {
-    throw std::runtime_error(std::strerror(errno));
-  }
-  buffer_.resize(2 * maximum_line + 1);
+LineReader::LineReader(std::unique_ptr<ByteSource> source, std::size_t maximum_line)
+    : source_(std::move(source)), maximum_line_(maximum_line), buffer_(2 * maximum_line + 1) {
+  fill();
+  findLineEnd();
 }
 
 void LineReader::fill() {
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - 1 - end_, file_.get());
-  if (std::ferror(file_.get()) != 0) {
-    throw std::runtime_error(std::strerror(errno));
+  std::size_t count = 1;
+  while (count > 0 && end_ < buffer_.size() - 1) {
+    count = source_->read(buffer_.data() + end_, buffer_.size() - 1 - end_);
+    end_ += count;
   }
 }
 
+void LineReader::findLineEnd() {
+  const auto holds = [&](char c) { return std::memchr(buffer_.data(), c, end_) != nullptr; };
+  line_end_ = !holds('\n') && holds('\r') ? '\r' : '\n';
+}
+
 char* LineReader::next() {
-  char* line_end = static_cast<char*>(std::memchr(buffer_.data() + begin_, '\n', end_ - begin_));
+  char* line_end = static_cast<char*>(std::memchr(buffer_.data() + begin_, line_end_, end_ - begin_));
   if (line_end == nullptr) {
     fill();
-    line_end = static_cast<char*>(std::memchr(buffer_.data(), '\n', end_));
+    line_end = static_cast<char*>(std::memchr(buffer_.data(), line_end_, end_));
   }
   if (begin_ == end_) {
     return nullptr;
@@ -47,12 +51,12 @@ char* LineReader::next() {
     throw std::runtime_error(fmt::format("line of more than {} bytes", maximum_line_));
   }
   if (std::memchr(line, '\0', length) != nullptr) {
-    throw std::runtime_error("holds a 0 byte; accepted: text in UTF-8");
+    throw std::runtime_error("holds a 0 byte; accepted: text in UTF-8, UTF-16 or Latin-1");
   }
   begin_ += length + (ended_ ? 1 : 0);
   *line_end = '\0';
-  if (length > 0 && line_end[-1] == '\r') {
-    line_end[-1] = '\0';
+  while (line_end > line && line_end[-1] == '\r') {
+    *--line_end = '\0';
   }
   return line;
 }

@@ -12,7 +12,9 @@
 #include <sstream>
 
 #include "kernel/sample_checks.h"
+#include "log/file_format.h"
 #include "log/log_columns.h"
+#include "log/new_file.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
@@ -51,10 +53,11 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
   }
 }
 
-void setColumn(LogFormat& format, const std::string& entry) {
+// "QUANTITY=NAME", or QUANTITY alone: the column of that place.
+void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
-  const std::string column = equals == std::string::npos ? "" : entry.substr(equals + 1);
+  const std::string column = equals == std::string::npos ? std::to_string(place) : entry.substr(equals + 1);
   const std::array<std::pair<const char*, std::string*>, 4> accepted = {{{"time", &format.time_column},
                                                                          {"displacement", &format.displacement_column},
                                                                          {"force", &format.force_column},
@@ -62,8 +65,13 @@ void setColumn(LogFormat& format, const std::string& entry) {
   const auto found =
       std::find_if(accepted.begin(), accepted.end(), [&](const auto& pair) { return quantity == pair.first; });
   if (found == accepted.end() || column.empty()) {
-    throw std::invalid_argument(
-        fmt::format("--columns: '{}'; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME", entry));
+    throw std::invalid_argument(fmt::format(
+        "--columns: {}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that "
+        "of the file or the column's number, or these words alone in the order of the columns",
+        quoted(entry)));
+  }
+  if (!found->second->empty()) {
+    throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));
   }
   *found->second = column;
 }
@@ -94,8 +102,8 @@ LogError::LogError(const std::string& message) : std::runtime_error(oneLine(mess
 
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate) {
   LogFormat format;
-  for (const std::string& entry : columns) {
-    setColumn(format, entry);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    setColumn(format, columns[i], i + 1);
   }
   if (!units.empty()) {
     setUnits(format, units);
@@ -111,8 +119,14 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
 }
 
 Log readLog(const std::string& path, const LogFormat& format) {
-  const bool matlab = path.size() > 4 && path.compare(path.size() - 4, 4, ".mat") == 0;
-  return matlab ? readMatLog(path, format) : readCsvLog(path, format);
+  switch (formatOfFile(path)) {
+    case FileFormat::matlab:
+      return readMatLog(path, format);
+    case FileFormat::hdf5:
+      return readHdf5Log(path, format);
+    default:
+      return readCsvLog(path, format);
+  }
 }
 
 void checkLog(const Log& log) {
@@ -147,13 +161,20 @@ void writeForceCsv(const std::string& path, const Log& log, const std::vector<do
   writeLogCsv(path, answered);
 }
 
-LogCsvWriter::LogCsvWriter(const std::string& path, bool with_force)
-    : path_(path), with_force_(with_force), file_(path, std::ios::binary) {
+LogCsvWriter::LogCsvWriter(const std::string& path, bool with_force) : path_(path), with_force_(with_force) {
+  try {
+    new_file_ = std::make_unique<NewFile>(path);
+  } catch (const std::runtime_error& error) {
+    throw LogError(error.what());
+  }
+  file_.open(new_file_->writingPath(), std::ios::binary);
   file_ << "time_s,displacement_m" << (with_force ? ",force_N\n" : "\n");
   if (!file_) {
     fail();
   }
 }
+
+LogCsvWriter::~LogCsvWriter() = default;
 
 void LogCsvWriter::fail() const {
   throw LogError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
@@ -166,13 +187,20 @@ void LogCsvWriter::append(std::int64_t stamp, double displacement, double force)
     fmt::format_to(std::back_inserter(row), ",{:.17g}", force);
   }
   row.push_back('\n');
-  file_.write(row.data(), static_cast<std::streamsize>(row.size()));
+  if (!file_.write(row.data(), static_cast<std::streamsize>(row.size()))) {
+    fail();
+  }
 }
 
 void LogCsvWriter::close() {
   file_.close();
   if (!file_) {
     fail();
+  }
+  try {
+    new_file_->commit();
+  } catch (const std::runtime_error& error) {
+    throw LogError(error.what());
   }
 }
 

@@ -14,178 +14,318 @@ namespace {
 
 // 285 years: stamps stay well within 64 bits of nanoseconds.
 constexpr double kMaximumTime = 9.0e9;  // [s]
-const std::vector<std::string> kTimeUnits = {"s", "ms", "us"};
-const std::vector<std::string> kDisplacementUnits = {"m", "mm", "um"};
-const std::vector<std::string> kForceUnits = {"N", "kN", "MN"};
+
+const std::string& columnOption(const LogFormat& format, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      return format.time_column;
+    case Quantity::displacement:
+      return format.displacement_column;
+    case Quantity::force:
+      return format.force_column;
+    default:
+      return format.temperature_column;
+  }
+}
+
+const std::string& unitOption(const LogFormat& format, Quantity quantity) {
+  static const std::string kNone;
+  switch (quantity) {
+    case Quantity::time:
+      return format.time_unit;
+    case Quantity::displacement:
+      return format.displacement_unit;
+    case Quantity::force:
+      return format.force_unit;
+    default:
+      return kNone;
+  }
+}
+
+bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Quantity::time || !format.rate; }
 
 // The names of a header for an error, the first of them if there are many.
-std::string listed(std::vector<std::string> header) {
+std::string listed(const std::vector<ColumnName>& header) {
   constexpr std::size_t kMost = 12;
-  const bool more = header.size() > kMost;
-  header.resize(std::min(header.size(), kMost));
-  std::transform(header.begin(), header.end(), header.begin(), quoted);
-  return join(header) + (more ? ", ..." : "");
-}
-
-std::size_t findName(const std::vector<std::string>& header, const std::string& name) {
-  const auto found = std::find(header.begin(), header.end(), name);
-  if (found == header.end()) {
-    return Column::kNone;
-  }
-  if (std::find(found + 1, header.end(), name) != header.end()) {
-    throw std::runtime_error(fmt::format("column {} stands twice in the header; accepted: once", quoted(name)));
-  }
-  return static_cast<std::size_t>(found - header.begin());
-}
-
-Column namedColumn(const std::vector<std::string>& header, const std::string& name) {
-  Column column;
-  column.index = findName(header, name);
-  column.name = name;
-  return column;
-}
-
-Column requireColumn(const std::vector<std::string>& header, const std::string& name) {
-  Column column = namedColumn(header, name);
-  if (!column.found()) {
-    throw std::runtime_error(
-        fmt::format("no column {}, the header has {}; accepted: a file with that column, or another "
-                    "name by --columns{}",
-                    quoted(name), listed(header), name == "time_s" ? ", or --rate" : ""));
-  }
-  return column;
-}
-
-std::vector<std::string> namesWithUnits(const std::string& quantity, const std::vector<std::string>& units) {
   std::vector<std::string> names;
-  for (const std::string& unit : units) {
-    names.push_back(quantity + "_" + unit);
+  for (std::size_t i = 0; i < std::min(header.size(), kMost); ++i) {
+    names.push_back(quoted(header[i].withUnit()));
   }
-  return names;
+  return join(names) + (header.size() > kMost ? ", ..." : "");
 }
 
-// The column quantity_<unit>; more than one is ambiguous, one without or with another unit is no such column.
-Column columnWithUnit(const std::vector<std::string>& header, const std::string& quantity,
-                      const std::vector<std::string>& units) {
-  Column result;
-  for (const std::string& unit : units) {
-    Column column = namedColumn(header, quantity + "_" + unit);
-    if (!column.found()) {
-      continue;
-    }
-    if (result.found()) {
-      throw std::runtime_error(
-          fmt::format("columns '{}' and '{}' are both there; accepted: one of them", result.name, column.name));
-    }
-    column.conversion = UnitConversion(unit, units.front());
-    result = column;
-  }
-  const auto alike = std::find_if(header.begin(), header.end(), [&](const std::string& name) {
-    return name == quantity || name.compare(0, quantity.size() + 1, quantity + "_") == 0;
-  });
-  if (!result.found() && alike != header.end()) {
-    throw std::runtime_error(fmt::format("column {} has no accepted unit; accepted: {}, or --columns with --unit",
-                                         quoted(*alike), join(namesWithUnits(quantity, units))));
-  }
-  return result;
-}
+using Places = std::vector<std::size_t>;
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-// The unit that a name of a file's own ends in, `D_mm`, `D [mm]` or `D (mm)`, if it is one of the quantity; else empty.
-std::string unitInName(const std::string& name, const std::vector<std::string>& units) {
-  for (const std::string& unit : units) {
-    if (endsWith(name, "_" + unit)) {
-      return unit;
+template <class Condition>
+Places placesWhere(const std::vector<ColumnName>& header, Condition condition) {
+  Places places;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (condition(header[i])) {
+      places.push_back(i);
     }
   }
-  const std::size_t open = name.find_last_of("[(");
-  if (open == std::string::npos || !(endsWith(name, "]") || endsWith(name, ")"))) {
-    return {};
+  return places;
+}
+
+// The place that a number of --columns tells, from 1; none where it is no number of a column.
+Places placeOfNumber(const std::string& text, std::size_t count) {
+  const bool digits = !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t number = digits ? std::stoul(text) : 0;
+  return number >= 1 && number <= count ? Places{number - 1} : Places{};
+}
+
+// Where the column is that the user named: as in the file, without its unit, or by its number.
+Places placesOfOption(const std::vector<ColumnName>& header, const std::string& name) {
+  Places places =
+      placesWhere(header, [&](const ColumnName& column) { return column.text == name || column.withUnit() == name; });
+  if (places.empty()) {
+    places = placesWhere(header, [&](const ColumnName& column) { return column.bare == name; });
   }
-  std::string unit = trimmed(name.substr(open + 1, name.size() - open - 2));
-  try {
-    UnitConversion(unit, units.front());
-    return unit;
-  } catch (const std::invalid_argument&) {  // something else is in brackets
-    return {};
+  return places.empty() ? placeOfNumber(name, header.size()) : places;
+}
+
+// By name, else by unit; each column for one quantity only.
+class ColumnFinder {
+ public:
+  ColumnFinder(const std::vector<ColumnName>& header, const LogFormat& format) : header_(header) {
+    for (const Quantity quantity : allQuantities()) {
+      const std::string& option = columnOption(format, quantity);
+      if (!option.empty()) {
+        for (const std::size_t place : placesOfOption(header, option)) {
+          taken_.push_back(place);
+        }
+      }
+    }
+  }
+
+  Places find(Quantity quantity) const {
+    const auto is_free = [&](const ColumnName& column) {
+      const auto place = static_cast<std::size_t>(&column - header_.data());
+      return std::find(taken_.begin(), taken_.end(), place) == taken_.end();
+    };
+    const Places exact = placesWhere(
+        header_, [&](const ColumnName& column) { return is_free(column) && isCanonical(column.text, quantity); });
+    if (!exact.empty()) {
+      return exact;
+    }
+    const Places named = placesWhere(
+        header_, [&](const ColumnName& column) { return is_free(column) && quantityOfName(column.bare) == quantity; });
+    if (!named.empty()) {
+      return named;
+    }
+    return placesWhere(header_, [&](const ColumnName& column) {
+      return is_free(column) && !column.unit.empty() && !quantityOfName(column.bare) &&
+             quantityOfUnit(column.unit) == quantity;
+    });
+  }
+
+ private:
+  const std::vector<ColumnName>& header_;
+  Places taken_;  // by the user's word
+};
+
+std::string accepted(Quantity quantity) {
+  const std::string name = toString(quantity);
+  return fmt::format("{}_{}, or --columns {}=NAME{}", name,
+                     quantity == Quantity::displacement ? "<m|mm|um>"
+                     : quantity == Quantity::force      ? "<N|kN|MN>"
+                                                        : siUnit(quantity),
+                     name, quantity == Quantity::time ? ", or --rate" : "");
+}
+
+void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places, const std::string& what,
+                     Quantity quantity) {
+  if (places.size() > 1) {
+    std::vector<std::string> names;
+    std::transform(places.begin(), places.end(), std::back_inserter(names),
+                   [&](std::size_t place) { return quoted(header[place].withUnit()); });
+    throw std::runtime_error(
+        fmt::format("columns {} may each be {}; accepted: one of them by --columns {}=NAME, or its "
+                    "number from 1",
+                    join(names), what, toString(quantity)));
   }
 }
 
-Column mappedColumn(const std::vector<std::string>& header, const std::string& name, const std::string& unit,
-                    const std::vector<std::string>& units) {
-  Column column = requireColumn(header, name);
-  const std::string used = unit.empty() ? unitInName(name, units) : unit;
-  column.assumed_unit = used.empty() ? units.front() : "";
-  column.conversion = UnitConversion(used.empty() ? units.front() : used, units.front());
+Column columnAt(const std::vector<ColumnName>& header, std::size_t place) {
+  Column column;
+  column.index = place;
+  column.name = header[place].text;
+  column.label = header[place].withUnit();
   return column;
 }
 
-// A column of displacement or force: by the name that the user gave, else quantity_<unit>, else the bare quantity if
-// the user gave its unit.
-Column findQuantity(const std::vector<std::string>& header, const std::string& quantity, const std::string& name,
-                    const std::string& unit, const std::vector<std::string>& units) {
-  if (!name.empty()) {
-    return mappedColumn(header, name, unit, units);
+void setUnit(Column& column, const std::string& unit, Quantity quantity) {
+  try {
+    column.conversion = UnitConversion(unit, siUnit(quantity));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(
+        fmt::format("column {}: {}; accepted: a unit of {}", quoted(column.label), error.what(), toString(quantity)));
   }
-  if (!unit.empty() && namedColumn(header, quantity).found()) {
-    return mappedColumn(header, quantity, unit, units);
-  }
-  return columnWithUnit(header, quantity, units);
 }
 
-void noteUnusedUnit(std::vector<std::string>& notes, const Column& column, const std::string& quantity,
-                    const std::string& unit) {
-  const bool by_its_name = column.name.compare(0, quantity.size() + 1, quantity + "_") == 0;
-  if (!unit.empty() && by_its_name) {
-    notes.push_back(fmt::format("unit {} is not used: column '{}' names its own", quoted(unit), column.name));
+// A column that the user named: its unit is that of the option, else its own, else the SI unit, which is told.
+Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
+  const std::string& name = columnOption(format, quantity);
+  const Places places = placesOfOption(header, name);
+  if (places.empty()) {
+    throw std::runtime_error(
+        fmt::format("no column {}, the header has {}; accepted: a name of the header, or a number "
+                    "from 1 to {}",
+                    quoted(name), listed(header), header.size()));
+  }
+  if (places.size() > 1) {
+    throw std::runtime_error(
+        fmt::format("column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
+                    places.size(), toString(quantity)));
+  }
+  Column column = columnAt(header, places[0]);
+  const std::string& option = unitOption(format, quantity);
+  const std::string& unit = option.empty() ? header[places[0]].unit : option;
+  column.assumed_unit = unit.empty() ? siUnit(quantity) : "";
+  setUnit(column, unit.empty() ? siUnit(quantity) : unit, quantity);
+  return column;
+}
+
+// A column found by its name or unit, which has to tell its unit or be told it.
+Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format,
+                   Quantity quantity) {
+  Column column = columnAt(header, place);
+  const std::string& own = header[place].unit;
+  const std::string& unit = own.empty() ? unitOption(format, quantity) : own;
+  if (unit.empty()) {
+    throw std::runtime_error(
+        fmt::format("column {} tells no unit; accepted: {}, '{} [UNIT]', or --unit "
+                    "LENGTH,FORCE,TIME as in mm,kN,s",
+                    quoted(column.name), accepted(quantity), column.name));
+  }
+  setUnit(column, unit, quantity);
+  return column;
+}
+
+Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format,
+                  Quantity quantity) {
+  if (!columnOption(format, quantity).empty()) {
+    return mappedColumn(header, format, quantity);
+  }
+  const Places places = finder.find(quantity);
+  if (quantity == Quantity::temperature && (places.size() != 1 || header[places[0]].unit.empty())) {
+    return {};  // it is never needed
+  }
+  refuseAmbiguity(header, places, toString(quantity), quantity);
+  return places.empty() ? Column() : foundColumn(header, places[0], format, quantity);
+}
+
+void requireColumn(const Column& column, const std::vector<ColumnName>& header, Quantity quantity) {
+  if (!column.found()) {
+    throw std::runtime_error(fmt::format("no column of {}, the header has {}; accepted: {}", toString(quantity),
+                                         listed(header), accepted(quantity)));
   }
 }
+
+void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& header) {
+  const Column* const all[] = {&columns.time, &columns.displacement, &columns.force, &columns.temperature};
+  for (const Column* one : all) {
+    for (const Column* other : all) {
+      if (one != other && one->found() && one->index == other->index) {
+        throw std::runtime_error(fmt::format("column {} is to be two quantities; accepted: a column for each",
+                                             quoted(header[one->index].withUnit())));
+      }
+    }
+  }
+}
+
+void noteUnusedUnit(std::vector<std::string>& notes, const std::vector<ColumnName>& header, const Column& column,
+                    const LogFormat& format, Quantity quantity) {
+  const std::string& unit = unitOption(format, quantity);
+  const bool own = column.found() && columnOption(format, quantity).empty() && !header[column.index].unit.empty();
+  if (!unit.empty() && own) {
+    notes.push_back(fmt::format("unit {} is not used: column {} names its own", quoted(unit), quoted(column.label)));
+  }
+}
+
+void appendPart(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
 }  // namespace
 
-Columns findColumns(const std::vector<std::string>& header, const LogFormat& format) {
+Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& format) {
+  const ColumnFinder finder(header, format);
   Columns columns;
   columns.count = header.size();
-  if (!format.rate) {
-    const bool by_rule = format.time_column.empty();
-    columns.time =
-        mappedColumn(header, by_rule ? "time_s" : format.time_column, by_rule ? "" : format.time_unit, kTimeUnits);
+  if (isWanted(Quantity::time, format)) {
+    columns.time = findColumn(finder, header, format, Quantity::time);
+    requireColumn(columns.time, header, Quantity::time);
   }
-  columns.displacement =
-      findQuantity(header, "displacement", format.displacement_column, format.displacement_unit, kDisplacementUnits);
-  if (!columns.displacement.found()) {
-    throw std::runtime_error(
-        fmt::format("no column of displacement, the header has {}; accepted: {}, or another name by --columns",
-                    listed(header), join(namesWithUnits("displacement", kDisplacementUnits))));
-  }
-  columns.force = findQuantity(header, "force", format.force_column, format.force_unit, kForceUnits);
-  columns.temperature = format.temperature_column.empty() ? namedColumn(header, "temperature_degC")
-                                                          : requireColumn(header, format.temperature_column);
+  columns.displacement = findColumn(finder, header, format, Quantity::displacement);
+  requireColumn(columns.displacement, header, Quantity::displacement);
+  columns.force = findColumn(finder, header, format, Quantity::force);
+  columns.temperature = findColumn(finder, header, format, Quantity::temperature);
+  refuseTwoOfOne(columns, header);
   return columns;
 }
 
-std::vector<std::string> notesOnIgnored(const std::vector<std::string>& header, const Columns& columns,
+bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& format) {
+  const ColumnFinder finder(header, format);
+  int found = 0;
+  int needed = 0;
+  for (const Quantity quantity : allQuantities()) {
+    const std::string& option = columnOption(format, quantity);
+    if (!option.empty() && placesOfOption(header, option).empty()) {
+      return false;
+    }
+    const bool there = !option.empty() || (isWanted(quantity, format) && !finder.find(quantity).empty());
+    found += there ? 1 : 0;
+    const bool is_needed = quantity == Quantity::displacement || (quantity == Quantity::time && !format.rate);
+    needed += is_needed && !there ? 1 : 0;
+  }
+  return needed == 0 || found >= 2;
+}
+
+std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format) {
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const bool read = i == columns.time.index || i == columns.displacement.index || i == columns.force.index ||
                       i == columns.temperature.index;
-    if (!read) {
-      notes.push_back(fmt::format("column {} is ignored", quoted(header[i])));
+    if (!read && !header[i].text.empty()) {
+      notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())));
     }
   }
-  for (const Column* column : {&columns.time, &columns.displacement, &columns.force}) {
+  for (const Column* column : {&columns.time, &columns.displacement, &columns.force, &columns.temperature}) {
     if (!column->assumed_unit.empty()) {
       notes.push_back(fmt::format("column {} is taken to be in {}; another unit by --unit", quoted(column->name),
                                   column->assumed_unit));
     }
   }
-  noteUnusedUnit(notes, columns.displacement, "displacement", format.displacement_unit);
-  noteUnusedUnit(notes, columns.force, "force", format.force_unit);
+  noteUnusedUnit(notes, header, columns.time, format, Quantity::time);
+  noteUnusedUnit(notes, header, columns.displacement, format, Quantity::displacement);
+  noteUnusedUnit(notes, header, columns.force, format, Quantity::force);
   return notes;
+}
+
+bool areCanonical(const Columns& columns) {
+  const auto fits = [](const Column& column, Quantity quantity) {
+    return !column.found() || isCanonical(column.name, quantity);
+  };
+  return fits(columns.time, Quantity::time) && fits(columns.displacement, Quantity::displacement) &&
+         fits(columns.force, Quantity::force) && fits(columns.temperature, Quantity::temperature);
+}
+
+std::string describeColumns(const Columns& columns, const Log& log) {
+  std::string text;
+  const auto tell = [&](const Column& column, Quantity quantity) {
+    if (column.found()) {
+      appendPart(text, fmt::format("{} from {}", toString(quantity), quoted(column.label)));
+    }
+  };
+  tell(columns.time, Quantity::time);
+  tell(columns.displacement, Quantity::displacement);
+  tell(columns.force, Quantity::force);
+  tell(columns.temperature, Quantity::temperature);
+  if (log.size() > 1) {
+    const double duration = 1e-9 * static_cast<double>(log.stamp.back() - log.stamp.front());
+    appendPart(text, fmt::format("{:.6g} Hz", static_cast<double>(log.size() - 1) / duration));
+  }
+  return text;
 }
 
 std::int64_t toStamp(long double time, const Column& column) {
@@ -219,8 +359,11 @@ std::string formatStamp(std::int64_t stamp) {
 
 std::string logName(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
-  const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
-  return file.substr(0, file.find_last_of('.'));
+  std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  if (file.size() > 3 && file.compare(file.size() - 3, 3, ".gz") == 0) {
+    file.resize(file.size() - 3);
+  }
+  return oneLine(file.substr(0, file.find_last_of('.')));
 }
 
 }  // namespace rubber_suspension::log

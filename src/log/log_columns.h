@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "log/column_name.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/units.h"
 
@@ -16,7 +17,8 @@ struct Column {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   std::size_t index = kNone;
-  std::string name;
+  std::string name;   ///< as in the file
+  std::string label;  ///< the same with the unit of a row of units
   UnitConversion conversion{"1", "1"};
   std::string assumed_unit;  ///< of a column whose unit neither its name nor the user told; else empty
 
@@ -31,12 +33,23 @@ struct Columns {
   Column temperature;  ///< may be missing
 };
 
-/// Find the columns by the rules of LogFormat. Throws std::runtime_error with name and what is accepted.
-Columns findColumns(const std::vector<std::string>& header, const LogFormat& format);
+/// Find the columns: those that the format names or numbers, then by name, then by unit where exactly one column has a
+/// unit of that quantity. What is ambiguous is refused. Throws std::runtime_error with name and what is accepted.
+Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& format);
+
+/// True where a row of names tells enough to be a header: the columns that the format names are there, and of the
+/// others at least displacement and time, or any two.
+bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& format);
 
 /// A note for every column, and every unit of the format, that is not used.
-std::vector<std::string> notesOnIgnored(const std::vector<std::string>& header, const Columns& columns,
+std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format);
+
+/// True where all columns that are read have the names that this package writes.
+bool areCanonical(const Columns& columns);
+
+/// What was taken for what: "time from 'Zeit [s]', displacement from 'Weg [mm]', 1000 Hz".
+std::string describeColumns(const Columns& columns, const Log& log);
 
 /// The stamp [ns] of a time in the unit of its column. Throws std::runtime_error where it is out of range.
 std::int64_t toStamp(long double time, const Column& column);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 
+#include "log/column_table.h"
+#include "log/hdf5_mutex.h"
 #include "log/log_columns.h"
-#include "log/text.h"
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::log {
@@ -18,12 +18,16 @@ namespace {
 using MatPointer = std::unique_ptr<mat_t, int (*)(mat_t*)>;
 using VariablePointer = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
 
-// A vector of numbers in the file: a variable, or a field of one.
+// A vector of numbers in the file: a variable, a field of one, or a column of a matrix.
 struct MatColumn {
   std::string name;
   std::string variable;
-  std::string field;  // empty: the variable itself
+  std::string field;     // empty: the variable itself
+  std::size_t part = 0;  // of a matrix, from 1; 0: the whole vector
 };
+
+// Beyond these a matrix is a picture or a table of something else.
+constexpr std::size_t kMostMatrixColumns = 1000;
 
 bool isNumeric(const matvar_t& variable) {
   return variable.class_type >= MAT_C_DOUBLE && variable.class_type <= MAT_C_UINT64;
@@ -42,21 +46,41 @@ bool isVector(const matvar_t& variable) {
   return isNumeric(variable) && variable.rank == 2 && std::min(variable.dims[0], variable.dims[1]) == 1;
 }
 
+// Samples are more than quantities.
+bool isWide(const matvar_t& matrix) { return matrix.dims[0] < matrix.dims[1]; }
+
+std::size_t partCount(const matvar_t& matrix) { return std::min(matrix.dims[0], matrix.dims[1]); }
+
+bool isMatrix(const matvar_t& variable) {
+  return isNumeric(variable) && variable.rank == 2 && partCount(variable) > 1 &&
+         partCount(variable) <= kMostMatrixColumns;
+}
+
+void addParts(std::vector<MatColumn>& columns, const matvar_t& matrix) {
+  for (std::size_t part = 1; part <= partCount(matrix); ++part) {
+    const std::string name =
+        isWide(matrix) ? fmt::format("{}({},:)", matrix.name, part) : fmt::format("{}(:,{})", matrix.name, part);
+    columns.push_back({name, matrix.name, "", part});
+  }
+}
+
 void addFields(std::vector<MatColumn>& columns, matvar_t& variable) {
   const unsigned count = Mat_VarGetNumberOfFields(&variable);
   char* const* names = Mat_VarGetStructFieldnames(&variable);
   for (unsigned i = 0; i < count; ++i) {
     const matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
     if (field != nullptr && isVector(*field)) {
-      columns.push_back({std::string(variable.name) + "." + names[i], variable.name, names[i]});
+      columns.push_back({std::string(variable.name) + "." + names[i], variable.name, names[i], 0});
     }
   }
 }
 
 template <class Number>
-void copyNumbers(const matvar_t& variable, std::vector<double>& values) {
+void copyNumbers(const matvar_t& variable, std::size_t first, std::size_t stride, std::vector<double>& values) {
   const Number* const data = static_cast<const Number*>(variable.data);
-  std::transform(data, data + values.size(), values.begin(), [](Number value) { return static_cast<double>(value); });
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = static_cast<double>(data[first + i * stride]);
+  }
 }
 
 class MatLogReader {
@@ -68,19 +92,14 @@ class MatLogReader {
     }
   }
 
-  Log read() {
+  Log read(const std::string& name) {
     listColumns();
-    std::vector<std::string> names;
+    std::vector<ColumnName> names;
     std::transform(columns_.begin(), columns_.end(), std::back_inserter(names),
-                   [](const MatColumn& column) { return column.name; });
-    const Columns columns = findColumns(names, format_);
-    Log log;
-    log.notes = notesOnIgnored(names, columns, format_);
-    log.displacement = readConverted(columns.displacement);
-    log.force = readConverted(columns.force);
-    log.temperature = readConverted(columns.temperature);
-    appendStamps(log, columns.time);
-    return log;
+                   [](const MatColumn& column) { return parseColumnName(column.name); });
+    return logFromColumns(
+        names, [this](std::size_t place, const std::string& column) { return readColumn(columns_[place], column); },
+        format_, name);
   }
 
  private:
@@ -92,47 +111,35 @@ class MatLogReader {
         continue;
       }
       if (isVector(*variable)) {
-        columns_.push_back({variable->name, variable->name, ""});
+        columns_.push_back({variable->name, variable->name, "", 0});
+      } else if (isMatrix(*variable)) {
+        addParts(columns_, *variable);
       } else if (variable->class_type == MAT_C_STRUCT && elementCount(*variable) == 1) {
         addFields(columns_, *variable);
       }
     }
     if (variables == 1) {
       for (MatColumn& column : columns_) {
-        column.name = column.field.empty() ? column.name : column.field;
+        column.name = column.part > 0 ? std::to_string(column.part) : column.field.empty() ? column.name : column.field;
       }
     }
   }
 
-  std::vector<double> readConverted(const Column& column) {
-    std::vector<double> values = column.found() ? readColumn(column) : std::vector<double>();
-    std::transform(values.begin(), values.end(), values.begin(), column.conversion);
-    return values;
-  }
-
-  std::vector<double> readColumn(const Column& column) {
-    const MatColumn& source = columns_[column.index];
-    requireSize(source, column);
+  std::vector<double> readColumn(const MatColumn& source, const std::string& name) {
+    requireSize(source, name);
     const VariablePointer variable(Mat_VarRead(file_.get(), source.variable.c_str()), Mat_VarFree);
     const matvar_t* vector = variable.get();
     if (vector != nullptr && !source.field.empty()) {
       vector = Mat_VarGetStructFieldByName(variable.get(), source.field.c_str(), 0);
     }
-    std::vector<double> values = numbersOf(vector, column);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!std::isfinite(values[i])) {
-        throw std::runtime_error(
-            fmt::format("{}: element {}: {} is not finite; accepted: a finite number", column.name, i + 1, values[i]));
-      }
-    }
-    return values;
+    return numbersOf(vector, source.part, name);
   }
 
   // From what is known before any data is read, so that a small file cannot claim the memory of a large one.
-  void requireSize(const MatColumn& source, const Column& column) {
+  void requireSize(const MatColumn& source, const std::string& name) {
     const VariablePointer info(Mat_VarReadInfo(file_.get(), source.variable.c_str()), Mat_VarFree);
     if (!info) {
-      throw std::runtime_error(fmt::format("{}: cannot be read", column.name));
+      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
     }
     std::size_t total = elementCount(*info);
     const unsigned fields = info->class_type == MAT_C_STRUCT ? Mat_VarGetNumberOfFields(info.get()) : 0;
@@ -142,58 +149,46 @@ class MatLogReader {
     }
     if (total > kMaximumLogRows) {
       throw std::runtime_error(
-          fmt::format("{}: more than {} numbers; accepted: that many at most", column.name, kMaximumLogRows));
+          fmt::format("{}: more than {} numbers; accepted: that many at most", name, kMaximumLogRows));
     }
   }
 
-  static std::vector<double> numbersOf(const matvar_t* vector, const Column& column) {
-    if (vector == nullptr || vector->data == nullptr || !isVector(*vector)) {
-      throw std::runtime_error(fmt::format("{}: cannot be read", column.name));
+  static std::vector<double> numbersOf(const matvar_t* vector, std::size_t part, const std::string& name) {
+    const bool fits = vector != nullptr && vector->data != nullptr &&
+                      (part > 0 ? isMatrix(*vector) : isVector(*vector)) && part <= partCount(*vector);
+    if (!fits) {
+      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
     }
     if (vector->isComplex != 0) {
-      throw std::runtime_error(fmt::format("{}: complex numbers; accepted: real ones", column.name));
+      throw std::runtime_error(fmt::format("{}: complex numbers; accepted: real ones", name));
     }
-    std::vector<double> values(elementCount(*vector));
+    // MATLAB stores column by column.
+    const bool wide = part > 0 && isWide(*vector);
+    const std::size_t length = part == 0 ? elementCount(*vector) : std::max(vector->dims[0], vector->dims[1]);
+    const std::size_t first = part == 0 ? 0 : wide ? part - 1 : (part - 1) * length;
+    const std::size_t stride = wide ? vector->dims[0] : 1;
+    std::vector<double> values(length);
     switch (vector->data_type) {
       case MAT_T_DOUBLE:
-        copyNumbers<double>(*vector, values);
+        copyNumbers<double>(*vector, first, stride, values);
         break;
       case MAT_T_SINGLE:
-        copyNumbers<float>(*vector, values);
+        copyNumbers<float>(*vector, first, stride, values);
         break;
       case MAT_T_INT32:
-        copyNumbers<std::int32_t>(*vector, values);
+        copyNumbers<std::int32_t>(*vector, first, stride, values);
         break;
       case MAT_T_INT16:
-        copyNumbers<std::int16_t>(*vector, values);
+        copyNumbers<std::int16_t>(*vector, first, stride, values);
         break;
       case MAT_T_INT64:
-        copyNumbers<std::int64_t>(*vector, values);
+        copyNumbers<std::int64_t>(*vector, first, stride, values);
         break;
       default:
-        throw std::runtime_error(fmt::format(
-            "{}: numbers of a type that is not read; accepted: double, single, int16 to int64", column.name));
+        throw std::runtime_error(
+            fmt::format("{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name));
     }
     return values;
-  }
-
-  void appendStamps(Log& log, const Column& time) {
-    if (format_.rate) {
-      for (std::size_t i = 0; i < log.displacement.size(); ++i) {
-        log.stamp.push_back(stampAtRate(i, *format_.rate));
-      }
-      return;
-    }
-    const std::vector<double> times = readColumn(time);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const std::int64_t stamp = toStamp(times[i], time);
-      try {
-        requireIncrease(log.stamp, stamp, time);
-      } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("element {}: {}", i + 1, error.what()));
-      }
-      log.stamp.push_back(stamp);
-    }
   }
 
   MatPointer file_;
@@ -204,13 +199,9 @@ class MatLogReader {
 }  // namespace
 
 Log readMatLog(const std::string& path, const LogFormat& format) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<std::mutex> lock(hdf5Mutex());
   try {
-    Log log = MatLogReader(path, format).read();
-    log.name = logName(path);
-    checkLog(log);
-    return log;
+    return MatLogReader(path, format).read(logName(path));
   } catch (const std::runtime_error& error) {
     throw LogError(fmt::format("{}: {}", path, error.what()));
   }

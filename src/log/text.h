@@ -21,10 +21,20 @@ inline std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The text with a blank for each control character: an error is one line, whatever the file that it quotes holds.
-std::string oneLine(std::string text);
+/// The text with ASCII letters in lower case.
+std::string lowerCase(std::string text);
 
-/// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, no control characters.
+/// True where all bytes belong to characters of UTF-8.
+bool isUtf8(const std::string& text);
+
+/// The text in UTF-8: as it is where it is UTF-8, else read as Latin-1, in which every byte is a character.
+std::string toUtf8(const std::string& text);
+
+/// The text as a terminal may show it, on one line: blanks for line ends and tabs; control characters, those that turn
+/// the direction of writing, and bytes that are no UTF-8 as \xNN.
+std::string oneLine(const std::string& text);
+
+/// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, as oneLine().
 std::string quoted(const std::string& text);
 
 /// Names as a list "a, b, c".

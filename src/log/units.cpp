@@ -41,6 +41,8 @@ ut_system* unitSystem() {
     }
     mapName(made, "deg", "arc_degree");
     mapName(made, "tonf", "1000 kgf");
+    mapName(made, "Sek", "s");
+    mapName(made, "sek", "s");
     return made;
   }();
   return system;
@@ -116,6 +118,12 @@ std::optional<double> parseNumber(const std::string& text) {
     return parseNonFinite(text);
   }
   return strtod_l(text.c_str(), nullptr, cLocale());
+}
+
+bool isUnit(const std::string& text) {
+  const std::lock_guard<std::mutex> lock(unitMutex());
+  const UnitPointer unit(ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free);
+  return unit != nullptr;
 }
 
 UnitConversion::UnitConversion(const std::string& from, const std::string& to) {

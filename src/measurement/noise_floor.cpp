@@ -121,6 +121,32 @@ double keptShare(const NoiseModel& noise, double lag) {
   return kept / all;
 }
 
+// Variance of lines that stand out of their neighbourhood in the spectrum outside of the motion's band: hum and
+// resonances are no noise, whatever the motion has to do with them.
+double varianceOfLines(const log::Record& record, const VectorXd& residual, const ExcludedBand& motion) {
+  constexpr Index kSegments = 8;      // at least, so that chance stays below the limit
+  constexpr Index kNeighbours = 12;   // on either side
+  constexpr double kStandsOut = 8.0;  // times the median: chance in 1e-6 for the mean of 15 half overlapped segments
+  Index segment = 64;
+  while (2 * segment * kSegments <= residual.size()) {
+    segment *= 2;
+  }
+  const VectorXd density = log::powerSpectralDensity(residual, record.dt, segment);
+  const double width = 1.0 / (static_cast<double>(segment) * record.dt);
+  double variance = 0.0;
+  for (Index i = 1; i + 1 < density.size(); ++i) {
+    if (motion.contains(static_cast<double>(i) / static_cast<double>(segment))) {
+      continue;
+    }
+    const Index first = std::max<Index>(1, i - kNeighbours);
+    std::vector<double> about(density.data() + first, density.data() + std::min(density.size(), i + kNeighbours + 1));
+    std::nth_element(about.begin(), about.begin() + static_cast<Index>(about.size() / 2), about.end());
+    const double median = about[about.size() / 2];
+    variance += density[i] > kStandsOut * median ? (density[i] - median) * width : 0.0;
+  }
+  return variance;
+}
+
 // Deviation of the residual where the freedom of the fits is taken off.
 double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
@@ -180,10 +206,10 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;
   }
-  if (continuesInto(motion, residual, mask)) {
-    return std::sqrt((residual.array() * mask.cast<double>()).square().sum() / static_cast<double>(mask.count()));
-  }
-  return estimateNoise(residual, mask, motion).deviation;
+  const double square = (residual.array() * mask.cast<double>()).square().sum() / static_cast<double>(mask.count());
+  const double noise =
+      continuesInto(motion, residual, mask) ? square : std::pow(estimateNoise(residual, mask, motion).deviation, 2);
+  return std::sqrt(std::max(0.0, noise - varianceOfLines(record, residual, motion)));
 }
 
 NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {

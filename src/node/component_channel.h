@@ -29,6 +29,8 @@ struct ChannelReport {
   component::StreamCounters counters;  ///< since the node started, over resets and reloads
   std::uint64_t disabled = 0;          ///< samples that came while the component was disabled
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
+  std::uint64_t undecodable = 0;  ///< messages that are no samples
+  std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
   bool enabled = true;
   bool started = false;
   double last_time = 0.0;     ///< stamp of the last accepted sample [s]
@@ -54,7 +56,7 @@ class ComponentChannel {
   /// Count samples that a sender sent and that never arrived.
   void countLost(std::uint64_t samples);
 
-  /// Back to a new specimen at rest.
+  /// Back to a new component at rest.
   void reset();
 
   /// While disabled no sample is answered; the state stays as it is.
@@ -70,7 +72,7 @@ class ComponentChannel {
   class Model;
   static std::shared_ptr<Model> makeModel(const io::ComponentDescription& description, double max_gap);
 
-  /// Go on with another model. One of the same elements takes the state over; any other starts as a new specimen.
+  /// Go on with another model. One of the same elements takes the state over; any other starts as new.
   void exchange(const std::shared_ptr<Model>& model);
 
   /// Measured forces go here; what is accepted and answered is already there.

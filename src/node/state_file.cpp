@@ -1,15 +1,12 @@
 // The file in which the node keeps the states of its components.
 #include "node/state_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <set>
+#include <stdexcept>
 
 namespace rubber_suspension::node {
 namespace {
@@ -17,11 +14,9 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kSchema = "rubber_suspension/state/1";
-constexpr std::streamoff kLargestFile = 256 * 1024 * 1024;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw StateFileError(fmt::format("{}: {}", path, reason));
-}
+// The latest stamp that a message can have [ns]: seconds and nanoseconds of 32 bits.
+constexpr std::int64_t kLatestStamp =
+    std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 
 // JSON keeps a finite double to the last bit: it is written with as many digits as that takes.
 json toJson(const SavedState& state) {
@@ -37,85 +32,142 @@ json toJson(const SavedState& state) {
           {"memory", state.memory}};
 }
 
+std::invalid_argument wrong(const std::string& key, const json& value, const std::string& accepted) {
+  std::string shown = value.is_structured() ? value.type_name() : value.dump();
+  shown = shown.size() > 60 ? shown.substr(0, 60) + "..." : shown;
+  return std::invalid_argument(fmt::format("{}: {}; accepted: {}", key, shown, accepted));
+}
+
+double numberOf(const std::string& key, const json& value) {
+  if (!value.is_number()) {
+    throw wrong(key, value, "a number");
+  }
+  return value.get<double>();
+}
+
+std::vector<double> numbersOf(const std::string& key, const json& list) {
+  if (!list.is_array()) {
+    throw wrong(key, list, "a list of numbers");
+  }
+  std::vector<double> numbers;
+  numbers.reserve(list.size());
+  for (const json& value : list) {
+    numbers.push_back(numberOf(key, value));
+  }
+  return numbers;
+}
+
+std::int64_t stampOf(const json& value) {
+  if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > kLatestStamp) ||
+      value.get<std::int64_t>() < 0) {
+    throw wrong("stamp_ns", value, fmt::format("a whole number from 0 to {}", kLatestStamp));
+  }
+  return value.get<std::int64_t>();
+}
+
+element::ElementDescription elementOf(const json& entry) {
+  element::ElementDescription element;
+  element.type = entry.at("type").get<std::string>();
+  if (!entry.at("values").is_object()) {
+    throw wrong("values", entry.at("values"), "a map of lists of numbers");
+  }
+  for (const auto& [name, values] : entry.at("values").items()) {
+    element.values[name] = numbersOf(name, values);
+  }
+  return element;
+}
+
 SavedState fromJson(const json& entry) {
   SavedState state;
   state.component = entry.at("component").get<std::string>();
   for (const json& element : entry.at("elements")) {
-    state.elements.push_back(
-        {element.at("type").get<std::string>(), element.at("values").get<element::ParameterValues>()});
+    state.elements.push_back(elementOf(element));
   }
   state.started = entry.at("started").get<bool>();
-  state.stamp = entry.at("stamp_ns").get<std::int64_t>();
-  state.displacement = entry.at("displacement_m").get<double>();
-  state.memory = entry.at("memory").get<std::vector<double>>();
+  state.stamp = stampOf(entry.at("stamp_ns"));
+  state.displacement = numberOf("displacement_m", entry.at("displacement_m"));
+  state.memory = numbersOf("memory", entry.at("memory"));
   return state;
 }
 
-// Write to a file descriptor in full and make it reach the disk.
-bool writeAll(int file, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      return false;
+// The parser goes into brackets without bound, and what it gives ends by a call for each.
+void refuseDeepNesting(const std::string& text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char character = text[i];
+    if (quoted) {
+      i += character == '\\' ? 1 : 0;
+      quoted = character != '"';
+    } else if (character == '"') {
+      quoted = true;
+    } else if (character == '[' || character == '{') {
+      ++depth;
+    } else if (character == ']' || character == '}') {
+      --depth;
     }
-    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    if (depth > kDeepestStateFile) {
+      throw std::invalid_argument(fmt::format("nested deeper than {} brackets", kDeepestStateFile));
+    }
   }
-  return fsync(file) == 0;
 }
 
-std::string readAll(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) {
-    fail(path, std::strerror(errno));
+std::vector<SavedState> parse(const std::string& text) {
+  refuseDeepNesting(text);
+  const json document = json::parse(text);
+  if (document.at("schema") != kSchema) {
+    throw wrong("schema", document.at("schema"), kSchema);
   }
-  if (file.tellg() > kLargestFile) {
-    fail(path, fmt::format("larger than {} bytes", kLargestFile));
+  std::vector<SavedState> states;
+  std::set<std::string> names;
+  for (const json& entry : document.at("states")) {
+    states.push_back(fromJson(entry));
+    if (!names.insert(states.back().component).second) {
+      throw std::invalid_argument(fmt::format("component {} stands there twice", entry.at("component").dump()));
+    }
   }
-  file.seekg(0);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return states;
+}
+
+// What a parser says may quote the text, line breaks among it.
+std::string onOneLine(std::string message) {
+  for (char& character : message) {
+    character = character == '\n' || character == '\r' ? ' ' : character;
+  }
+  return message;
 }
 
 }  // namespace
 
-void writeStateFile(const std::string& path, const std::vector<SavedState>& states) {
+std::string stateText(const std::vector<SavedState>& states) {
   json document = {{"schema", kSchema}, {"states", json::array()}};
   for (const SavedState& state : states) {
     document["states"].push_back(toJson(state));
   }
-  const std::string next = path + ".next";
-  const int file = open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) {
-    fail(next, std::strerror(errno));
-  }
-  const bool written = writeAll(file, document.dump(1) + "\n");
-  const int error = errno;
-  if (close(file) != 0 || !written) {
-    unlink(next.c_str());
-    fail(next, std::strerror(written ? errno : error));
-  }
-  if (std::rename(next.c_str(), path.c_str()) != 0) {
-    fail(path, std::strerror(errno));
+  return document.dump(1) + "\n";
+}
+
+std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
+  try {
+    return parse(text);
+  } catch (const json::exception& error) {
+    throw StateFileError(onOneLine(fmt::format("{}: no state file: {}", source, error.what())));
+  } catch (const std::invalid_argument& error) {
+    throw StateFileError(onOneLine(fmt::format("{}: no state file: {}", source, error.what())));
   }
 }
 
-std::vector<SavedState> readStateFile(const std::string& path) {
-  const std::string text = readAll(path);
-  try {
-    const json document = json::parse(text);
-    if (document.at("schema") != kSchema) {
-      fail(path, fmt::format("schema {}; accepted: {}", document.at("schema").dump(), kSchema));
-    }
-    std::vector<SavedState> states;
-    for (const json& entry : document.at("states")) {
-      states.push_back(fromJson(entry));
-    }
-    return states;
-  } catch (const json::exception& error) {
-    fail(path, fmt::format("no state file: {}", error.what()));
+void writeStateFile(const std::string& path, const std::vector<SavedState>& states) {
+  const std::string text = stateText(states);
+  if (text.size() > kLargestStateFile) {
+    throw StateFileError(
+        fmt::format("{}: the state takes {} bytes; accepted: at most {}", path, text.size(), kLargestStateFile));
   }
+  replaceRegularFile(path, text);
+}
+
+std::vector<SavedState> readStateFile(const std::string& path) {
+  return parseStates(readRegularFile(path, kLargestStateFile), path);
 }
 
 }  // namespace rubber_suspension::node

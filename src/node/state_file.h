@@ -1,25 +1,35 @@
-// The file in which the node keeps the states of its components, so that it can go on where it stopped.
+// The file in which the node keeps the states of its components, so that it can go on where it stopped. Knows no ROS.
 #pragma once
 
-#include <stdexcept>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "node/component_channel.h"
+#include "node/regular_file.h"
 
 namespace rubber_suspension::node {
 
-/// A state file that cannot be read or written. what() is one line: file and reason.
-class StateFileError : public std::runtime_error {
+constexpr std::size_t kLargestStateFile = 32 * 1024 * 1024;  ///< bytes
+constexpr int kDeepestStateFile = 8;                         ///< brackets within each other; a state needs 6
+
+/// A state that is too large, or text that is none. what() is one line: source and reason.
+class StateFileError : public FileError {
  public:
-  using std::runtime_error::runtime_error;
+  using FileError::FileError;
 };
 
-/// Write all states, every number to its last bit. The file is whole or as it was before, even if the power fails.
-/// Throws StateFileError.
+/// All states as text, every number to its last bit.
+std::string stateText(const std::vector<SavedState>& states);
+
+/// The states of such a text. Throws StateFileError, also for a component that stands there twice and for a stamp that
+/// no message can have; `source` names the text in what().
+std::vector<SavedState> parseStates(const std::string& text, const std::string& source);
+
+/// Write all states: see replaceRegularFile. Throws FileError.
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states);
 
-/// Read what writeStateFile wrote. Throws StateFileError.
+/// Read what writeStateFile wrote. Throws FileError.
 std::vector<SavedState> readStateFile(const std::string& path);
 
 }  // namespace rubber_suspension::node

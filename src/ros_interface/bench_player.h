@@ -25,7 +25,7 @@ struct BenchCount {
   std::size_t samples = 0;     ///< sent
   std::size_t answered = 0;    ///< with at least one force
   std::size_t repeated = 0;    ///< forces too many for a sample
-  std::size_t unexpected = 0;  ///< forces of other stamps
+  std::size_t unexpected = 0;  ///< forces with unexpected stamps
   std::size_t gaps = 0;        ///< messages of the live gap
   double duration = 0.0;       ///< [s], without the pauses between passes
   bool complete = true;        ///< every pass was played to its end
@@ -37,7 +37,7 @@ struct BenchCount {
 /// the same for all components, so that they stay side by side.
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks);
 
-/// The log as it is played in a pass: later by so many periods. Time goes on and the specimen stays the same.
+/// The log as it is played in a pass: later by so many periods. Time goes on and the component stays the same.
 log::Log laterLog(const log::Log& log, std::int64_t shift);
 
 class BenchPlayer {

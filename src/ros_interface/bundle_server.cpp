@@ -1,9 +1,13 @@
 // All components in one message.
 #include "ros_interface/bundle_server.h"
 
+#include <algorithm>
 #include <chrono>
 
+#include "node/message_bounds.h"
 #include "ros_interface/arrival.h"
+#include "ros_interface/checked_subscription.h"
+#include "ros_interface/sample_server.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -42,6 +46,16 @@ bool isWellFormed(const DisplacementArray& bundle, const std::vector<node::Compo
   return true;
 }
 
+// Bundles are as long as there are components: fewer may wait than single samples where there are many.
+std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t bytes) {
+  constexpr std::size_t kMostBytes = 64 * 1024 * 1024;
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostBytes / bytes, 16, queue_size));
+}
+
+std::size_t longestAnswer(std::size_t components) {
+  return node::longestBundle(components) + components * 4 * sizeof(double);
+}
+
 void resize(ForceArray& answer, std::size_t size) {
   answer.components.resize(size);
   for (auto* list : {&answer.displacement, &answer.force, &answer.elastic, &answer.viscous, &answer.friction}) {
@@ -51,8 +65,8 @@ void resize(ForceArray& answer, std::size_t size) {
 
 }  // namespace
 
-bool answerBundle(const DisplacementArray& bundle, const std::vector<node::ComponentChannel*>& channels,
-                  ForceArray& answer) {
+bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer) {
+  const std::vector<node::ComponentChannel*>& channels = group.channels();
   if (!isWellFormed(bundle, channels)) {
     return false;
   }
@@ -60,6 +74,7 @@ bool answerBundle(const DisplacementArray& bundle, const std::vector<node::Compo
   answer.header = bundle.header;
   resize(answer, bundle.displacement.size());
   std::size_t accepted = 0;
+  const auto lock = group.bundle();
   for (std::size_t i = 0; i < bundle.displacement.size(); ++i) {
     node::ComponentChannel* channel = channelOf(bundle, i, channels);
     element::ComponentForce force;
@@ -77,12 +92,15 @@ bool answerBundle(const DisplacementArray& bundle, const std::vector<node::Compo
   return true;
 }
 
-BundleServer::BundleServer(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
-                           int queue_size)
-    : channels_(channels) {
-  const auto size = static_cast<std::uint32_t>(queue_size);
-  publisher_ = handle.advertise<ForceArray>("forces", size);
-  subscriber_ = handle.subscribe("displacements", size, &BundleServer::serve, this, ros::TransportHints().tcpNoDelay());
+BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size) : group_(group) {
+  const std::size_t components = group.channels().size();
+  const auto size = static_cast<std::uint32_t>(std::max(queue_size, 16));
+  publisher_.advertise<ForceArray>(handle, "forces", fewerOf(answerQueueSize(queue_size), longestAnswer(components)));
+  subscriber_ = subscribeChecked<DisplacementArray>(
+      handle, "displacements",
+      std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, node::longestBundle(components))),
+      [components](const std::uint8_t* data, std::size_t bytes) { return node::isBundle(data, bytes, components); },
+      undecodable_, [this](const ros::MessageEvent<const DisplacementArray>& event) { serve(event); });
 }
 
 void BundleServer::shutdown() {
@@ -92,8 +110,9 @@ void BundleServer::shutdown() {
 
 void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event) {
   const auto callback = std::chrono::steady_clock::now();
+  lost_ += watch_.take(event.getConnectionHeaderPtr(), event.getConstMessage()->header.seq);
   const auto message = pool_.take();
-  if (!answerBundle(*event.getConstMessage(), channels_, *message)) {
+  if (!answerBundle(*event.getConstMessage(), group_, *message)) {
     ++malformed_;
     return;
   }
@@ -104,7 +123,7 @@ void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event
   ++answered_;
   const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
   for (std::size_t i = 0; i < message->components.size(); ++i) {
-    channelNamed(message->components[i], i, channels_)->countLatency(latency);
+    channelNamed(message->components[i], i, group_.channels())->countLatency(latency);
   }
 }
 

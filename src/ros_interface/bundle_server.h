@@ -10,37 +10,45 @@
 #include <string>
 #include <vector>
 
-#include "node/component_channel.h"
+#include "node/channel_group.h"
+#include "node/sequence_watch.h"
+#include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
 
 namespace rubber_suspension::ros_interface {
 
 /// Answer a bundle: a force for every displacement that its component accepts. False, and no component has seen
 /// anything, where the message is malformed: a name that no component has, or lists of unequal length.
-/// Allocates nothing once `answer` has held as many components before.
-bool answerBundle(const DisplacementArray& bundle, const std::vector<node::ComponentChannel*>& channels,
-                  ForceArray& answer);
+/// Nothing saves or changes all components meanwhile. Allocates nothing once `answer` has held as many components
+/// before.
+bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
 
 /// Serves the two topics in the thread of the handle's callback queue, by the same components as the single topics.
 class BundleServer {
  public:
-  /// The channels must outlive the server.
-  BundleServer(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels, int queue_size);
+  /// The group must outlive the server.
+  BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size);
 
   /// Take no more samples.
   void shutdown();
 
   std::uint64_t answered() const { return answered_; }    ///< messages
-  std::uint64_t malformed() const { return malformed_; }  ///< messages that were dropped
+  std::uint64_t malformed() const { return malformed_; }  ///< messages dropped: unknown names, lists of unequal length
+  std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
+  std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are no bundles
+  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
 
  private:
   void serve(const ros::MessageEvent<const DisplacementArray>& event);
 
-  std::vector<node::ComponentChannel*> channels_;
+  const node::ChannelGroup& group_;
   MessagePool<ForceArray> pool_;
   std::atomic<std::uint64_t> answered_{0};
   std::atomic<std::uint64_t> malformed_{0};
-  ros::Publisher publisher_;
+  node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
+  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<std::uint64_t> undecodable_{0};
+  AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
 };
 

@@ -25,11 +25,11 @@ RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) 
   pointers_ = pointersTo(own_);
 }
 
-void RosCommandLine::initialise(const std::string& node_name) {
+void RosCommandLine::initialise(const std::string& node_name, std::uint32_t options) {
   std::vector<char*> pointers = pointersTo(all_);
   int count = static_cast<int>(pointers.size());
   try {
-    ros::init(count, pointers.data(), node_name);
+    ros::init(count, pointers.data(), node_name, options);
   } catch (const ros::Exception& error) {
     throw std::runtime_error(error.what());
   }

@@ -1,6 +1,7 @@
 // Command lines of programs that are ROS nodes: what ROS takes (name:=value) and what the program's own parser gets.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ class RosCommandLine {
   int argc() const { return static_cast<int>(pointers_.size()); }
   char** argv() { return pointers_.data(); }
 
-  /// Initialise ROS with the arguments meant for it. Throws std::runtime_error where they are malformed.
-  void initialise(const std::string& node_name);
+  /// Initialise ROS with the arguments meant for it and the options of ros::init_options. Throws std::runtime_error
+  /// where the arguments are malformed.
+  void initialise(const std::string& node_name, std::uint32_t options = 0);
 
  private:
   std::vector<std::string> all_;

@@ -71,8 +71,8 @@ ForceReference simulatedReference(const component::Component& component, const l
 
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result) {
   TestCase test{"oneForceForEachDisplacement", result.exactlyOneEach(), "", result.duration};
-  test.message = fmt::format("{}: {} of {} samples answered, {} forces of other stamps", component, result.answered(),
-                             log.size(), result.unexpected);
+  test.message = fmt::format("{}: {} of {} samples answered, {} forces with unexpected stamps", component,
+                             result.answered(), log.size(), result.unexpected);
   if (!test.passed && result.answered() == log.size() && result.unexpected == 0) {
     test.message += "; some samples were answered more than once";
   }

@@ -33,7 +33,7 @@ struct ForceReference {
 /// The force that the log has measured. Throws std::invalid_argument where it has none.
 ForceReference measuredReference(const log::Log& log);
 
-/// The force that a component file gives for the log, offline; a new specimen. Throws as simulateLog does.
+/// The force that a component file gives for the log, offline; a new component. Throws as simulateLog does.
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 

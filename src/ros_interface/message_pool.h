@@ -9,7 +9,7 @@
 namespace rubber_suspension::ros_interface {
 
 /// Hands out messages that nobody else holds any more. A subscriber in the same process (nodelet) gets the message
-/// itself and may keep it: it is used again only once it was let go. For one thread.
+/// itself and may keep it: it is used again only once nobody holds it. For one thread.
 template <class Message>
 class MessagePool {
  public:

@@ -18,6 +18,9 @@ void append(std::string& text, std::uint64_t before, std::uint64_t now, const ch
   }
 }
 
+// Seconds after which a thread that comes round ten times a second is held up.
+constexpr double kStale = 2.0;
+
 double microseconds(double seconds) { return 1e6 * seconds; }
 
 }  // namespace
@@ -29,10 +32,12 @@ std::string describeFaults(const node::ChannelReport& before, const node::Channe
   append(text, old.not_finite, fresh.not_finite, "not finite (dropped)");
   append(text, old.repeated, fresh.repeated, "with a repeated stamp (dropped)");
   append(text, old.stepped_back, fresh.stepped_back, "with a stamp that steps back (dropped)");
+  append(text, before.undecodable, now.undecodable, "that cannot be decoded (dropped)");
   append(text, before.lost, now.lost, "lost before they arrived");
+  append(text, before.undelivered, now.undelivered, "forces not delivered: a subscriber reads too slowly");
   append(text, before.disabled, now.disabled, "while disabled (dropped)");
   append(text, old.restarted, fresh.restarted, "jumps back of more than a second (reset)");
-  append(text, old.bridged, fresh.bridged, "gaps longer than max_gap (bridged)");
+  append(text, old.bridged, fresh.bridged, "time gaps longer than max_gap (bridged)");
   return text;
 }
 
@@ -56,9 +61,11 @@ void fillStatus(const node::ChannelReport& before, const node::ChannelReport& no
   status.add("dropped, repeated stamp", counters.repeated);
   status.add("dropped, stepped back", counters.stepped_back);
   status.add("dropped, disabled", now.disabled);
+  status.add("dropped, undecodable", now.undecodable);
   status.add("lost before arrival", now.lost);
+  status.add("forces not delivered", now.undelivered);
   status.add("restarts", counters.restarted);
-  status.add("gaps bridged", counters.bridged);
+  status.add("time gaps bridged", counters.bridged);
   status.add("latency median [us]", microseconds(now.latency.percentile(0.5)));
   status.add("latency 99 % [us]", microseconds(now.latency.percentile(0.99)));
   status.add("latency maximum [us]", microseconds(now.latency.maximum()));
@@ -123,45 +130,67 @@ Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
   return message;
 }
 
+void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (silence > kStale) {
+    status.summaryf(DiagnosticStatus::STALE, "thread `%s` serves nothing since %.1f s", name.c_str(), silence);
+  } else {
+    status.summary(DiagnosticStatus::OK, "serving");
+  }
+  status.add("last round [s ago]", fmt::format("{:.3f}", silence));
+}
+
 NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle,
-                                 const std::vector<node::ComponentChannel*>& channels,
                                  const node::GapSettings& gap_settings)
-    : gap_settings_(gap_settings),
+    : handle_(handle),
+      gap_settings_(gap_settings),
       updater_(handle, private_handle, private_handle.getNamespace()),
       last_update_(std::chrono::steady_clock::now()) {
   updater_.setHardwareID("none");
-  watched_.reserve(channels.size());  // the tasks refer to the entries
-  for (node::ComponentChannel* channel : channels) {
-    watched_.push_back({channel,
-                        channel->report(),
-                        {},
-                        node::GapTracker(gap_settings),
-                        {},
-                        {},
-                        handle.advertise<Gap>(channel->name() + "/gap", 10)});
-    const Watched& watched = watched_.back();
-    updater_.add(channel->name(), [this, &watched](diagnostic_updater::DiagnosticStatusWrapper& status) {
-      fillStatus(watched.before, watched.now, elapsed_, status);
-      addGap(watched.gap, watched.matches, gap_settings_, status);
-    });
-  }
   timer_ = handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { update(); });
 }
 
+void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer& server) {
+  watched_.push_back({&channel,
+                      &server,
+                      channel.report(),
+                      {},
+                      {},
+                      node::GapTracker(gap_settings_),
+                      {},
+                      {},
+                      handle_.advertise<Gap>(channel.name() + "/gap", 10)});
+  const Watched& watched = watched_.back();
+  updater_.add(channel.name(), [this, &watched](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    fillStatus(watched.before, watched.now, elapsed_, status);
+    addGap(watched.gap, watched.matches, gap_settings_, status);
+  });
+}
+
 void NodeDiagnostics::watch(const BundleServer& bundle) {
-  updater_.add("bundled topics", [&bundle, before = std::uint64_t{0}](
-                                     diagnostic_updater::DiagnosticStatusWrapper& status) mutable {
-    using diagnostic_msgs::DiagnosticStatus;
-    const std::uint64_t malformed = bundle.malformed();
-    if (malformed > before) {
-      status.summaryf(DiagnosticStatus::WARN, "%lu messages with unknown names or lists of unequal length (dropped)",
-                      static_cast<unsigned long>(malformed - before));
-    } else {
-      status.summary(DiagnosticStatus::OK, "serving");
-    }
-    before = malformed;
-    status.add("answered", bundle.answered());
-    status.add("dropped, malformed", malformed);
+  updater_.add("bundled topics",
+               [&bundle, before = std::uint64_t{0}](diagnostic_updater::DiagnosticStatusWrapper& status) mutable {
+                 using diagnostic_msgs::DiagnosticStatus;
+                 const std::uint64_t wrong =
+                     bundle.malformed() + bundle.undecodable() + bundle.lost() + bundle.undelivered();
+                 if (wrong > before) {
+                   status.summaryf(DiagnosticStatus::WARN, "%lu bundles dropped, lost or not delivered",
+                                   static_cast<unsigned long>(wrong - before));
+                 } else {
+                   status.summary(DiagnosticStatus::OK, "serving");
+                 }
+                 before = wrong;
+                 status.add("answered", bundle.answered());
+                 status.add("dropped, malformed", bundle.malformed());
+                 status.add("dropped, undecodable", bundle.undecodable());
+                 status.add("lost before arrival", bundle.lost());
+                 status.add("forces not delivered", bundle.undelivered());
+               });
+}
+
+void NodeDiagnostics::watch(const ServingThread& thread) {
+  updater_.add("thread " + thread.name(), [&thread](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    fillThreadStatus(thread.name(), thread.silence(), status);
   });
 }
 
@@ -181,26 +210,45 @@ void NodeDiagnostics::updateGaps() {
   }
 }
 
+node::ChannelReport NodeDiagnostics::reportOf(const Watched& watched) {
+  node::ChannelReport report = watched.channel->report();
+  report.undecodable = watched.server->undecodable();
+  report.undelivered = watched.server->undelivered();
+  return report;
+}
+
 void NodeDiagnostics::update() {
   const auto now = std::chrono::steady_clock::now();
   elapsed_ = std::chrono::duration<double>(now - last_update_).count();
   last_update_ = now;
-  std::string line;
   for (Watched& watched : watched_) {
-    watched.now = watched.channel->report();
-    const std::string faults = describeFaults(watched.before, watched.now);
-    if (!faults.empty() && line.size() < kLongestLine) {
-      line += fmt::format("{}{}: {}", line.empty() ? "" : "; ", watched.channel->name(), faults);
-    }
+    watched.now = reportOf(watched);
   }
   updateGaps();
   updater_.force_update();
+  logFaults(std::chrono::duration<double>(now.time_since_epoch()).count());
   for (Watched& watched : watched_) {
     watched.before = watched.now;
   }
-  if (!line.empty()) {
-    ROS_WARN("samples: %s", line.c_str());
+}
+
+// All that went wrong since the last line, where there is something new.
+void NodeDiagnostics::logFaults(double now) {
+  const bool news = std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) {
+    return !describeFaults(watched.before, watched.now).empty();
+  });
+  if (!news || !pace_.isDue(now)) {
+    return;
   }
+  std::string line;
+  for (Watched& watched : watched_) {
+    const std::string faults = describeFaults(watched.logged, watched.now);
+    if (!faults.empty() && line.size() < kLongestLine) {
+      line += fmt::format("{}{}: {}", line.empty() ? "" : "; ", watched.channel->name(), faults);
+    }
+    watched.logged = watched.now;
+  }
+  ROS_WARN("samples: %s", line.c_str());
 }
 
 }  // namespace rubber_suspension::ros_interface

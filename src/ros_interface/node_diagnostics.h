@@ -1,4 +1,4 @@
-// What the node tells about itself once per second: /diagnostics and, if something went wrong, one line of log.
+// What the node tells about itself once per second: /diagnostics and, if something went wrong, a line of log.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -6,12 +6,15 @@
 #include <rubber_suspension/Gap.h>
 
 #include <chrono>
+#include <deque>
 #include <string>
-#include <vector>
 
 #include "node/component_channel.h"
 #include "node/live_gap.h"
+#include "node/report_pace.h"
 #include "ros_interface/bundle_server.h"
+#include "ros_interface/sample_server.h"
+#include "ros_interface/serving_thread.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -29,32 +32,41 @@ void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const
 /// The live gap as a message.
 Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings);
 
+/// Write the status of a serving thread that came round so long ago [s]: stale where something holds it up.
+void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
+
 /// Publishes on a timer of steady time, so that it goes on while simulated time stands still.
 class NodeDiagnostics {
  public:
-  /// The channels must outlive the object.
-  NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle,
-                  const std::vector<node::ComponentChannel*>& channels, const node::GapSettings& gap_settings);
+  NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const node::GapSettings& gap_settings);
 
-  /// Report on the bundled topics, too. The server must outlive the object.
+  /// Report on a component, the bundled topics or a serving thread. All of these must outlive the object.
+  void watch(node::ComponentChannel& channel, const SampleServer& server);
   void watch(const BundleServer& bundle);
+  void watch(const ServingThread& thread);
 
  private:
   struct Watched {
     node::ComponentChannel* channel;
+    const SampleServer* server;
     node::ChannelReport before;
     node::ChannelReport now;
+    node::ChannelReport logged;  // as of the last line of log
     node::GapTracker tracker;
     node::MatchCounters matches;
     node::LiveGap gap;
     ros::Publisher publisher;
   };
 
+  static node::ChannelReport reportOf(const Watched& watched);
   void update();
   void updateGaps();
+  void logFaults(double now);
 
+  ros::NodeHandle handle_;
   node::GapSettings gap_settings_;
-  std::vector<Watched> watched_;
+  std::deque<Watched> watched_;  // the tasks refer to the entries
+  node::ReportPace pace_;
   std::size_t next_gap_ = 0;  // whose gap is measured next
   diagnostic_updater::Updater updater_;
   std::chrono::steady_clock::time_point last_update_;

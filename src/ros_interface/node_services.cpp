@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "node/state_file.h"
+#include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -50,49 +51,42 @@ void requireStateFile(const NodeSettings& settings) {
 
 }  // namespace
 
-void loadStates(const std::string& path, const std::vector<node::ComponentChannel*>& channels) {
+void loadStates(const std::string& path, node::ChannelGroup& group) {
   const std::vector<node::SavedState> states = node::readStateFile(path);
   const auto name_of = [](const node::SavedState& state) -> const std::string& { return state.component; };
-  const auto matched = matchByName(states, name_of, channels);
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    channels[i]->checkState(*matched[i]);
-  }
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    channels[i]->load(*matched[i]);
-  }
+  group.load(matchByName(states, name_of, group.channels()));
 }
 
 void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
-                    const std::vector<node::ComponentChannel*>& channels) {
+                    node::ChannelGroup& group) {
   const auto name_of = [](const io::ComponentDescription& description) -> const std::string& {
     return description.name;
   };
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
-  for (const io::ComponentDescription* description : matchByName(descriptions, name_of, channels)) {
+  for (const io::ComponentDescription* description : matchByName(descriptions, name_of, group.channels())) {
     models.push_back(node::ComponentChannel::makeModel(*description, max_gap));
   }
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    channels[i]->exchange(models[i]);
-  }
+  group.exchange(models);
 }
 
 NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-                           const std::vector<node::ComponentChannel*>& channels)
-    : private_handle_(private_handle), settings_(settings), channels_(channels) {
+                           node::ChannelGroup& group)
+    : private_handle_(private_handle), settings_(settings), group_(group) {
   advertise(private_handle, "reset", [this] {
-    std::for_each(channels_.begin(), channels_.end(), [](node::ComponentChannel* channel) { channel->reset(); });
-    return fmt::format("{} components are reset: at rest, as new", channels_.size());
+    group_.reset();
+    return fmt::format("{} components are reset: at rest, as new", group_.channels().size());
   });
   advertise(private_handle, "save_state", [this] { return save(); });
   advertise(private_handle, "load_state", [this] { return load(); });
   advertise(private_handle, "reload", [this] { return reload(); });
-  advertiseSwitch(private_handle, "set_enabled", channels_);
-  for (node::ComponentChannel* channel : channels_) {
+  advertiseSwitch(private_handle, "set_enabled", [this](bool enabled) { group_.setEnabled(enabled); });
+  for (node::ComponentChannel* channel : group_.channels()) {
     advertise(handle, channel->name() + "/reset", [channel] {
       channel->reset();
       return channel->name() + " is reset: at rest, as new";
     });
-    advertiseSwitch(handle, channel->name() + "/set_enabled", {channel});
+    advertiseSwitch(handle, channel->name() + "/set_enabled",
+                    [channel](bool enabled) { channel->setEnabled(enabled); });
   }
 }
 
@@ -114,12 +108,10 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, s
 }
 
 void NodeServices::advertiseSwitch(ros::NodeHandle& handle, const std::string& name,
-                                   const std::vector<node::ComponentChannel*>& channels) {
+                                   std::function<void(bool)> set_enabled) {
   const boost::function<bool(SetBool::Request&, SetBool::Response&)> answer =
-      [name, channels](SetBool::Request& request, SetBool::Response& response) {
-        for (node::ComponentChannel* channel : channels) {
-          channel->setEnabled(request.data != 0U);
-        }
+      [name, set_enabled = std::move(set_enabled)](SetBool::Request& request, SetBool::Response& response) {
+        set_enabled(request.data != 0U);
         response.success = 1U;
         response.message = request.data != 0U ? "enabled" : "disabled";
         ROS_INFO("%s: %s", name.c_str(), response.message.c_str());
@@ -138,23 +130,24 @@ std::vector<std::string> NodeServices::names() const {
 
 std::string NodeServices::save() const {
   requireStateFile(settings_);
-  std::vector<node::SavedState> states;
-  for (const node::ComponentChannel* channel : channels_) {
-    states.push_back(channel->save());
-  }
+  const std::vector<node::SavedState> states = group_.save();
   node::writeStateFile(settings_.state_file, states);
   return fmt::format("{} components saved to {}", states.size(), settings_.state_file);
 }
 
 std::string NodeServices::load() const {
   requireStateFile(settings_);
-  loadStates(settings_.state_file, channels_);
-  return fmt::format("{} components loaded from {}", channels_.size(), settings_.state_file);
+  loadStates(settings_.state_file, group_);
+  return fmt::format("{} components loaded from {}", group_.channels().size(), settings_.state_file);
 }
 
 std::string NodeServices::reload() const {
-  exchangeModels(readComponents(private_handle_), settings_.max_gap, channels_);
-  return fmt::format("{} components reloaded", channels_.size());
+  constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
+  if (!masterAnswers(kLimit)) {
+    throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
+  }
+  exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
+  return fmt::format("{} components reloaded", group_.channels().size());
 }
 
 }  // namespace rubber_suspension::ros_interface

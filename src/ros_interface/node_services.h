@@ -9,29 +9,29 @@
 #include <string>
 #include <vector>
 
-#include "node/component_channel.h"
+#include "node/channel_group.h"
 #include "ros_interface/node_settings.h"
 
 namespace rubber_suspension::ros_interface {
 
-/// Read the states of `path` and put every channel on its own. All or none: throws StateFileError or
+/// Read the states of `path` and put every channel on its own. All or none: throws node::FileError or
 /// std::invalid_argument where the file is not one of exactly these components, and nothing has changed.
-void loadStates(const std::string& path, const std::vector<node::ComponentChannel*>& channels);
+void loadStates(const std::string& path, node::ChannelGroup& group);
 
 /// Replace the models of all channels by those of the descriptions. All or none: throws std::invalid_argument where the
 /// components are not those of the channels or one has no solution. A component whose elements are the same goes on;
-/// another one starts as a new specimen.
+/// another one starts as new.
 void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
-                    const std::vector<node::ComponentChannel*>& channels);
+                    node::ChannelGroup& group);
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
 /// components, `COMPONENT/reset` and `COMPONENT/set_enabled` for one. They read and write nothing but the files that
 /// the node's own parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
-  /// The channels must outlive the object.
+  /// The group must outlive the object.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-               const std::vector<node::ComponentChannel*>& channels);
+               node::ChannelGroup& group);
 
   /// Resolved names of all services.
   std::vector<std::string> names() const;
@@ -42,8 +42,7 @@ class NodeServices {
 
   /// A Trigger service; `action` returns the message of success, its exceptions become that of failure.
   void advertise(ros::NodeHandle& handle, const std::string& name, std::function<std::string()> action);
-  void advertiseSwitch(ros::NodeHandle& handle, const std::string& name,
-                       const std::vector<node::ComponentChannel*>& channels);
+  void advertiseSwitch(ros::NodeHandle& handle, const std::string& name, std::function<void(bool)> set_enabled);
 
   std::string save() const;
   std::string load() const;
@@ -51,7 +50,7 @@ class NodeServices {
 
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
-  std::vector<node::ComponentChannel*> channels_;
+  node::ChannelGroup& group_;
   std::vector<ros::ServiceServer> servers_;
 };
 

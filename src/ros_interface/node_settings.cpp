@@ -2,11 +2,15 @@
 #include "ros_interface/node_settings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <stdexcept>
 
+#include "node/regular_file.h"
+#include "ros_interface/node_interface.h"
 #include "ros_interface/parameter_yaml.h"
 
 namespace rubber_suspension::ros_interface {
@@ -77,7 +81,8 @@ const std::vector<SettingInfo>& settingsTable() {
        "longest time between two samples; a longer time gap is reported and bridged exactly (default 0.5)",
        positive([](NodeSettings& settings) -> double& { return settings.max_gap; }, 1e6)},
       {"queue_size", "a whole number from 1 to 1000000",
-       "samples that may wait per topic, in and out, before the oldest is lost (default 10000)",
+       "samples that may wait per topic before the oldest is lost; four times as many forces, at least 40000, may wait "
+       "for each subscriber (default 10000)",
        integerIn(&NodeSettings::queue_size, 1, 1000000)},
       {"threads", "a whole number from 1 to 64", "serving threads; components are assigned to them in turn (default 1)",
        integerIn(&NodeSettings::threads, 1, 64)},
@@ -142,6 +147,33 @@ void refuseUnknown(const ros::NodeHandle& private_handle) {
   }
 }
 
+// Names that topics and services of the node have, or begin with.
+std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
+  std::set<std::string> names = {"clock", "get_loggers", "parameter_updates", "rosout", "set_logger_level"};
+  for (const InterfaceEntry& entry : nodeInterface()) {
+    const std::string name = entry.name.substr(entry.name.find_first_not_of("~/"));
+    if (name.find('/') == std::string::npos) {
+      names.insert(name);
+    }
+  }
+  const std::string& space = private_handle.getNamespace();
+  names.insert(space.substr(space.rfind('/') + 1));
+  return names;
+}
+
+void refuseReserved(const std::vector<io::ComponentDescription>& components, const std::string& source,
+                    const ros::NodeHandle& private_handle) {
+  const std::set<std::string> reserved = reservedNames(private_handle);
+  for (const io::ComponentDescription& component : components) {
+    if (reserved.count(component.name) > 0) {
+      throw std::invalid_argument(
+          fmt::format("{}: component {} is named as the node or as one of its topics or "
+                      "services; accepted: any name but {}",
+                      source, component.name, fmt::join(reserved, ", ")));
+    }
+  }
+}
+
 std::string shown(const XmlRpcValue& value) {
   try {
     return toYamlText(value);
@@ -181,13 +213,19 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
                                             has_file ? "both" : "neither of the", file_name, components_name));
   }
   if (has_components) {
-    return io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
+    auto parsed = io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
+    refuseReserved(parsed, components_name, private_handle);
+    return parsed;
   }
   if (file.getType() != XmlRpcValue::TypeString) {
     throw std::invalid_argument(
         fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
   }
-  return io::loadComponentFile(static_cast<const std::string&>(file));
+  const auto& path = static_cast<const std::string&>(file);
+  node::requireRegularFile(path);
+  auto loaded = io::loadComponentFile(path);
+  refuseReserved(loaded, path, private_handle);
+  return loaded;
 }
 
 std::string describeNodeSettings() {

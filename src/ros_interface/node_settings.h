@@ -14,7 +14,7 @@ namespace rubber_suspension::ros_interface {
 /// The node's private parameters with their defaults.
 struct NodeSettings {
   double max_gap = 0.5;       ///< longest time between two samples that is not reported [s]
-  int queue_size = 10000;     ///< samples that wait per topic, in and out, before the oldest is lost
+  int queue_size = 10000;     ///< samples that may wait per topic before the oldest is lost
   int threads = 1;            ///< serving threads; components are dealt out to them in turn
   int realtime_priority = 0;  ///< SCHED_FIFO priority of the serving threads, 0 for none
   bool lock_memory = false;   ///< keep all memory of the process resident (mlockall)
@@ -28,7 +28,8 @@ struct NodeSettings {
 NodeSettings readNodeSettings(const ros::NodeHandle& private_handle);
 
 /// The components from the file that ~config_file names or from the parameters under ~components, of which exactly one
-/// must be given. Throws std::invalid_argument or ComponentFileError.
+/// must be given; the file must be a regular one. Throws std::invalid_argument, node::FileError or ComponentFileError,
+/// also for a component that is named as the node, or as one of its topics or services.
 std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle);
 
 /// The table above as text for --help.

@@ -36,12 +36,22 @@ RecordPaths recordPathsIn(const std::string& folder, const std::string& componen
   return {base + "_force.csv", base + "_gap.csv", base + ".bag"};
 }
 
+std::vector<std::string> recordNames(const std::string& component) {
+  const RecordPaths paths = recordPathsIn("", component);
+  return {paths.forces, paths.gaps, paths.bag};
+}
+
 PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& component) : paths_(paths) {
   if (!paths.forces.empty()) {
     forces_ = std::make_unique<log::LogCsvWriter>(paths.forces, true);
   }
   if (!paths.gaps.empty()) {
-    gaps_.open(paths.gaps, std::ios::binary);
+    try {
+      gap_file_ = std::make_unique<log::NewFile>(paths.gaps);
+    } catch (const std::runtime_error& error) {
+      throw log::LogError(error.what());
+    }
+    gaps_.open(gap_file_->writingPath(), std::ios::binary);
     gaps_ << kGapHeader;
     if (!gaps_) {
       failToWrite(paths.gaps);
@@ -94,6 +104,11 @@ void PlayRecorder::close() {
     gaps_.close();
     if (!gaps_) {
       failToWrite(paths_.gaps);
+    }
+    try {
+      gap_file_->commit();
+    } catch (const std::runtime_error& error) {
+      throw log::LogError(error.what());
     }
   }
   if (bag_) {

@@ -1,10 +1,13 @@
 // Records what a playback brought, pass by pass: forces and gap as CSV, all topics of the component as a bag.
 #pragma once
 
+#include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bag/bag_log.h"
+#include "log/new_file.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/log/log.h"
 
@@ -21,8 +24,11 @@ struct RecordPaths {
 /// in a ROS namespace: a slash in its name becomes an underscore.
 RecordPaths recordPathsIn(const std::string& folder, const std::string& component);
 
-/// Opens its files at once, so that what cannot be written is known before anything is played. All calls throw
-/// LogError.
+/// The names in that folder of what is recorded of a component.
+std::vector<std::string> recordNames(const std::string& component);
+
+/// Opens its files at once, so that what cannot be written is known before anything is played; they take their names in
+/// close(). All calls throw LogError.
 class PlayRecorder {
  public:
   PlayRecorder(const RecordPaths& paths, const std::string& component);
@@ -37,6 +43,7 @@ class PlayRecorder {
 
   RecordPaths paths_;
   std::unique_ptr<log::LogCsvWriter> forces_;
+  std::unique_ptr<log::NewFile> gap_file_;
   std::ofstream gaps_;
   std::unique_ptr<bag::BagWriter> bag_;
 };

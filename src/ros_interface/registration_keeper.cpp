@@ -2,111 +2,155 @@
 #include "ros_interface/registration_keeper.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <ros/connection_manager.h>
 #include <ros/console.h>
-#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
-#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
+
+#include <chrono>
+
+#include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-XmlRpcValue request(const std::vector<std::string>& arguments) {
-  XmlRpcValue value;
-  value[0] = ros::this_node::getName();
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    value[static_cast<int>(i) + 1] = arguments[i];
-  }
-  return value;
-}
+constexpr std::chrono::seconds kPeriod(2);
+constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-bool call(const std::string& method, const std::vector<std::string>& arguments, XmlRpcValue& payload) {
-  XmlRpcValue response;
-  return ros::master::execute(method, request(arguments), response, payload, false);
-}
-
 // Ask or tell this process itself, as the master and other nodes do (slave API). Nothing where that fails.
-XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments) {
-  XmlRpcValue answer;
+XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments, const std::atomic<bool>& stop) {
   std::string host;
   std::uint32_t port = 0;
-  if (!ros::network::splitURI(ownUri(), host, port)) {
-    return {};
-  }
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  const bool answered = client.execute(method.c_str(), arguments, answer);
-  client.close();
+  XmlRpcValue answer;
+  const bool answered =
+      ros::network::splitURI(ownUri(), host, port) && callWithin(kLimit, host, port, method, arguments, answer, stop);
   return answered && answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 ? answer[2] : XmlRpcValue();
 }
 
-// Tell our own subscriptions who publishes, as the master does when a publisher registers after us.
-void announcePublishers(const std::string& topic, const XmlRpcValue& publishers) {
-  XmlRpcValue arguments = request({topic});
-  arguments[2] = publishers;
-  askSelf("publisherUpdate", arguments);
-}
-
-// Rows of [topic, type].
+// Rows of [topic, type], until one fails.
 template <class Row>
-void forEachTopic(const XmlRpcValue& topics, Row row) {
+bool forEachTopic(const XmlRpcValue& topics, Row row) {
   if (topics.getType() != XmlRpcValue::TypeArray) {
-    return;
+    return false;
   }
   for (int i = 0; i < topics.size(); ++i) {
-    row(static_cast<const std::string&>(topics[i][0]), static_cast<const std::string&>(topics[i][1]));
+    if (!row(static_cast<const std::string&>(topics[i][0]), static_cast<const std::string&>(topics[i][1]))) {
+      return false;
+    }
   }
+  return true;
+}
+
+// Addresses of nodes; a master that answers anything else is not followed.
+bool isListOfTexts(const XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    return false;
+  }
+  for (int i = 0; i < value.size(); ++i) {
+    if (value[i].getType() != XmlRpcValue::TypeString) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
-Registration askMaster() {
-  XmlRpcValue response;
-  XmlRpcValue payload;
-  if (ros::master::execute("lookupNode", request({ros::this_node::getName()}), response, payload, false)) {
-    return Registration::known;
+RegistrationKeeper::RegistrationKeeper(std::vector<std::string> services)
+    : services_(std::move(services)), thread_([this] { run(); }) {}
+
+RegistrationKeeper::~RegistrationKeeper() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
   }
-  return response.getType() == XmlRpcValue::TypeArray ? Registration::unknown : Registration::no_answer;
+  stopping_.notify_all();
+  thread_.join();
 }
 
-void registerAnew(const std::vector<std::string>& services) {
+void RegistrationKeeper::run() {
+  pthread_setname_np(pthread_self(), "master");
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_.wait_for(lock, kPeriod, [this] { return stop_.load(); })) {
+    lock.unlock();
+    check();
+    lock.lock();
+  }
+}
+
+RegistrationKeeper::Registration RegistrationKeeper::ask() {
   XmlRpcValue payload;
-  forEachTopic(askSelf("getPublications", request({})), [&](const std::string& topic, const std::string& type) {
-    call("registerPublisher", {topic, type, ownUri()}, payload);
-  });
-  forEachTopic(askSelf("getSubscriptions", request({})), [&](const std::string& topic, const std::string& type) {
-    XmlRpcValue publishers;
-    if (call("registerSubscriber", {topic, type, ownUri()}, publishers) && publishers.size() > 0) {
-      announcePublishers(topic, publishers);
-    }
-  });
+  switch (callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_)) {
+    case CallResult::done:
+      return Registration::known;
+    case CallResult::refused:
+      return Registration::unknown;
+    default:
+      return Registration::no_answer;
+  }
+}
+
+// And connect to the publishers that have registered before: tell our own subscriptions, as the master does when a
+// publisher registers after us.
+bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std::string& type) {
+  XmlRpcValue publishers;
+  if (callMaster(kLimit, "registerSubscriber", callArguments({topic, type, ownUri()}), publishers, stop_) !=
+          CallResult::done ||
+      !isListOfTexts(publishers)) {
+    return false;
+  }
+  if (publishers.size() > 0) {
+    XmlRpcValue arguments = callArguments({topic});
+    arguments[2] = publishers;
+    askSelf("publisherUpdate", arguments, stop_);
+  }
+  return true;
+}
+
+// False where the master stopped answering; it is then asked again.
+bool RegistrationKeeper::registerAnew() {
+  XmlRpcValue payload;
+  const auto publisher = [&](const std::string& topic, const std::string& type) {
+    return callMaster(kLimit, "registerPublisher", callArguments({topic, type, ownUri()}), payload, stop_) ==
+           CallResult::done;
+  };
+  const auto subscriber = [this](const std::string& topic, const std::string& type) {
+    return registerSubscriber(topic, type);
+  };
   const std::string service_uri =
       fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
-  for (const std::string& service : services) {
-    call("registerService", {service, service_uri, ownUri()}, payload);
+  for (const std::string& service : services_) {
+    if (callMaster(kLimit, "registerService", callArguments({service, service_uri, ownUri()}), payload, stop_) !=
+        CallResult::done) {
+      return false;
+    }
   }
-}
-
-RegistrationKeeper::RegistrationKeeper(ros::NodeHandle& handle, const std::vector<std::string>& services)
-    : services_(services) {
-  timer_ = handle.createWallTimer(ros::WallDuration(2.0), [this](const ros::WallTimerEvent&) { check(); });
+  return forEachTopic(askSelf("getPublications", callArguments({}), stop_), publisher) &&
+         forEachTopic(askSelf("getSubscriptions", callArguments({}), stop_), subscriber);
 }
 
 void RegistrationKeeper::check() {
-  const Registration registration = askMaster();
-  if (registration == Registration::no_answer && !lost_) {
-    ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
+  try {
+    const Registration registration = ask();
+    if (registration == Registration::no_answer && !lost_ && !stop_) {
+      ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
+    }
+    incomplete_ = incomplete_ || registration == Registration::unknown;
+    if (incomplete_ && registration != Registration::no_answer && registerAnew()) {
+      incomplete_ = false;
+      ROS_WARN("the master did not know this node any more; registered anew");
+    }
+    lost_ = registration == Registration::no_answer;
+  } catch (const XmlRpc::XmlRpcException& error) {
+    ROS_WARN("the master answers what no master should: %s", error.getMessage().c_str());
   }
-  if (registration == Registration::unknown) {
-    registerAnew(services_);
-    ROS_WARN("the master does not know this node any more; registered anew");
-  }
-  lost_ = registration == Registration::no_answer;
 }
 
 }  // namespace rubber_suspension::ros_interface

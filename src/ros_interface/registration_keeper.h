@@ -1,37 +1,42 @@
 // Registers the node anew when the master was restarted: without, nobody new would find it, for ever.
 #pragma once
 
-#include <ros/node_handle.h>
-
-#include <functional>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace rubber_suspension::ros_interface {
 
-/// What the master says of this process.
-enum class Registration { known, unknown, no_answer };
-
-/// Ask the master, without waiting for one.
-Registration askMaster();
-
-/// Register all topics of this process, and the services given, with a master that does not know them, and connect to
-/// the publishers that have registered before. Connections that are there already are not touched.
-void registerAnew(const std::vector<std::string>& services);
-
-/// Asks the master every two seconds, on the handle's callback queue. Connections between nodes outlive their master,
-/// so samples are served all the while.
+/// Asks the master every two seconds whether it knows this process, in a thread of its own and never for longer than a
+/// time limit: a master that hangs, or a cable that is pulled, holds up nothing else. Connections between nodes outlive
+/// their master, so samples are served all the while, over connections that are not touched.
 class RegistrationKeeper {
  public:
   /// `services` are resolved names.
-  RegistrationKeeper(ros::NodeHandle& handle, const std::vector<std::string>& services);
+  explicit RegistrationKeeper(std::vector<std::string> services);
+  ~RegistrationKeeper();
+  RegistrationKeeper(const RegistrationKeeper&) = delete;
+  RegistrationKeeper& operator=(const RegistrationKeeper&) = delete;
 
  private:
+  enum class Registration { known, unknown, no_answer };
+
+  void run();
   void check();
+  Registration ask();
+  bool registerAnew();
+  bool registerSubscriber(const std::string& topic, const std::string& type);
 
   std::vector<std::string> services_;
-  bool lost_ = false;
-  ros::WallTimer timer_;
+  bool lost_ = false;        // the master did not answer
+  bool incomplete_ = false;  // registering anew was not finished
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::condition_variable stopping_;
+  std::thread thread_;
 };
 
 }  // namespace rubber_suspension::ros_interface

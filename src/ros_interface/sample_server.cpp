@@ -1,11 +1,24 @@
 // The topics of one component.
 #include "ros_interface/sample_server.h"
 
+#include <algorithm>
 #include <chrono>
 
+#include "node/message_bounds.h"
 #include "ros_interface/arrival.h"
+#include "ros_interface/checked_subscription.h"
+#ifdef RUBBER_SUSPENSION_MUTANT  // a program of the tests
+#include "../test/wire/mutant.h"
+#endif
 
 namespace rubber_suspension::ros_interface {
+
+// More than what may wait on the input, so that what has been accepted is not lost on its way out.
+std::uint32_t answerQueueSize(int queue_size) {
+  constexpr std::uint32_t kFewest = 40000;
+  return std::max(kFewest, 4 * static_cast<std::uint32_t>(queue_size));
+}
+
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message) {
   message.header = displacement.header;
   message.displacement = displacement.displacement;
@@ -18,11 +31,13 @@ void fillForce(const Displacement& displacement, const element::ComponentForce& 
 SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& channel, int queue_size)
     : channel_(channel) {
   const auto size = static_cast<std::uint32_t>(queue_size);
-  publisher_ = handle.advertise<Force>(channel.name() + "/force", size);
-  subscriber_ = handle.subscribe(channel.name() + "/displacement", size, &SampleServer::serve, this,
-                                 ros::TransportHints().tcpNoDelay());
-  measured_subscriber_ = handle.subscribe(channel.name() + "/measured_force", size, &SampleServer::compare, this,
-                                          ros::TransportHints().tcpNoDelay());
+  publisher_.advertise<Force>(handle, channel.name() + "/force", answerQueueSize(queue_size));
+  subscriber_ = subscribeChecked<Displacement>(
+      handle, channel.name() + "/displacement", size, node::isStampedNumber, undecodable_,
+      [this](const ros::MessageEvent<const Displacement>& event) { serve(event); });
+  measured_subscriber_ = subscribeChecked<MeasuredForce>(
+      handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
+      [this](const ros::MessageEvent<const MeasuredForce>& event) { compare(event); });
 }
 
 void SampleServer::shutdown() {
@@ -31,14 +46,15 @@ void SampleServer::shutdown() {
   publisher_.shutdown();
 }
 
-void SampleServer::compare(const MeasuredForce::ConstPtr& measured) {
-  channel_.gap().addMeasured(static_cast<std::int64_t>(measured->header.stamp.toNSec()), measured->force);
+void SampleServer::compare(const ros::MessageEvent<const MeasuredForce>& event) {
+  const MeasuredForce& measured = *event.getConstMessage();
+  channel_.gap().addMeasured(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.force);
 }
 
 void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   const auto callback = std::chrono::steady_clock::now();
   const Displacement& sample = *event.getConstMessage();
-  if (const std::uint32_t lost = watch_.take(event.getConnectionHeaderPtr().get(), sample.header.seq)) {
+  if (const std::uint32_t lost = watch_.take(event.getConnectionHeaderPtr(), sample.header.seq)) {
     channel_.countLost(lost);
   }
   element::ComponentForce force;
@@ -47,6 +63,11 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   }
   const auto message = pool_.take();
   fillForce(sample, force, *message);
+#ifdef RUBBER_SUSPENSION_MUTANT
+  if (!wire_test::mutate(channel_, message, publisher_)) {
+    return;
+  }
+#endif
   publisher_.publish(message);
   channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
 }

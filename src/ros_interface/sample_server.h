@@ -6,11 +6,18 @@
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/MeasuredForce.h>
 
+#include <atomic>
+#include <cstdint>
+
 #include "node/component_channel.h"
 #include "node/sequence_watch.h"
+#include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
 
 namespace rubber_suspension::ros_interface {
+
+/// Answers that may wait for a subscriber that reads slowly, where so many samples may wait for the node.
+std::uint32_t answerQueueSize(int queue_size);
 
 /// Write the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
@@ -25,14 +32,21 @@ class SampleServer {
   /// Take no more samples.
   void shutdown();
 
+  /// Messages on the topics of the component that are no samples or measured forces; dropped.
+  std::uint64_t undecodable() const { return undecodable_; }
+
+  /// Forces that a subscriber did not get because it reads too slowly.
+  std::uint64_t undelivered() const { return publisher_.undelivered(); }
+
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
-  void compare(const MeasuredForce::ConstPtr& measured);
+  void compare(const ros::MessageEvent<const MeasuredForce>& event);
 
   node::ComponentChannel& channel_;
   MessagePool<Force> pool_;
-  node::SequenceWatch watch_;
-  ros::Publisher publisher_;
+  node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
+  std::atomic<std::uint64_t> undecodable_{0};
+  AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
   ros::Subscriber measured_subscriber_;
 };

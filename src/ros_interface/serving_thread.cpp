@@ -7,13 +7,25 @@
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 
 namespace rubber_suspension::ros_interface {
+namespace {
 
-std::string ServingThread::start(int realtime_priority) {
+std::int64_t steadyNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+std::string ServingThread::start(const std::string& name, int realtime_priority) {
+  name_ = name;
   running_ = true;
+  last_round_ = steadyNanoseconds();
   thread_ = std::thread([this] { run(); });
+  pthread_setname_np(thread_.native_handle(), name.c_str());
   if (realtime_priority <= 0) {
     return {};
   }
@@ -39,12 +51,15 @@ void ServingThread::run() {
   const ros::WallDuration wait(0.1);
   while (running_) {
     queue_.callAvailable(wait);
+    last_round_ = steadyNanoseconds();
   }
 }
 
+double ServingThread::silence() const { return 1e-9 * static_cast<double>(steadyNanoseconds() - last_round_); }
+
 std::string lockMemory() {
-  return mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? std::string()
-                                                 : fmt::format("memory not locked: {}", std::strerror(errno));
+  const bool locked = mlockall(MCL_CURRENT) == 0 && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+  return locked ? std::string() : fmt::format("memory not locked: {}", std::strerror(errno));
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -4,6 +4,7 @@
 #include <ros/callback_queue.h>
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <thread>
 
@@ -20,9 +21,14 @@ class ServingThread {
 
   ros::CallbackQueue& queue() { return queue_; }
 
-  /// Start to serve; with a priority above 0 at that SCHED_FIFO priority. Returns why that was not possible, or
-  /// nothing. The thread serves in any case.
-  std::string start(int realtime_priority);
+  /// Start to serve under a name of at most 15 characters; with a priority above 0 at that SCHED_FIFO priority. Returns
+  /// why that was not possible, or nothing. The thread serves in any case.
+  std::string start(const std::string& name, int realtime_priority);
+
+  const std::string& name() const { return name_; }
+
+  /// Since the thread last came round [s]; it does so at least ten times a second unless something holds it up.
+  double silence() const;
 
   /// Finish the callback that runs and end. Callbacks that wait are discarded.
   void stop();
@@ -30,12 +36,15 @@ class ServingThread {
  private:
   void run();
 
+  std::string name_;
   ros::CallbackQueue queue_;
+  std::atomic<std::int64_t> last_round_{0};  // [ns] of the steady clock
   std::atomic<bool> running_{false};
   std::thread thread_;
 };
 
-/// Keep all memory of this process resident, present and future. Returns why that was not possible, or nothing.
+/// Keep all memory of this process resident: what it has now, and what it gets from when it is first touched, so that
+/// memory which a message only claims to need takes nothing. Returns why that was not possible, or nothing.
 std::string lockMemory();
 
 }  // namespace rubber_suspension::ros_interface

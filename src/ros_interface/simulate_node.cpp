@@ -1,17 +1,48 @@
 // The node, put together.
 #include "ros_interface/simulate_node.h"
 
+#include <fmt/format.h>
 #include <ros/console.h>
-#include <unistd.h>
+#include <ros/param.h>
+#include <sys/stat.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "ros_interface/loopback.h"
 
 namespace rubber_suspension::ros_interface {
 
+namespace {
+
+// The first line of log asks the master for this parameter, without a time limit and with all parameters locked: ask
+// now, while the master is known to answer.
+void prepareLog() {
+  bool unused = false;
+  ros::param::getCached("/rosout_disable_topics_generation", unused);
+}
+
+bool exists(const std::string& path) {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0;
+}
+
+}  // namespace
+
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
-    : handle_(handle), private_handle_(private_handle), settings_(readNodeSettings(private_handle_)) {
+    : handle_(handle), private_handle_(private_handle) {
+  try {
+    start();
+  } catch (const XmlRpc::XmlRpcException& error) {
+    throw std::runtime_error(fmt::format("the master answers what no master should: {}", error.getMessage()));
+  }
+}
+
+void SimulateNode::start() {
+  loggers_ = LoggerService::get();  // first, as whoever calls roscpp's own ends the process
+  prepareLog();
+  settings_ = readNodeSettings(private_handle_);
   makeChannels();
   keepToLoopback();
   setUpRealTime();
@@ -20,6 +51,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 }
 
 SimulateNode::~SimulateNode() {
+  registration_.reset();
   for (auto& server : servers_) {
     server->shutdown();
   }
@@ -33,8 +65,13 @@ void SimulateNode::makeChannels() {
   for (const io::ComponentDescription& description : readComponents(private_handle_)) {
     channels_.push_back(std::make_unique<node::ComponentChannel>(description, settings_.max_gap));
   }
-  if (settings_.load_state && access(settings_.state_file.c_str(), F_OK) == 0) {
-    loadStates(settings_.state_file, channels());
+  std::vector<node::ComponentChannel*> pointers;
+  for (const auto& channel : channels_) {
+    pointers.push_back(channel.get());
+  }
+  group_ = std::make_unique<node::ChannelGroup>(pointers);
+  if (settings_.load_state && exists(settings_.state_file)) {
+    loadStates(settings_.state_file, *group_);
     ROS_INFO("going on from %s", settings_.state_file.c_str());
   }
 }
@@ -69,14 +106,14 @@ void SimulateNode::startServing() {
   }
   ros::NodeHandle first_group(handle_);
   first_group.setCallbackQueue(&threads_.front()->queue());
-  bundle_ = std::make_unique<BundleServer>(first_group, channels(), settings_.queue_size);
+  bundle_ = std::make_unique<BundleServer>(first_group, *group_, settings_.queue_size);
   startThreads();
 }
 
 void SimulateNode::startThreads() {
   std::string refusal;
-  for (auto& thread : threads_) {
-    refusal = thread->start(settings_.realtime_priority);
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    refusal = threads_[i]->start(fmt::format("serving {}", i + 1), settings_.realtime_priority);
   }
   if (!refusal.empty()) {
     ROS_WARN("%s; serving at normal priority", refusal.c_str());
@@ -86,18 +123,20 @@ void SimulateNode::startThreads() {
 }
 
 void SimulateNode::advertiseServices() {
-  diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, channels(), settings_.gap);
-  diagnostics_->watch(*bundle_);
-  services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, channels());
-  registration_ = std::make_unique<RegistrationKeeper>(private_handle_, services_->names());
-}
-
-std::vector<node::ComponentChannel*> SimulateNode::channels() const {
-  std::vector<node::ComponentChannel*> pointers;
-  for (const auto& channel : channels_) {
-    pointers.push_back(channel.get());
+  diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, settings_.gap);
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    diagnostics_->watch(*channels_[i], *servers_[i]);
   }
-  return pointers;
+  diagnostics_->watch(*bundle_);
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    diagnostics_->watch(*threads_[i]);
+  }
+  services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_);
+  std::vector<std::string> services = LoggerService::names();
+  for (const std::string& name : services_->names()) {
+    services.push_back(name);
+  }
+  registration_ = std::make_unique<RegistrationKeeper>(services);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -6,8 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "node/component_channel.h"
+#include "node/channel_group.h"
 #include "ros_interface/bundle_server.h"
+#include "ros_interface/logger_service.h"
 #include "ros_interface/node_diagnostics.h"
 #include "ros_interface/node_services.h"
 #include "ros_interface/node_settings.h"
@@ -27,6 +28,7 @@ class SimulateNode {
   SimulateNode& operator=(const SimulateNode&) = delete;
 
  private:
+  void start();
   void makeChannels();
   static void keepToLoopback();
   void setUpRealTime();
@@ -34,17 +36,17 @@ class SimulateNode {
   void startThreads();
   void advertiseServices();
 
-  std::vector<node::ComponentChannel*> channels() const;
-
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
   std::vector<std::unique_ptr<node::ComponentChannel>> channels_;
+  std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
   std::unique_ptr<BundleServer> bundle_;
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
+  std::shared_ptr<LoggerService> loggers_;
   std::unique_ptr<RegistrationKeeper> registration_;
 };
 

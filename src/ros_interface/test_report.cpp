@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "log/new_file.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -73,11 +74,7 @@ std::string testReportPath(const std::string& gtest_output) {
 }
 
 void writeTestReport(const std::string& path, const std::string& suite, const std::vector<TestCase>& cases) {
-  std::ofstream file(path);
-  file << testReportXml(suite, cases);
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  log::writeNewFile(path, testReportXml(suite, cases));
 }
 
 }  // namespace rubber_suspension::ros_interface

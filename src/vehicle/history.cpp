@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
+
+#include "log/new_file.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -35,7 +39,8 @@ PerStrut displacementDifference(const History& history, const History& reference
 }
 
 void writeHistoryCsv(const std::string& path, const History& history) {
-  std::ofstream file(path);
+  log::NewFile new_file(path);
+  std::ofstream file(new_file.writingPath());
   file << "time_s,frame_m,pitch_rad,body_m";
   for (const std::string& name : strutNames()) {
     file << ',' << name << "_displacement_m," << name << "_force_N";
@@ -49,9 +54,11 @@ void writeHistoryCsv(const std::string& path, const History& history) {
     }
     file << '\n';
   }
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
+  file.close();
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
   }
+  new_file.commit();
 }
 
 io::Figure historyFigure(const History& history, const History& reference, const std::string& title) {

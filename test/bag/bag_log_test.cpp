@@ -6,6 +6,7 @@
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "io/temporary_file.h"
@@ -112,6 +113,22 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
   }
+}
+
+TEST_F(BagLog, AWriterThatIsNotClosedLeavesAnOlderBag) {
+  bag::writeBagLog(path("a.bag"), "bush", log());
+  {
+    bag::BagWriter writer(path("a.bag"), "bush");
+    writer.writeDisplacement(1000000, 1.0);
+  }
+  EXPECT_EQ(bag::readBagLog(path("a.bag")).displacement, log().displacement);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.folder()), {}), 2);  // and the file `keep`
+}
+
+TEST_F(BagLog, IsToldByItsContent) {
+  bag::writeBagLog(path("a.log"), "bush", log());
+  EXPECT_TRUE(bag::isBagPath(path("a.log")));
+  EXPECT_EQ(bag::readAnyLog(path("a.log")).displacement, log().displacement);
 }
 
 TEST_F(BagLog, SeveralComponentsNeedAName) {

@@ -1,11 +1,26 @@
-// Fuzz target: whatever bytes are given as a CSV log are refused by LogError or taken; what is taken is a valid log.
+// Fuzz target: whatever bytes are given as a log are refused by LogError or taken; what is taken is a valid log. The
+// bytes are text of any dialect, gzip, UTF-16, HDF5, or one of the formats that are refused by name; text as it stands,
+// with the columns told by number, and with the rate told. MATLAB files are left to libmatio, which takes whatever
+// memory a damaged file asks for.
+#include <algorithm>
+
 #include "fuzz/memory_file.h"
 #include "fuzz/valid_log.h"
+#include "log/file_format.h"
 
 using namespace rubber_suspension;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::MemoryFile file(data, size);
+  const std::string head(reinterpret_cast<const char*>(data), std::min(size, log::kFormatHead));
+  if (log::formatOf(head) == log::FileFormat::hdf5) {
+    fuzz::requireValidLogOrError([&] { return log::readHdf5Log(file.path()); });
+    return 0;
+  }
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path()); });
+  static const log::LogFormat kByNumber = log::makeLogFormat({"time", "displacement", "force"}, "mm,kN,ms", 0.0);
+  fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kByNumber); });
+  static const log::LogFormat kAtRate = log::makeLogFormat({"displacement=1"}, "mm", 1000.0);
+  fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kAtRate); });
   return 0;
 }

@@ -9,11 +9,24 @@
 
 namespace rubber_suspension::fuzz {
 
+/// What stands in errors and notes goes to a terminal: one line without control characters.
+inline void requireForTerminal(const std::string& text) {
+  for (const unsigned char c : text) {
+    if (c < 0x20 || c == 0x7F) {
+      std::fprintf(stderr, "violated: a terminal may show it: %s\n", text.c_str());
+      std::abort();
+    }
+  }
+}
+
 /// Call a reader; aborts where it breaks its promise.
 template <class Read>
 void requireValidLogOrError(Read read) {
   try {
     const log::Log log = read();
+    for (const std::string& note : log.notes) {
+      requireForTerminal(note);
+    }
     try {
       log::checkLog(log);
     } catch (const log::LogError& error) {
@@ -21,10 +34,7 @@ void requireValidLogOrError(Read read) {
       std::abort();
     }
   } catch (const log::LogError& error) {
-    if (std::string(error.what()).find('\n') != std::string::npos) {
-      std::fprintf(stderr, "violated: an error is one line: %s\n", error.what());
-      std::abort();
-    }
+    requireForTerminal(error.what());
   }
 }
 

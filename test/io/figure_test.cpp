@@ -119,7 +119,7 @@ TEST(DrawFigure, TellsWhatIsWrong) {
     io::drawFigure(exampleFigure(), "/nonexistent/figure.svg");
     FAIL() << "drew into a folder that is not there";
   } catch (const io::FigureError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("No such file or directory: '/nonexistent/figure.svg'"));
+    EXPECT_THAT(error.what(), HasSubstr("/nonexistent/figure.svg: cannot be written: No such file or directory"));
   }
   io::Figure bad = exampleFigure();
   bad.axes[1].maps[0].values.pop_back();

@@ -25,6 +25,7 @@ KEYS = {
     "fmt": ({"fmt"}, {"libfmt-dev"}),
     "google-mock": ({"gmock"}, {"libgmock-dev"}),
     "gtest": ({"GTest", "gtest"}, {"libgtest-dev"}),
+    "hdf5": ({"HDF5_LIBRARY", "hdf5.h"}, {"libhdf5-dev"}),
     "libceres-dev": ({"Ceres", "ceres"}, {"libceres-dev"}),
     "matio": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
     "libudunits2-dev": ({"UDUNITS2_LIBRARY", "udunits2.h"}, {"libudunits2-dev"}),
@@ -55,6 +56,7 @@ KEYS = {
     "std_srvs": ({"std_srvs"}, {"libstd-srvs-dev", "ros-std-srvs", "python3-std-srvs"}),
     "topic_tools": ({"topic_tools", "pkg:topic_tools"}, {"libtopic-tools-dev"}),
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
+    "zlib": ({"ZLIB", "zlib.h"}, {"zlib1g-dev"}),
 }
 # Brought by a package that another key names, or by the language itself.
 IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "net", "netinet", "gnu", "linux",

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -126,7 +127,8 @@ TEST(ReadCsvLog, AUnitServesColumnsWithoutOneAndIsNotedWhereUnused) {
   const log::Log bare = readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "mm,N", 0));
   EXPECT_THAT(bare.displacement, ElementsAre(0.001, 0.002));
   EXPECT_THAT(bare.force, ElementsAre(1000.0, 2000.0));
-  EXPECT_THAT(bare.notes, ElementsAre("unit 'N' is not used: column 'force_kN' names its own"));
+  EXPECT_THAT(bare.notes, ElementsAre(HasSubstr("displacement from 'displacement', force from 'force_kN', 1 Hz"),
+                                      "unit 'N' is not used: column 'force_kN' names its own"));
 }
 
 TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
@@ -135,7 +137,9 @@ TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
   EXPECT_EQ(brackets.stamp, (std::vector<std::int64_t>{0, 4500000}));
   EXPECT_DOUBLE_EQ(brackets.displacement[0], 1e-3);
   EXPECT_DOUBLE_EQ(brackets.force[0], 2e3);
-  EXPECT_TRUE(brackets.notes.empty());
+  EXPECT_THAT(brackets.notes,
+              ElementsAre("time from 'T [ms]', displacement from 'D (mm)', force from 'F [kN]', 222.222 "
+                          "Hz; header in line 1, separator comma"));
   const std::vector<std::string> bare = {"time=T", "displacement=D"};
   EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "mm,kN,ms", 0)).stamp[1], 4500000);
   EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "mm,,min", 0)).stamp[1], 90000000000);
@@ -145,12 +149,21 @@ TEST(LogFormat, SaysWhichUnitsItAssumes) {
   const log::Log log =
       readText("T (DAQ),D\n0,1\n4.5,2\n", log::makeLogFormat({"time=T (DAQ)", "displacement=D"}, "", 0));
   EXPECT_EQ(log.stamp[1], 4500000000);
-  EXPECT_THAT(log.notes, ElementsAre("column 'T (DAQ)' is taken to be in s; another unit by --unit",
+  EXPECT_THAT(log.notes, ElementsAre(HasSubstr("time from 'T (DAQ)', displacement from 'D'"),
+                                     "column 'T (DAQ)' is taken to be in s; another unit by --unit",
                                      "column 'D' is taken to be in m; another unit by --unit"));
 }
 
+TEST(MakeLogFormat, WordsAloneAreTheColumnsInTheirOrder) {
+  const log::LogFormat format = log::makeLogFormat({"force", "time", "displacement=D"}, "", 0);
+  EXPECT_EQ(format.force_column, "1");
+  EXPECT_EQ(format.time_column, "2");
+  EXPECT_EQ(format.displacement_column, "D");
+}
+
 TEST(MakeLogFormat, RefusesWhatItCannotUse) {
-  EXPECT_THROW(log::makeLogFormat({"displacement"}, "", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({"displacement="}, "", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({"time", "time"}, "", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({"speed=v"}, "", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({}, "mm,mm", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({}, "mm,kN,Hz", 0), std::invalid_argument);
@@ -266,6 +279,19 @@ TEST(WriteForceCsv, NamesAFileThatCannotBeWritten) {
   EXPECT_THROW(log::writeForceCsv("/nonexistent/out.csv", log, {0.0, 0.0}), log::LogError);
   EXPECT_THROW(log::writeForceCsv("/dev/full", log, {0.0, 0.0}), log::LogError);
   EXPECT_THROW(log::writeForceCsv("/dev/null", log, {0.0}), log::LogError);
+}
+
+TEST(LogCsvWriter, LeavesAnOlderFileWholeUnlessItIsClosed) {
+  const TemporaryFile file("out.csv", "older");
+  {
+    log::LogCsvWriter writer(file.path(), true);
+    writer.append(0, 1.0, 2.0);
+  }
+  std::ifstream older(file.path());
+  std::string content;
+  std::getline(older, content);
+  EXPECT_EQ(content, "older");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.folder()), {}), 1);
 }
 
 TEST(CheckLog, RefusesWhatALogMustNotHold) {

@@ -32,6 +32,7 @@ class NodeCore : public testing::Test {
       owned_.push_back(std::make_unique<node::ComponentChannel>(describe(name), 0.5));
       channels_.push_back(owned_.back().get());
     }
+    group_ = std::make_unique<node::ChannelGroup>(channels_);
   }
 
   DisplacementArray bundle(int i) const {
@@ -43,6 +44,7 @@ class NodeCore : public testing::Test {
 
   std::vector<std::unique_ptr<node::ComponentChannel>> owned_;
   std::vector<node::ComponentChannel*> channels_;
+  std::unique_ptr<node::ChannelGroup> group_;
 };
 
 TEST_F(NodeCore, ABundleGivesTheForcesOfTheSingleTopics) {
@@ -53,7 +55,7 @@ TEST_F(NodeCore, ABundleGivesTheForcesOfTheSingleTopics) {
   ForceArray answer;
   for (int i = 0; i < 1000; ++i) {
     const DisplacementArray message = bundle(i);
-    ASSERT_TRUE(ros_interface::answerBundle(message, channels_, answer));
+    ASSERT_TRUE(ros_interface::answerBundle(message, *group_, answer));
     ASSERT_EQ(answer.components.size(), 3U);
     for (std::size_t c = 0; c < 3; ++c) {
       element::ComponentForce force;
@@ -74,7 +76,7 @@ TEST_F(NodeCore, ABundleMayNameSomeComponentsInAnyOrder) {
   message.components = {"rear", "front_left_axle_box_bush"};
   message.displacement = {1e-3, 2e-3};
   ForceArray answer;
-  ASSERT_TRUE(ros_interface::answerBundle(message, channels_, answer));
+  ASSERT_TRUE(ros_interface::answerBundle(message, *group_, answer));
   EXPECT_EQ(answer.components, message.components);
   EXPECT_NEAR(answer.force[0], 3000.0, 1e-9);
   EXPECT_NEAR(answer.force[1], 6000.0, 1e-9);
@@ -85,7 +87,7 @@ TEST_F(NodeCore, ABundleAnswersOnlyWhatWasAccepted) {
   DisplacementArray message = bundle(1);
   message.displacement[1] = std::numeric_limits<double>::quiet_NaN();
   ForceArray answer;
-  ASSERT_TRUE(ros_interface::answerBundle(message, channels_, answer));
+  ASSERT_TRUE(ros_interface::answerBundle(message, *group_, answer));
   EXPECT_EQ(answer.components, (std::vector<std::string>{"front_left_axle_box_bush", "rear"}));
   EXPECT_EQ(channels_[1]->report().counters.not_finite, 1U);
 }
@@ -100,17 +102,20 @@ TEST_F(NodeCore, AMalformedBundleTouchesNothing) {
   too_long.displacement.assign(4, 0.0);
   ForceArray answer;
   for (const DisplacementArray& message : {unknown, too_short, too_long}) {
-    EXPECT_FALSE(ros_interface::answerBundle(message, channels_, answer));
+    EXPECT_FALSE(ros_interface::answerBundle(message, *group_, answer));
   }
   for (node::ComponentChannel* channel : channels_) {
     EXPECT_FALSE(channel->report().started);
   }
 }
 
-// As the servers do it: look for lost ones, step, take a message from the pool, fill, let go; some samples are bad.
-void serve(node::ComponentChannel& channel, node::SequenceWatch& watch, ros_interface::MessagePool<Force>& pool,
+// As the servers do it: look for lost ones, step, take a message from the pool, fill, publish; some samples are bad.
+using Watch = node::SequenceWatch<std::shared_ptr<int>>;
+
+void serve(node::ComponentChannel& channel, Watch& watch, ros_interface::MessagePool<Force>& pool,
            const Displacement& sample) {
-  channel.countLost(watch.take(&channel, sample.header.seq));
+  static const auto sender = std::make_shared<int>();
+  channel.countLost(watch.take(sender, sample.header.seq));
   element::ComponentForce force;
   if (channel.push(static_cast<std::int64_t>(sample.header.stamp.toNSec()), sample.displacement, force)) {
     const auto message = pool.take();
@@ -122,7 +127,7 @@ void serve(node::ComponentChannel& channel, node::SequenceWatch& watch, ros_inte
 
 TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
   ros_interface::MessagePool<Force> pool;
-  node::SequenceWatch watch;
+  Watch watch;
   std::mt19937 random(3);
   std::uniform_int_distribution<int> kind(0, 999);
   Displacement sample;
@@ -139,7 +144,7 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
     const int which = kind(random);
     stamp += which == 0 ? 0 : kMillisecond;        // repeated stamp
     stamp -= which == 1 ? 2 * kMillisecond : 0;    // step back
-    stamp += which == 2 ? 700 * kMillisecond : 0;  // gap
+    stamp += which == 2 ? 700 * kMillisecond : 0;  // time gap
     sample.header.stamp.fromNSec(stamp);
     sample.header.seq += which == 5 ? 2 : 1;  // one was lost on the way
     sample.displacement = which == 3   ? std::numeric_limits<double>::quiet_NaN()
@@ -163,12 +168,12 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
 TEST_F(NodeCore, AnswersBundlesWithoutAllocation) {
   ForceArray answer;
   DisplacementArray message = bundle(0);
-  ASSERT_TRUE(ros_interface::answerBundle(message, channels_, answer));
+  ASSERT_TRUE(ros_interface::answerBundle(message, *group_, answer));
   const test::AllocationCounter allocations;
   for (int i = 1; i < 10000; ++i) {
     message.header.stamp.fromNSec(static_cast<std::uint64_t>(i) * kMillisecond + 1);
     message.displacement[0] = 1e-3 * std::sin(0.02 * i);
-    ros_interface::answerBundle(message, channels_, answer);
+    ros_interface::answerBundle(message, *group_, answer);
   }
   EXPECT_EQ(allocations.count(), 0U);
   EXPECT_EQ(channels_[0]->report().counters.accepted, 10000U);

@@ -3,50 +3,77 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <vector>
+
 namespace rubber_suspension {
 namespace {
 
+using Sender = std::shared_ptr<int>;
+using Watch = node::SequenceWatch<Sender>;
+
 TEST(SequenceWatch, CountsWhatASenderSkips) {
-  node::SequenceWatch watch;
-  const int sender = 0;
-  EXPECT_EQ(watch.take(&sender, 5), 0U);  // what came before the first is not known
-  EXPECT_EQ(watch.take(&sender, 6), 0U);
-  EXPECT_EQ(watch.take(&sender, 10), 3U);
+  Watch watch;
+  const auto sender = std::make_shared<int>();
+  EXPECT_EQ(watch.take(sender, 5), 0U);  // what came before the first is not known
+  EXPECT_EQ(watch.take(sender, 6), 0U);
+  EXPECT_EQ(watch.take(sender, 10), 3U);
 }
 
 TEST(SequenceWatch, KeepsSendersApart) {
-  node::SequenceWatch watch;
-  const int senders[2] = {};
+  Watch watch;
+  const Sender senders[2] = {std::make_shared<int>(), std::make_shared<int>()};
   for (std::uint32_t i = 0; i < 10; ++i) {
-    EXPECT_EQ(watch.take(&senders[0], i), 0U);
-    EXPECT_EQ(watch.take(&senders[1], 100 + i), 0U);
+    EXPECT_EQ(watch.take(senders[0], i), 0U);
+    EXPECT_EQ(watch.take(senders[1], 100 + i), 0U);
   }
 }
 
 TEST(SequenceWatch, ASenderThatStartsAnewLosesNothing) {
-  node::SequenceWatch watch;
-  const int sender = 0;
-  watch.take(&sender, 1000);
-  EXPECT_EQ(watch.take(&sender, 0), 0U);
-  EXPECT_EQ(watch.take(&sender, 0), 0U);  // one that does not count at all
-  EXPECT_EQ(watch.take(&sender, 1), 0U);
+  Watch watch;
+  const auto sender = std::make_shared<int>();
+  watch.take(sender, 1000);
+  EXPECT_EQ(watch.take(sender, 0), 0U);
+  EXPECT_EQ(watch.take(sender, 0), 0U);  // one that does not count at all
+  EXPECT_EQ(watch.take(sender, 1), 0U);
 }
 
 TEST(SequenceWatch, CountsOverTheEndOfTheNumbers) {
-  node::SequenceWatch watch;
-  const int sender = 0;
-  watch.take(&sender, 0xFFFFFFFEU);
-  EXPECT_EQ(watch.take(&sender, 1), 2U);
+  Watch watch;
+  const auto sender = std::make_shared<int>();
+  watch.take(sender, 0xFFFFFFFEU);
+  EXPECT_EQ(watch.take(sender, 1), 2U);
 }
 
 TEST(SequenceWatch, ForgetsTheSenderSilentForLongest) {
-  node::SequenceWatch watch;
-  const int senders[20] = {};
-  for (const int& sender : senders) {
-    EXPECT_EQ(watch.take(&sender, 1), 0U);
+  Watch watch;
+  std::vector<Sender> senders;
+  for (int i = 0; i < 20; ++i) {
+    senders.push_back(std::make_shared<int>());
+    EXPECT_EQ(watch.take(senders.back(), 1), 0U);
   }
-  EXPECT_EQ(watch.take(&senders[19], 3), 1U);
-  EXPECT_EQ(watch.take(&senders[0], 3), 0U);
+  EXPECT_EQ(watch.take(senders[19], 3), 1U);
+  EXPECT_EQ(watch.take(senders[0], 3), 0U);
+}
+
+// Senders that come and go: none of them may come to lie where one before was, and be taken for it.
+TEST(SequenceWatch, TakesNoNewSenderForOneThatWent) {
+  Watch watch;
+  std::uint32_t lost = 0;
+  for (std::uint32_t visit = 0; visit < 1000; ++visit) {
+    const auto sender = std::make_shared<int>();
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      lost += watch.take(sender, 1000003U * visit + i);
+    }
+  }
+  EXPECT_EQ(lost, 0U);
+}
+
+// A sender without anything that stands for it is one like all others.
+TEST(SequenceWatch, TheEmptySenderIsOneOfThem) {
+  Watch watch;
+  EXPECT_EQ(watch.take(nullptr, 7), 0U);
+  EXPECT_EQ(watch.take(nullptr, 9), 1U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The message pool: messages are used again once they were let go, never before.
+// The message pool: messages are used again once nobody holds them, never before.
 #include "ros_interface/message_pool.h"
 
 #include <gtest/gtest.h>

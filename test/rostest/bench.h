@@ -55,7 +55,7 @@ class Bench {
   void send(std::int64_t stamp, double displacement) {
     Displacement message;
     message.header.stamp = bag::toRosTime(stamp);
-    message.header.frame_id = "specimen";
+    message.header.frame_id = "bench";
     message.displacement = displacement;
     publisher_.publish(message);
   }

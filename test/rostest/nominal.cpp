@@ -21,7 +21,7 @@ TEST(Nominal, EverySampleHasOneForceWithItsHeader) {
   for (std::size_t i = 0; i < kSamples; ++i) {
     const Force& force = bench.forces[i];
     EXPECT_EQ(force.header.stamp, bag::toRosTime(kStart + static_cast<std::int64_t>(i) * kMillisecond));
-    EXPECT_EQ(force.header.frame_id, "specimen");
+    EXPECT_EQ(force.header.frame_id, "bench");
     EXPECT_EQ(force.displacement, 1e-3 * std::sin(0.025 * static_cast<double>(i)));
     // The parts are summed in another order than the total: equal but for rounding.
     EXPECT_NEAR(force.force, force.elastic + force.viscous + force.friction, 1e-12 * (1.0 + std::abs(force.force)));
@@ -34,7 +34,7 @@ TEST(Nominal, RestAtADisplacementIsTheStaticForce) {
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call("/simulate/reset", reset));
   EXPECT_TRUE(reset.response.success) << reset.response.message;
-  // 2 mm at 3 kN/mm; a specimen at rest is relaxed, so the static stiffness is all there is.
+  // 2 mm at 3 kN/mm; a component at rest is relaxed, so the static stiffness is all there is.
   EXPECT_NEAR(bench.ask(kStart, 0.002).force, 6000.0, 1e-6);
 }
 

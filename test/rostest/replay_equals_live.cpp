@@ -19,7 +19,7 @@ class ReplayEqualsLive : public testing::TestWithParam<std::string> {
   std::string path(const std::string& end) const { return testing::TempDir() + "live_" + GetParam() + end; }
 };
 
-// Noise-like motion with uneven steps and one gap longer than max_gap; seed fixed.
+// Noise-like motion with uneven steps and one time gap longer than max_gap; seed fixed.
 log::Log unevenLog(double start) {
   std::mt19937 random(20151);
   std::normal_distribution<double> kick(0.0, 2e-4);
@@ -64,7 +64,7 @@ TEST_P(ReplayEqualsLive, ToTheLastBit) {
   expectSame(gap::replay(component, log).force, live(GetParam(), log));
 }
 
-// Files start earlier than the log above, so that the node sees a jump back of more than a second: a new specimen.
+// Files start earlier than the log above, so that the node sees a jump back of more than a second: a new component.
 TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
   const auto components = io::loadComponentFile(configFile());
   const component::Component component = io::selectComponent(components, GetParam()).makeComponent();

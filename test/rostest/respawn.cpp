@@ -1,4 +1,4 @@
-// The node is killed in mid-run and respawned: it serves again, from a new specimen or where the saved state ends.
+// The node is killed in mid-run and respawned: it serves again, as new or where the saved state ends.
 #include <signal.h>
 #include <std_srvs/Trigger.h>
 
@@ -62,7 +62,7 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
   }
   const std::size_t before = bench_->forces.size();
   DiagnosticsWatch diagnostics;
-  // A new specimen at rest: 2 mm at the static stiffness of 3 kN/mm.
+  // A new component at rest: 2 mm at the static stiffness of 3 kN/mm.
   EXPECT_NEAR(bench_->ask(kStart + 20000 * kMillisecond, 0.002).force, 6000.0, 1e-6);
   ask(20001, 20050);
   EXPECT_EQ(bench_->forces.size(), before + 50);

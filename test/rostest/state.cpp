@@ -125,7 +125,7 @@ TEST_F(Reload, UnchangedGoesOn) {
   EXPECT_EQ(forces(100, 200), expected);
 }
 
-TEST_F(Reload, ChangedStartsAsANewSpecimen) {
+TEST_F(Reload, ChangedStartsAsNew) {
   forces(0, 100);
   ros::param::set("/simulate/components/right_secondary/specification/static_stiffness", 2.5e6);
   const auto answer = trigger("/simulate/reload");

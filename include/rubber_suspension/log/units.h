@@ -10,6 +10,9 @@ namespace rubber_suspension::log {
 /// or YAML's leading dot) are numbers; hexadecimal ones are not.
 std::optional<double> parseNumber(const std::string& text);
 
+/// True for text that names a unit: "kN", "mm/s", "1".
+bool isUnit(const std::string& text);
+
 /// Linear conversion between two units.
 class UnitConversion {
  public:

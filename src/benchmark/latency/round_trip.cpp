@@ -145,7 +145,7 @@ RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::
       links_.push_back(std::make_unique<Link>(handle, component));
     }
   }
-  receiver_.start(0);
+  receiver_.start("receiver", 0);
 }
 
 RoundTripMeter::~RoundTripMeter() { receiver_.stop(); }

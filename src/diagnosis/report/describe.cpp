@@ -87,8 +87,8 @@ class Describer {
       const std::vector<log::Record>& held_out = prepared_.held_out;
       before_ = gap::partErrors(held_out, unseen(w.force_re_estimated));
       after_ = gap::partErrors(held_out, unseen(w.force_augmented));
-      const std::vector<double> floors =
-          noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented), held_out);
+      const std::vector<double> floors = noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented),
+                                                     held_out, loudestNoise(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       const auto configured = gap::partErrors(held_out, unseen(w.force_configured));
       result_.gap = {gap::gapOfParts(configured), gap::gapOfParts(before_), gap::gapOfParts(after_),

@@ -1,0 +1,36 @@
+// The option --force and the check of all outputs, the same for every command that writes files.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "io/output_files.h"
+
+namespace rubber_suspension::apps {
+
+class OutputOptions {
+ public:
+  /// Adds --force; the object has to live as long as the parser.
+  void addTo(CLI::App& app) {
+    app.add_flag("--force", force_, "replace an existing file of another kind than the command writes, too");
+  }
+
+  /// To be called before anything is read; see io::checkOutputs. Throws OutputRefused, which ends in exit status 2.
+  void check(const std::vector<io::InputFile>& inputs, const std::vector<io::OutputFile>& outputs) const {
+    io::checkOutputs(inputs, outputs, force_);
+  }
+
+ private:
+  bool force_ = false;
+};
+
+/// The inputs that one option names, for OutputOptions::check.
+inline void addInputs(std::vector<io::InputFile>& inputs, const std::string& option,
+                      const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    inputs.push_back({option, path});
+  }
+}
+
+}  // namespace rubber_suspension::apps

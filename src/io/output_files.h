@@ -1,0 +1,58 @@
+// What a command may write over: the one rule for every file that a command or a launch file writes.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::io {
+
+/// What a file is, told by its content.
+enum class FileKind {
+  force_csv,       ///< time_s,displacement_m, and force_N, as this package writes them
+  gap_csv,         ///< the live gap over time
+  vehicle_csv,     ///< positions, displacements and forces of a vehicle
+  figure_csv,      ///< the numbers of a figure
+  component_file,  ///< YAML with `components:`
+  report_json,     ///< report.json of a diagnosis
+  report_html,     ///< report.html of a diagnosis
+  test_report,     ///< XML of GoogleTest
+  figure,          ///< SVG, PNG or PDF
+  bag,             ///< ROS bag
+};
+
+/// A file that a command reads, with the option that names it.
+struct InputFile {
+  std::string option;
+  std::string path;
+};
+
+/// A file that a command writes. Where it lies in a folder that the command makes, the option names the folder.
+struct OutputFile {
+  std::string option;
+  std::string path;
+  FileKind kind;
+};
+
+/// An output that would destroy something: wrong usage. what() is one line.
+class OutputRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// To be called before anything is read. Throws OutputRefused for an output that is one of the inputs, by whatever
+/// name, hard or symbolic link; for two outputs that are one file, or would be where a file system does not tell upper
+/// from lower case; for one that is a folder, or lies in what is no folder; and, unless `force`, for an existing file
+/// of another kind than that written. An existing file of the same kind, or an empty one, will be replaced. Devices and
+/// pipes may be written always. Entries with an empty path are options not given.
+void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force);
+
+/// True for a file of that kind.
+bool isOfKind(const std::string& path, FileKind kind);
+
+/// The folder for the records of a run, which never replaces an earlier one: `folder` itself, made where missing,
+/// unless one of the records stands in it or is being written; then the next free number, run_1, run_2 or NAME, NAME_2.
+/// `records` are names of files in it. Throws std::runtime_error where it cannot be made.
+std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records);
+
+}  // namespace rubber_suspension::io

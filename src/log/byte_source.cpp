@@ -1,0 +1,221 @@
+// The bytes of a log as text in UTF-8: by zlib where it is gzip, by iconv where it is UTF-16.
+#include "log/byte_source.h"
+
+#include <fmt/format.h>
+#include <iconv.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "log/file_format.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+class FileSource final : public ByteSource {
+ public:
+  explicit FileSource(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+    if (!file_) {
+      throw std::runtime_error(std::strerror(errno));
+    }
+  }
+
+  std::size_t read(char* to, std::size_t size) override {
+    const std::size_t count = std::fread(to, 1, size, file_.get());
+    if (std::ferror(file_.get()) != 0) {
+      throw std::runtime_error(std::strerror(errno));
+    }
+    return count;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+// Another source whose first bytes have been looked at.
+class PeekedSource final : public ByteSource {
+ public:
+  explicit PeekedSource(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {
+    head_.resize(kFormatHead);
+    std::size_t filled = 0;
+    for (std::size_t count = 1; count > 0 && filled < head_.size(); filled += count) {
+      count = source_->read(&head_[filled], head_.size() - filled);
+    }
+    head_.resize(filled);
+  }
+
+  const std::string& head() const { return head_; }
+  void skip(std::size_t count) { taken_ += count; }
+
+  std::size_t read(char* to, std::size_t size) override {
+    if (taken_ == head_.size()) {
+      return source_->read(to, size);
+    }
+    const std::size_t count = std::min(size, head_.size() - taken_);
+    std::memcpy(to, &head_[taken_], count);
+    taken_ += count;
+    return count;
+  }
+
+ private:
+  std::unique_ptr<ByteSource> source_;
+  std::string head_;
+  std::size_t taken_ = 0;
+};
+
+constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
+
+// One gzip member or several behind each other.
+class GzipSource final : public ByteSource {
+ public:
+  explicit GzipSource(std::unique_ptr<ByteSource> source) : source_(std::move(source)), input_(kPortion) {
+    constexpr int kGzip = 16;  // zlib's way to ask for the gzip format
+    if (inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK) {
+      throw std::runtime_error("gzip: no memory");
+    }
+  }
+  GzipSource(const GzipSource&) = delete;
+  GzipSource& operator=(const GzipSource&) = delete;
+  ~GzipSource() override { inflateEnd(&stream_); }
+
+  std::size_t read(char* to, std::size_t size) override {
+    stream_.next_out = reinterpret_cast<Bytef*>(to);
+    stream_.avail_out = static_cast<uInt>(size);
+    while (stream_.avail_out == size) {
+      if (stream_.avail_in == 0 && !refill()) {
+        return 0;
+      }
+      decode();
+    }
+    return size - stream_.avail_out;
+  }
+
+ private:
+  bool refill() {
+    stream_.next_in = reinterpret_cast<Bytef*>(input_.data());
+    stream_.avail_in = static_cast<uInt>(source_->read(input_.data(), input_.size()));
+    if (stream_.avail_in == 0 && !between_members_) {
+      throw std::runtime_error("gzip: the file ends early; accepted: a complete one");
+    }
+    return stream_.avail_in > 0;
+  }
+
+  void decode() {
+    between_members_ = false;
+    const int result = inflate(&stream_, Z_NO_FLUSH);
+    if (result == Z_STREAM_END) {
+      inflateReset(&stream_);
+      between_members_ = true;
+    } else if (result != Z_OK && result != Z_BUF_ERROR) {
+      throw std::runtime_error(fmt::format("gzip: damaged data{}{}; accepted: a complete file",
+                                           stream_.msg == nullptr ? "" : ": ",
+                                           stream_.msg == nullptr ? "" : stream_.msg));
+    }
+  }
+
+  std::unique_ptr<ByteSource> source_;
+  std::vector<char> input_;
+  z_stream stream_{};
+  bool between_members_ = false;
+};
+
+class Utf16Source final : public ByteSource {
+ public:
+  Utf16Source(std::unique_ptr<ByteSource> source, bool little_endian)
+      : source_(std::move(source)),
+        converter_(iconv_open("UTF-8", little_endian ? "UTF-16LE" : "UTF-16BE")),
+        input_(kPortion) {
+    if (converter_ == reinterpret_cast<iconv_t>(-1)) {
+      throw std::runtime_error("UTF-16: this system cannot convert it; accepted: UTF-8");
+    }
+  }
+  Utf16Source(const Utf16Source&) = delete;
+  Utf16Source& operator=(const Utf16Source&) = delete;
+  ~Utf16Source() override { iconv_close(converter_); }
+
+  std::size_t read(char* to, std::size_t size) override {
+    char* out = to;
+    std::size_t room = size;
+    while (room == size) {
+      char* in = input_.data();
+      std::size_t left = held_;
+      const bool failed = iconv(converter_, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
+      if (failed && errno == EILSEQ) {
+        throw std::runtime_error("UTF-16: damaged text; accepted: UTF-8 or complete UTF-16");
+      }
+      std::memmove(input_.data(), in, left);
+      held_ = left;
+      if (room == size && !refill()) {
+        return 0;
+      }
+    }
+    return size - room;
+  }
+
+ private:
+  bool refill() {
+    const std::size_t count = source_->read(input_.data() + held_, input_.size() - held_);
+    held_ += count;
+    if (count == 0 && held_ > 0) {
+      throw std::runtime_error("UTF-16: the file ends within a character; accepted: a complete one");
+    }
+    return count > 0;
+  }
+
+  std::unique_ptr<ByteSource> source_;
+  iconv_t converter_;
+  std::vector<char> input_;
+  std::size_t held_ = 0;
+};
+
+bool startsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
+
+enum class Encoding { bytes, utf16_little_endian, utf16_big_endian };
+
+// UTF-16 without a byte order mark: most characters of a log are ASCII, every other byte is 0.
+Encoding guessedEncoding(const std::string& head) {
+  std::size_t zeros[2] = {};
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    zeros[i % 2] += head[i] == '\0' ? 1 : 0;
+  }
+  const std::size_t pairs = head.size() / 2;
+  if (pairs < 4 || zeros[0] + zeros[1] < pairs * 9 / 10) {
+    return Encoding::bytes;
+  }
+  return zeros[0] == 0 ? Encoding::utf16_little_endian : zeros[1] == 0 ? Encoding::utf16_big_endian : Encoding::bytes;
+}
+
+void note(std::string& coding, const std::string& what) { coding += (coding.empty() ? "" : ", ") + what; }
+
+}  // namespace
+
+TextSource openText(const std::string& path) {
+  TextSource result;
+  auto source = std::make_unique<PeekedSource>(std::make_unique<FileSource>(path));
+  if (formatOf(source->head()) == FileFormat::gzip) {
+    source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source)));
+    note(result.coding, "gzip");
+  }
+  refuseForeignFormat(source->head());
+  Encoding encoding = guessedEncoding(source->head());
+  if (startsWith(source->head(), "\xEF\xBB\xBF")) {
+    source->skip(3);
+  } else if (startsWith(source->head(), "\xFF\xFE") || startsWith(source->head(), "\xFE\xFF")) {
+    encoding = source->head()[0] == '\xFF' ? Encoding::utf16_little_endian : Encoding::utf16_big_endian;
+    source->skip(2);
+  }
+  result.bytes = std::move(source);
+  if (encoding != Encoding::bytes) {
+    result.bytes = std::make_unique<Utf16Source>(std::move(result.bytes), encoding == Encoding::utf16_little_endian);
+    note(result.coding, "UTF-16");
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension::log

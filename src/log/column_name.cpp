@@ -1,0 +1,139 @@
+// What the name of a column tells: which quantity it holds, in which unit.
+#include "log/column_name.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+struct QuantityNames {
+  Quantity quantity;
+  const char* name;
+  const char* unit;
+  std::vector<std::string> words;  // in lower case
+  std::vector<std::string> units;  // that this package writes behind the name
+};
+
+const std::vector<QuantityNames>& quantityTable() {
+  static const std::vector<QuantityNames> table = {
+      {Quantity::time, "time", "s", {"time", "zeit", "timestamp", "timestamps", "zeitstempel"}, {"s"}},
+      {Quantity::displacement,
+       "displacement",
+       "m",
+       {"displacement", "deflection", "weg", "federweg", "auslenkung", "verschiebung", "einfederung"},
+       {"m", "mm", "um"}},
+      {Quantity::force, "force", "N", {"force", "kraft"}, {"N", "kN", "MN"}},
+      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {"degC"}},
+  };
+  return table;
+}
+
+const QuantityNames& rowOf(Quantity quantity) { return quantityTable()[static_cast<std::size_t>(quantity)]; }
+
+// Units that any name may end in behind an underscore. Others are too easily a word: "displacement_in", "phase_a".
+bool isPlainSuffix(const std::string& unit) {
+  static const std::array<const char*, 12> kUnits = {"s",  "ms", "us", "m",  "cm",   "mm",
+                                                     "um", "N",  "kN", "MN", "degC", "lbf"};
+  return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
+bool isKnownUnit(const std::string& unit) { return !unit.empty() && !parseNumber(unit) && isUnit(unit); }
+
+std::string withoutBrackets(const std::string& text) {
+  const bool bracketed =
+      text.size() >= 2 && ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')'));
+  return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+// The name up to `end` and the unit from `begin` on, if that is one.
+bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
+  const std::string unit = withoutBrackets(trimmed(name.text.substr(begin)));
+  const std::string bare = trimmed(name.text.substr(0, end));
+  if (bare.empty() || !isKnownUnit(unit)) {
+    return false;
+  }
+  name.bare = bare;
+  name.unit = unit;
+  name.names_unit = true;
+  return true;
+}
+
+bool splitBracket(ColumnName& name) {
+  const std::size_t open = name.text.find_last_of("[(");
+  const bool closed = !name.text.empty() && (name.text.back() == ']' || name.text.back() == ')');
+  return open != std::string::npos && open > 0 && closed && splitAt(name, open, open);
+}
+
+bool splitMark(ColumnName& name, const std::string& mark) {
+  const std::size_t at = name.text.rfind(mark);
+  return at != std::string::npos && splitAt(name, at, at + mark.size());
+}
+
+bool splitSuffix(ColumnName& name) {
+  const std::size_t at = name.text.rfind('_');
+  return at != std::string::npos && isPlainSuffix(name.text.substr(at + 1)) && splitAt(name, at, at + 1);
+}
+
+}  // namespace
+
+const std::vector<Quantity>& allQuantities() {
+  static const std::vector<Quantity> all = {Quantity::time, Quantity::displacement, Quantity::force,
+                                            Quantity::temperature};
+  return all;
+}
+
+std::string toString(Quantity quantity) { return rowOf(quantity).name; }
+std::string siUnit(Quantity quantity) { return rowOf(quantity).unit; }
+
+std::string ColumnName::withUnit() const { return unit.empty() || names_unit ? text : text + " [" + unit + "]"; }
+
+ColumnName parseColumnName(const std::string& text, const std::string& unit_in_row) {
+  ColumnName name{text, text, "", false};
+  if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ") && !splitSuffix(name)) {
+    name.unit = unit_in_row;
+  }
+  return name;
+}
+
+std::optional<Quantity> quantityOfName(const std::string& bare) {
+  const std::string word = lowerCase(bare);
+  for (const QuantityNames& row : quantityTable()) {
+    if (std::find(row.words.begin(), row.words.end(), word) != row.words.end()) {
+      return row.quantity;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Quantity> quantityOfUnit(const std::string& unit) {
+  for (const QuantityNames& row : quantityTable()) {
+    try {
+      UnitConversion(unit, row.unit);
+      return row.quantity;
+    } catch (const std::invalid_argument&) {  // measures something else
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+bool isCanonical(const std::string& text, Quantity quantity) {
+  const QuantityNames& row = rowOf(quantity);
+  return std::any_of(row.units.begin(), row.units.end(),
+                     [&](const std::string& unit) { return text == std::string(row.name) + "_" + unit; });
+}
+
+std::optional<std::string> unitInField(const std::string& field) {
+  const std::string unit = withoutBrackets(trimmed(field));
+  if (unit.empty() || unit == "-") {
+    return "";
+  }
+  return isKnownUnit(unit) ? std::optional<std::string>(unit) : std::nullopt;
+}
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,49 @@
+// What the name of a column tells: which quantity it holds, in which unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::log {
+
+enum class Quantity { time, displacement, force, temperature };
+
+/// In the order of the options and of what is told.
+const std::vector<Quantity>& allQuantities();
+
+/// "time", "displacement", ...
+std::string toString(Quantity quantity);
+
+/// The unit that a log keeps a quantity in: "s", "m", "N", "degC".
+std::string siUnit(Quantity quantity);
+
+/// A column as the file names it. The unit stands behind the name, "Kraft [kN]", "Kraft (kN)", "Kraft / kN",
+/// "Kraft in kN", "force_kN", or in a row of units.
+struct ColumnName {
+  std::string text;         ///< as in the file, UTF-8
+  std::string bare;         ///< without unit
+  std::string unit;         ///< empty where none is told; known to the library of units
+  bool names_unit = false;  ///< the unit stands in the text
+
+  /// "Kraft [kN]" also where the unit stands in a row of its own.
+  std::string withUnit() const;
+};
+
+/// Take a name apart; a unit from the row of units goes before none, and behind one in the name.
+ColumnName parseColumnName(const std::string& text, const std::string& unit_in_row = "");
+
+/// The quantity whose plain name, in English or German, this is.
+std::optional<Quantity> quantityOfName(const std::string& bare);
+
+/// The quantity that the unit measures, if it is one of them.
+std::optional<Quantity> quantityOfUnit(const std::string& unit);
+
+/// True for a name that this package writes: time_s, displacement_<m|mm|um>, force_<N|kN|MN>, temperature_degC.
+bool isCanonical(const std::string& text, Quantity quantity);
+
+/// The unit in a field of a row of units, "kN" or "[kN]"; nothing where the field is none. Empty and "-" are no unit
+/// but may stand there.
+std::optional<std::string> unitInField(const std::string& field);
+
+}  // namespace rubber_suspension::log

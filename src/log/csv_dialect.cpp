@@ -1,0 +1,370 @@
+// How a text file lays out its numbers: separator, decimal mark, preamble, header, row of units.
+#include "log/csv_dialect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "log/log_columns.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr std::string_view kBlanks = " \t";
+
+std::string_view trimmedView(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+bool separates(char c, Separator separator) {
+  switch (separator) {
+    case Separator::comma:
+      return c == ',';
+    case Separator::semicolon:
+      return c == ';';
+    case Separator::tab:
+      return c == '\t';
+    default:
+      return c == ' ' || c == '\t';
+  }
+}
+
+Field makeField(std::string_view text) {
+  text = trimmedView(text);
+  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return {quoted ? trimmedView(text.substr(1, text.size() - 2)) : text, quoted};
+}
+
+// The end of the field that begins there. A quote within a field that does not begin with one is a character.
+std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
+  const std::size_t first = line.find_first_not_of(kBlanks, begin);
+  bool in_quotes = first != std::string_view::npos && line[first] == '"';
+  for (std::size_t i = in_quotes ? first + 1 : begin; i < line.size(); ++i) {
+    if (line[i] == '"' && in_quotes) {
+      in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // two of them are one within the text
+      i += in_quotes ? 1 : 0;
+    } else if (!in_quotes && separates(line[i], separator)) {
+      return i;
+    }
+  }
+  return line.size();
+}
+
+// By rank, not by count: where there is a tab or a semicolon, commas and blanks are within the fields.
+Separator separatorOf(std::string_view line) {
+  const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
+  const auto anywhere = [&](Separator separator) {
+    for (std::size_t at = 0; at < line.size(); ++at) {
+      at = fieldEnd(line, at, separator);
+      if (at < line.size()) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const std::string_view inner = trimmedView(line);
+  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
+    return Separator::tab;
+  }
+  if (holds(Separator::semicolon)) {
+    return Separator::semicolon;
+  }
+  return holds(Separator::comma) ? Separator::comma : Separator::blanks;
+}
+
+// "Time [s]" is two words between blanks and one name.
+void joinUnits(std::vector<Field>& fields) {
+  std::vector<Field> joined;
+  for (const Field& field : fields) {
+    const bool bracket = !field.quoted && !field.text.empty() && (field.text[0] == '[' || field.text[0] == '(');
+    if (bracket && !joined.empty()) {
+      const char* begin = joined.back().text.data();
+      joined.back().text = {begin, static_cast<std::size_t>(field.text.data() + field.text.size() - begin)};
+    } else {
+      joined.push_back(field);
+    }
+  }
+  fields = joined;
+}
+
+// Names of several words each, set apart by two blanks or more.
+std::vector<Field> splitAtWideGaps(std::string_view line) {
+  std::vector<Field> fields;
+  line = trimmedView(line);
+  while (!line.empty()) {
+    const std::size_t gap = std::min({line.find("  "), line.find('\t'), line.size()});
+    fields.push_back(makeField(line.substr(0, gap)));
+    line = trimmedView(line.substr(gap));
+  }
+  return fields;
+}
+
+std::vector<Field> fieldsOf(std::string_view line, Separator separator) {
+  std::vector<Field> fields;
+  splitFields(line, separator, fields);
+  return fields;
+}
+
+// The names in a line; of those between blanks the reading that has `count` names, if one has.
+std::vector<Field> namesIn(std::string_view line, Separator separator, std::size_t count) {
+  std::vector<Field> fields = fieldsOf(line, separator);
+  if (separator == Separator::blanks) {
+    joinUnits(fields);
+    const std::vector<Field> wide = splitAtWideGaps(line);
+    return fields.size() != count && wide.size() == count ? wide : fields;
+  }
+  while (fields.size() > 1 && fields.back().text.empty()) {
+    fields.pop_back();  // a separator at the end of the line
+  }
+  return fields;
+}
+
+std::string_view withoutCommentMark(std::string_view line) {
+  if (!isComment(line)) {
+    return line;
+  }
+  line = trimmedView(line);
+  return line.substr(std::min(line.find_first_not_of("#%!/"), line.size()));
+}
+
+bool anyNumber(const std::vector<Field>& fields) {
+  return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
+}
+
+std::vector<std::string> unitsIn(std::string_view line, Separator separator, std::size_t count) {
+  std::vector<std::string> units;
+  bool any = false;
+  for (const Field& field : namesIn(line, separator, count)) {
+    const auto unit = unitInField(std::string(field.text));
+    if (!unit) {
+      return {};
+    }
+    any = any || !unit->empty();
+    units.push_back(*unit);
+  }
+  units.resize(any && units.size() <= count ? count : 0);
+  return units;
+}
+
+std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std::vector<std::string>& units) {
+  std::vector<ColumnName> names;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    names.push_back(parseColumnName(std::string(fields[i].text), units.empty() ? "" : units[i]));
+  }
+  return names;
+}
+
+// The columns that the user told by number, from 0; empty where one is told by name.
+std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
+  std::vector<std::size_t> places;
+  for (const std::string* name :
+       {&format.time_column, &format.displacement_column, &format.force_column, &format.temperature_column}) {
+    if (name->empty()) {
+      continue;
+    }
+    if (name->size() > 5 || name->find_first_not_of("0123456789") != std::string::npos || std::stoul(*name) == 0) {
+      return {};
+    }
+    places.push_back(std::stoul(*name) - 1);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string toString(Separator separator) {
+  switch (separator) {
+    case Separator::comma:
+      return "comma";
+    case Separator::semicolon:
+      return "semicolon";
+    case Separator::tab:
+      return "tab";
+    default:
+      return "blank";
+  }
+}
+
+void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields) {
+  fields.clear();
+  std::size_t begin = 0;
+  if (separator == Separator::blanks) {
+    line = trimmedView(line);
+  }
+  while (true) {
+    const std::size_t end = fieldEnd(line, begin, separator);
+    fields.push_back(makeField(line.substr(begin, end - begin)));
+    if (end == line.size()) {
+      return;
+    }
+    begin = separator == Separator::blanks ? line.find_first_not_of(kBlanks, end) : end + 1;
+  }
+}
+
+bool isComment(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) {
+    return false;
+  }
+  return line[first] == '#' || line[first] == '%' || line[first] == '!' || line.substr(first, 2) == "//";
+}
+
+bool isNumberField(std::string_view text) {
+  std::string number(text.substr(0, 64));
+  std::replace(number.begin(), number.end(), ',', '.');
+  return text.size() <= 64 && parseNumber(number).has_value();
+}
+
+std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
+  if (trimmedView(line.text).empty()) {
+    return std::nullopt;
+  }
+  lines_.push_back({line.number, toUtf8(line.text)});
+  // A header, a row of units, a row: two lines are known behind the candidate.
+  return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
+}
+
+CsvHeader HeaderFinder::finish() {
+  for (std::size_t i = lines_.size() < 3 ? 0 : lines_.size() - 2; i < lines_.size(); ++i) {
+    if (const auto found = candidate(i)) {
+      return *found;
+    }
+  }
+  return bestGuess();
+}
+
+std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {
+  if (!numbersToldIn(format_).empty()) {
+    return numberedColumns(i);
+  }
+  for (const bool units_follow : {false, true}) {
+    if (const auto header = namedColumns(i, units_follow)) {
+      return header;
+    }
+  }
+  return std::nullopt;
+}
+
+// Rows are the last word on the number of names, where these stand between blanks.
+std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_follow) const {
+  const std::size_t following = i + (units_follow ? 2 : 1);
+  const std::string_view line = withoutCommentMark(lines_[i].text);
+  CsvHeader header;
+  header.separator = separatorOf(line);
+  header.line = lines_[i].number;
+  header.has_units_row = units_follow;
+  const bool row_is_there = following < lines_.size();
+  header.next_line = row_is_there ? lines_[following].number : lines_.back().number + 1;
+  const std::size_t count = row_is_there ? fieldsOf(lines_[following].text, header.separator).size() : 0;
+  const std::vector<Field> fields = namesIn(line, header.separator, count);
+  std::vector<std::string> units;
+  if (units_follow) {
+    units = i + 1 < lines_.size() ? unitsIn(withoutCommentMark(lines_[i + 1].text), header.separator, fields.size())
+                                  : units;
+    if (units.empty()) {
+      return std::nullopt;
+    }
+  }
+  header.names = columnNames(fields, units);
+  const bool fits = !anyNumber(fields) && looksLikeHeader(header.names, format_) &&
+                    confirmed(header, isComment(lines_[i].text), following);
+  return fits ? std::optional<CsvHeader>(header) : std::nullopt;
+}
+
+bool HeaderFinder::confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const {
+  if (following >= lines_.size()) {
+    return !in_comment;  // the file holds nothing behind it
+  }
+  if (isComment(lines_[following].text)) {
+    return !in_comment;  // one of several comments is no header
+  }
+  const std::vector<Field> fields = fieldsOf(lines_[following].text, header.separator);
+  return fields.size() >= header.names.size() && anyNumber(fields);
+}
+
+std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
+  if (isComment(lines_[i].text)) {
+    return std::nullopt;
+  }
+  const std::vector<std::size_t> told = numbersToldIn(format_);
+  for (const Separator separator : {Separator::tab, Separator::semicolon, Separator::comma, Separator::blanks}) {
+    const std::vector<Field> fields = fieldsOf(lines_[i].text, separator);
+    const bool is_row = std::all_of(told.begin(), told.end(), [&](std::size_t place) {
+      return place < fields.size() && isNumberField(fields[place].text);
+    });
+    if (is_row) {
+      CsvHeader header;
+      header.separator = separator;
+      header.next_line = lines_[i].number;
+      for (std::size_t place = 0; place < fields.size(); ++place) {
+        header.names.push_back(parseColumnName(std::to_string(place + 1)));
+      }
+      addNamesAbove(header, i);
+      return header;
+    }
+  }
+  return std::nullopt;
+}
+
+// The names above the first row, with a row of units between or without. A line of numbers there is a row, though one
+// that will be refused: it is not passed over.
+void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
+  const std::size_t count = header.names.size();
+  const auto fields_above = [&](std::size_t lines) {
+    return lines > row ? std::vector<Field>()
+                       : namesIn(withoutCommentMark(lines_[row - lines].text), header.separator, count);
+  };
+  const auto are_names = [&](const std::vector<Field>& fields) { return fields.size() == count && !anyNumber(fields); };
+  const std::vector<Field> first = fields_above(1);
+  const std::vector<Field> second = fields_above(2);
+  if (first.size() == count && anyNumber(first)) {
+    header.next_line = lines_[row - 1].number;
+    return;
+  }
+  if (!are_names(first)) {
+    return;
+  }
+  const std::vector<std::string> units = unitsIn(withoutCommentMark(lines_[row - 1].text), header.separator, count);
+  header.has_units_row = !units.empty() && are_names(second);
+  header.names = header.has_units_row ? columnNames(second, units) : columnNames(first, {});
+  header.line = lines_[row - (header.has_units_row ? 2 : 1)].number;
+}
+
+// No line is a header; the one directly above the first row of numbers says best what is wrong.
+CsvHeader HeaderFinder::bestGuess() const {
+  std::optional<CsvHeader> guess;
+  for (std::size_t i = 0; i < lines_.size() && !guess; ++i) {
+    CsvHeader header;
+    header.separator = separatorOf(lines_[i].text);
+    const std::vector<Field> fields = namesIn(lines_[i].text, header.separator, 0);
+    header.names = columnNames(fields, {});
+    header.line = lines_[i].number;
+    header.next_line = header.line + 1;
+    if (anyNumber(fields) && !isComment(lines_[i].text) && i == 0) {
+      throw std::runtime_error(
+          fmt::format("no header: the first line has {}; accepted: a line with the names of the columns, or their "
+                      "order by --columns "
+                      "time displacement force",
+                      quoted(lines_[i].text)));
+    }
+    const bool row_follows = i + 1 < lines_.size() && !isComment(lines_[i + 1].text) &&
+                             anyNumber(fieldsOf(lines_[i + 1].text, header.separator));
+    if (looksLikeHeader(header.names, format_) || (row_follows && !anyNumber(fields))) {
+      guess = header;
+    }
+  }
+  if (!guess) {
+    throw std::runtime_error(
+        fmt::format("no header within {} lines; accepted: a line with the names of the columns, as "
+                    "time_s,displacement_<unit>,force_<unit>",
+                    lines_.size()));
+  }
+  return *guess;
+}
+
+}  // namespace rubber_suspension::log

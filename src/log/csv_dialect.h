@@ -1,0 +1,77 @@
+// How a text file lays out its numbers: separator, decimal mark, preamble, header, row of units.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "log/column_name.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::log {
+
+/// One line of a file, as it is there.
+struct TextLine {
+  std::size_t number = 0;  ///< from 1
+  std::string text;
+};
+
+/// What separates fields; `blanks` are any number of blanks and tabs.
+enum class Separator { comma, semicolon, tab, blanks };
+
+std::string toString(Separator separator);
+
+/// A field of a line: its text without blanks and quotes around it.
+struct Field {
+  std::string_view text;
+  bool quoted = false;
+};
+
+/// The fields of a line. Separators within quotes separate nothing. An empty line has one empty field.
+void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields);
+
+/// The header of a file and where its rows begin.
+struct CsvHeader {
+  Separator separator = Separator::comma;
+  std::vector<ColumnName> names;
+  std::size_t line = 0;        ///< that the names stand in; 0: the file has none, columns go by number
+  bool has_units_row = false;  ///< in the line behind
+  std::size_t next_line = 0;   ///< number of the first line that is a row, or later than the head
+};
+
+/// Bounds on what may stand before the first row.
+constexpr std::size_t kMaximumHeadLines = 1000;
+
+/// Finds the header among the first lines of a file, by the names of the columns: lines before it are a preamble.
+class HeaderFinder {
+ public:
+  explicit HeaderFinder(const LogFormat& format) : format_(format) {}
+
+  /// Add the next line; returns the header as soon as the lines behind it confirm it.
+  std::optional<CsvHeader> add(const TextLine& line);
+
+  /// The header of a file that ends here, or the line that most looks like one. Throws std::runtime_error where there
+  /// is none.
+  CsvHeader finish();
+
+ private:
+  std::optional<CsvHeader> candidate(std::size_t i) const;
+  std::optional<CsvHeader> namedColumns(std::size_t i, bool units_follow) const;
+  std::optional<CsvHeader> numberedColumns(std::size_t i) const;
+  bool confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const;
+  void addNamesAbove(CsvHeader& header, std::size_t row) const;
+  CsvHeader bestGuess() const;
+
+  LogFormat format_;
+  std::vector<TextLine> lines_;  // those that are not blank, in UTF-8
+};
+
+/// True for a line that is a comment: it begins with #, %, ! or //.
+bool isComment(std::string_view line);
+
+/// True for a number in decimal notation, with point or comma.
+bool isNumberField(std::string_view text);
+
+}  // namespace rubber_suspension::log

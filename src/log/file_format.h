@@ -1,0 +1,24 @@
+// What format a file has, by its first bytes, and what makes a readable file of one that has no reader here.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace rubber_suspension::log {
+
+enum class FileFormat { text, gzip, bag, matlab, hdf5, foreign };
+
+/// The number of first bytes that tell the format.
+constexpr std::size_t kFormatHead = 256;
+
+FileFormat formatOf(const std::string& head);
+
+/// The format of a regular file; text where it is none or cannot be read. MATLAB's level 4 has no mark: it goes by
+/// .mat.
+FileFormat formatOfFile(const std::string& path);
+
+/// Throws std::runtime_error for a head that is neither text nor unknown: the format's name and the command that makes
+/// a file that can be read.
+void refuseForeignFormat(const std::string& head);
+
+}  // namespace rubber_suspension::log

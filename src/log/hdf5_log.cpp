@@ -1,0 +1,219 @@
+// Reads a log from HDF5 by libhdf5, one file at a time.
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "log/column_table.h"
+#include "log/hdf5_mutex.h"
+#include "log/log_columns.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+// A handle of the library, given back by the function that belongs to it.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) {
+      close_(id_);
+    }
+  }
+
+  explicit operator bool() const { return id_ >= 0; }
+  hid_t get() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+constexpr hsize_t kMostColumns = 10000;  // of one file, and of one matrix
+
+// A dataset of numbers, or one column of a matrix.
+struct Hdf5Column {
+  std::string name;
+  std::string path;
+  std::string unit;
+  hsize_t length = 0;
+  hsize_t parts = 1;
+  hsize_t part = 0;
+  bool wide = false;  // parts are rows
+  int rank = 1;
+};
+
+std::string textAttribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) {
+    return {};
+  }
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Handle type(attribute ? H5Aget_type(attribute.get()) : -1, H5Tclose);
+  const Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
+  if (!type || !space || H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    return {};
+  }
+  if (H5Tis_variable_str(type.get()) > 0) {
+    char* text = nullptr;
+    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(memory.get(), H5T_VARIABLE);
+    H5Tset_cset(memory.get(), H5Tget_cset(type.get()));
+    std::string result = H5Aread(attribute.get(), memory.get(), &text) >= 0 && text != nullptr ? text : "";
+    H5free_memory(text);
+    return result;
+  }
+  constexpr std::size_t kLongest = 256;
+  const std::size_t size = H5Tget_size(type.get());
+  if (size == 0 || size > kLongest) {
+    return {};
+  }
+  std::string result(size, '\0');
+  result = H5Aread(attribute.get(), type.get(), result.data()) >= 0 ? result : std::string();
+  return result.substr(0, result.find('\0'));
+}
+
+std::string unitOf(hid_t dataset) {
+  for (const char* name : {"unit", "units", "Unit", "Units"}) {
+    const std::string text = textAttribute(dataset, name);
+    if (const auto unit = unitInField(text); unit && !unit->empty()) {
+      return *unit;
+    }
+  }
+  return {};
+}
+
+bool isNumeric(hid_t dataset) {
+  const Handle type(H5Dget_type(dataset), H5Tclose);
+  const H5T_class_t kind = type ? H5Tget_class(type.get()) : H5T_NO_CLASS;
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+std::vector<hsize_t> extentOf(hid_t dataset) {
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(space.get()) : -1;
+  std::vector<hsize_t> extent(rank == 1 || rank == 2 ? static_cast<std::size_t>(rank) : 0);
+  if (!extent.empty()) {
+    H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr);
+  }
+  return extent;
+}
+
+void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::string& path) {
+  const std::vector<hsize_t> extent = isNumeric(dataset) ? extentOf(dataset) : std::vector<hsize_t>();
+  if (extent.empty()) {
+    return;
+  }
+  Hdf5Column column;
+  column.path = path;
+  column.unit = unitOf(dataset);
+  column.rank = static_cast<int>(extent.size());
+  column.length = *std::max_element(extent.begin(), extent.end());
+  column.parts = extent.size() == 2 ? std::min(extent[0], extent[1]) : 1;
+  column.wide = extent.size() == 2 && extent[0] < extent[1];
+  for (column.part = 0; column.part < std::min(column.parts, kMostColumns); ++column.part) {
+    columns.push_back(column);
+  }
+}
+
+struct Visit {
+  std::vector<Hdf5Column>* columns;
+};
+
+herr_t visitObject(hid_t root, const char* name, const H5O_info_t* info, void* data) {
+  auto& columns = *static_cast<Visit*>(data)->columns;
+  if (info->type == H5O_TYPE_DATASET) {
+    const Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (dataset) {
+      addDataset(columns, dataset.get(), name);
+    }
+  }
+  return columns.size() >= kMostColumns ? 1 : 0;
+}
+
+std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string groupOf(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+// Short names where they are clear.
+void nameColumns(std::vector<Hdf5Column>& columns) {
+  std::set<std::string> groups;
+  std::set<std::string> paths;
+  for (const Hdf5Column& column : columns) {
+    groups.insert(groupOf(column.path));
+    paths.insert(column.path);
+  }
+  for (Hdf5Column& column : columns) {
+    const std::string name = groups.size() == 1 ? leafOf(column.path) : column.path;
+    const std::string number = std::to_string(column.part + 1);
+    column.name = column.parts == 1   ? name
+                  : paths.size() == 1 ? number
+                  : column.wide       ? name + "[" + number + ",:]"
+                                      : name + "[:," + number + "]";
+  }
+}
+
+std::vector<double> readNumbers(hid_t file, const Hdf5Column& column) {
+  const Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
+  if (column.length > kMaximumLogRows) {
+    throw std::runtime_error(
+        fmt::format("{}: more than {} numbers; accepted: that many at most", column.name, kMaximumLogRows));
+  }
+  const std::array<hsize_t, 2> start = {column.wide ? column.part : 0, column.wide ? 0 : column.part};
+  const std::array<hsize_t, 2> count = {column.wide ? 1 : column.length, column.wide ? column.length : 1};
+  const Handle memory(H5Screate_simple(1, &column.length, nullptr), H5Sclose);
+  std::vector<double> values(column.length);
+  const bool selected = column.rank == 1 || (space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(),
+                                                                          nullptr, count.data(), nullptr) >= 0);
+  if (!dataset || !space || !selected ||
+      H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name));
+  }
+  return values;
+}
+
+Log readFile(const std::string& path, const LogFormat& format) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file) {
+    throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
+  }
+  std::vector<Hdf5Column> columns;
+  Visit visit{&columns};
+  if (H5Ovisit2(file.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
+    throw std::runtime_error("damaged; accepted: a complete HDF5 file");
+  }
+  nameColumns(columns);
+  std::vector<ColumnName> names;
+  for (const Hdf5Column& column : columns) {
+    ColumnName name = parseColumnName(column.name, column.unit);
+    name.bare = leafOf(name.bare);
+    names.push_back(name);
+  }
+  return logFromColumns(
+      names, [&](std::size_t place, const std::string&) { return readNumbers(file.get(), columns[place]); }, format,
+      logName(path));
+}
+
+}  // namespace
+
+Log readHdf5Log(const std::string& path, const LogFormat& format) {
+  const std::lock_guard<std::mutex> lock(hdf5Mutex());
+  try {
+    return readFile(path, format);
+  } catch (const std::runtime_error& error) {
+    throw LogError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+}  // namespace rubber_suspension::log

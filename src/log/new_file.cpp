@@ -1,0 +1,208 @@
+// A file that is written beside the one that it replaces and takes its name when it is complete.
+#include "log/new_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+
+namespace rubber_suspension::log {
+namespace {
+
+// What a signal removes: a signal handler may neither lock nor take memory, so the names stand in fixed places.
+constexpr int kSlots = 64;
+struct Slot {
+  std::atomic<bool> used{false};
+  std::atomic<bool> filled{false};
+  char path[PATH_MAX] = {};
+};
+Slot slots[kSlots];
+
+extern "C" void removeUnfinishedFiles(int signal) {
+  for (Slot& slot : slots) {
+    if (slot.filled.load()) {
+      unlink(slot.path);
+    }
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// Only where the program has no handler of its own: roscpp ends its programs in order on SIGINT.
+void watchSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction present {};
+    sigaction(signal, nullptr, &present);
+    if (present.sa_handler == SIG_DFL) {
+      struct sigaction removing {};
+      removing.sa_handler = removeUnfinishedFiles;
+      sigaction(signal, &removing, nullptr);
+    }
+  }
+  struct sigaction present {};
+  sigaction(SIGXFSZ, nullptr, &present);
+  if (present.sa_handler == SIG_DFL) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error of writing like others
+  }
+}
+
+// A slot that names the path; -1 where all are taken or the path does not fit: then a signal leaves the file.
+int takeSlot(const std::string& path) {
+  for (int i = 0; i < kSlots && path.size() < sizeof slots[0].path; ++i) {
+    bool used = false;
+    if (slots[i].used.compare_exchange_strong(used, true)) {
+      std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
+      slots[i].filled.store(true);
+      return i;
+    }
+  }
+  return -1;
+}
+
+void freeSlot(int i) {
+  if (i >= 0) {
+    slots[i].filled.store(false);
+    slots[i].used.store(false);
+  }
+}
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
+}
+
+// Hidden, short enough for any file system, with the extension, by which some programs choose a format.
+std::string patternBeside(const std::filesystem::path& target) {
+  constexpr std::size_t kLongest = 100;
+  return (target.parent_path() / ("." + target.stem().string().substr(0, kLongest) + ".XXXXXX" +
+                                  target.extension().string().substr(0, kLongest)))
+      .string();
+}
+
+std::mutex& maskMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+// What a new file may be used for, which can only be asked for by setting it.
+int permissionsOfNewFiles() {
+  const std::lock_guard<std::mutex> lock(maskMutex());
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+void syncFolder(const std::string& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    fsync(descriptor);  // some file systems cannot; the rename stands nevertheless
+    close(descriptor);
+  }
+}
+
+}  // namespace
+
+bool isStream(const std::string& path) {
+  struct stat status {};
+  const bool special = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  return special || path.compare(0, 5, "/dev/") == 0 || path.compare(0, 6, "/proc/") == 0;
+}
+
+std::string followedPath(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path result = fs::absolute(path, error);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(result, error)); ++i) {
+    result = result.parent_path() / fs::read_symlink(result, error);
+  }
+  const fs::path canonical = fs::weakly_canonical(result, error);
+  return error ? result.string() : canonical.string();
+}
+
+NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(path)) {
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    fail(path, EISDIR);
+  }
+  if (isStream(path)) {
+    writing_path_ = path;
+    return;
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) {
+    fail(path, errno);
+  }
+  createBeside(exists ? static_cast<int>(status.st_mode & 07777) : permissionsOfNewFiles());
+}
+
+void NewFile::createBeside(int permissions) {
+  watchSignals();
+  std::string pattern = patternBeside(target_);
+  const std::size_t extension = std::filesystem::path(pattern).extension().string().size();
+  const bool has_extension = pattern.size() > 6 && pattern.compare(pattern.size() - 6, 6, "XXXXXX") != 0;
+  const int descriptor = mkostemps(pattern.data(), has_extension ? static_cast<int>(extension) : 0, O_CLOEXEC);
+  if (descriptor < 0) {
+    fail(path_, errno);
+  }
+  fchmod(descriptor, static_cast<mode_t>(permissions));  // a file system without permissions has none to set
+  close(descriptor);
+  writing_path_ = pattern;
+  slot_ = takeSlot(writing_path_);
+}
+
+NewFile::~NewFile() { discard(); }
+
+void NewFile::discard() {
+  if (!writing_path_.empty() && writing_path_ != path_) {
+    unlink(writing_path_.c_str());
+  }
+  freeSlot(slot_);
+  slot_ = -1;
+  writing_path_.clear();
+}
+
+void NewFile::commit() {
+  if (writing_path_ != path_) {
+    const int descriptor = open(writing_path_.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool synced = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);
+    const int error = errno;
+    if (descriptor >= 0) {
+      close(descriptor);
+    }
+    if (!synced) {
+      fail(path_, error);
+    }
+    if (std::rename(writing_path_.c_str(), target_.c_str()) != 0) {
+      fail(path_, errno);
+    }
+    syncFolder(std::filesystem::path(target_).parent_path().string());
+  }
+  freeSlot(slot_);
+  slot_ = -1;
+  writing_path_.clear();
+}
+
+void writeNewFile(const std::string& path, const std::string& content) {
+  NewFile file(path);
+  errno = 0;
+  std::ofstream stream(file.writingPath(), std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) {
+    fail(path, errno == 0 ? EIO : errno);
+  }
+  file.commit();
+}
+
+}  // namespace rubber_suspension::log

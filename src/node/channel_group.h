@@ -1,0 +1,44 @@
+// All components of the node, where something concerns them all at one instant. Knows no ROS.
+#pragma once
+
+#include <memory>
+#include <shared_mutex>
+#include <vector>
+
+#include "node/component_channel.h"
+
+namespace rubber_suspension::node {
+
+/// A bundle of samples and what saves or changes all components exclude each other, so that no state that is saved
+/// holds half a bundle and no bundle is answered half before and half after a change. Single samples go past it: one
+/// component's lock is enough for them.
+class ChannelGroup {
+ public:
+  /// The channels must outlive the group.
+  explicit ChannelGroup(std::vector<ComponentChannel*> channels) : channels_(std::move(channels)) {}
+
+  const std::vector<ComponentChannel*>& channels() const { return channels_; }
+
+  /// Held while a bundle is answered.
+  std::shared_lock<std::shared_mutex> bundle() const { return std::shared_lock<std::shared_mutex>(mutex_); }
+
+  std::vector<SavedState> save() const;
+
+  /// Back to new components at rest.
+  void reset();
+
+  void setEnabled(bool enabled);
+
+  /// One state for each channel, in their order. All or none: throws as ComponentChannel::checkState, and nothing has
+  /// changed.
+  void load(const std::vector<const SavedState*>& states);
+
+  /// One model for each channel, in their order.
+  void exchange(const std::vector<std::shared_ptr<ComponentChannel::Model>>& models);
+
+ private:
+  std::vector<ComponentChannel*> channels_;
+  mutable std::shared_mutex mutex_;
+};
+
+}  // namespace rubber_suspension::node

@@ -1,0 +1,26 @@
+// Files that a parameter names: regular ones only, so that no device, pipe or endless stream is read or replaced.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace rubber_suspension::node {
+
+/// A file that cannot be read or written. what() is one line: file and reason.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws FileError unless the path is that of a regular file, or of a link to one.
+void requireRegularFile(const std::string& path);
+
+/// The content of a regular file of at most `most` bytes; a symbolic link is not followed. Throws FileError.
+std::string readRegularFile(const std::string& path, std::size_t most);
+
+/// Replace a regular file, or write a new one: whole, or as it was before, even if the power fails. Throws FileError,
+/// also where the path is a symbolic link.
+void replaceRegularFile(const std::string& path, const std::string& text);
+
+}  // namespace rubber_suspension::node

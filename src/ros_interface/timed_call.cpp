@@ -1,0 +1,83 @@
+// XML-RPC calls that end.
+#include "ros_interface/timed_call.h"
+
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace rubber_suspension::ros_interface {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+using Clock = std::chrono::steady_clock;
+
+class Client : public XmlRpc::XmlRpcClient {
+ public:
+  Client(const std::string& host, std::uint32_t port) : XmlRpcClient(host.c_str(), static_cast<int>(port), "/") {}
+  ~Client() override { close(); }
+
+  bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
+                  const std::atomic<bool>& stop) {
+    constexpr double kTurn = 0.05;  // how long `stop` may go unseen [s]
+    const auto end = Clock::now() + std::chrono::duration<double>(limit);
+    if (!executeNonBlock(method.c_str(), arguments)) {
+      return false;
+    }
+    while (!stop && Clock::now() < end && _connectionState != NO_CONNECTION) {
+      _disp.work(std::min(kTurn, limit));
+      if (executeCheckDone(answer)) {
+        return !isFault();
+      }
+    }
+    return false;
+  }
+};
+
+bool isAnswer(const XmlRpcValue& answer) {
+  return answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 &&
+         answer[0].getType() == XmlRpcValue::TypeInt;
+}
+
+}  // namespace
+
+XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
+  XmlRpcValue value;
+  value[0] = ros::this_node::getName();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    value[static_cast<int>(i) + 1] = arguments[i];
+  }
+  return value;
+}
+
+bool callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
+                const XmlRpcValue& arguments, XmlRpcValue& answer, const std::atomic<bool>& stop) {
+  try {
+    Client client(host, port);
+    return client.callWithin(limit, method, arguments, answer, stop);
+  } catch (const XmlRpc::XmlRpcException&) {
+    return false;
+  }
+}
+
+CallResult callMaster(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& payload,
+                      const std::atomic<bool>& stop) {
+  XmlRpcValue answer;
+  if (!callWithin(limit, ros::master::getHost(), ros::master::getPort(), method, arguments, answer, stop) ||
+      !isAnswer(answer)) {
+    return CallResult::no_answer;
+  }
+  payload = answer[2];
+  return static_cast<int>(answer[0]) == 1 ? CallResult::done : CallResult::refused;
+}
+
+bool masterAnswers(double limit) {
+  XmlRpcValue payload;
+  const std::atomic<bool> stop{false};
+  return callMaster(limit, "getPid", callArguments({}), payload, stop) != CallResult::no_answer;
+}
+
+}  // namespace rubber_suspension::ros_interface

@@ -1,0 +1,152 @@
+// The rule of what a command may write over: no input by any name, no file twice, no file of another kind unasked.
+#include "io/output_files.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/temporary_file.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+using io::FileKind;
+using ::testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+class CheckOutputs : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return folder_.folder() + "/" + name; }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  // The refusal of an output beside an input, or "".
+  static std::string refusal(const std::string& input, const std::vector<io::OutputFile>& outputs, bool force = false) {
+    try {
+      io::checkOutputs({{"--log", input}}, outputs, force);
+    } catch (const io::OutputRefused& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFile folder_{"log.csv", "time_s,displacement_m,force_N\n0,0,0\n"};
+};
+
+TEST_F(CheckOutputs, RefusesAnInputByAnyName) {
+  const std::string log = path("log.csv");
+  fs::create_hard_link(log, path("hard.csv"));
+  fs::create_symlink("log.csv", path("soft.csv"));
+  fs::create_symlink(folder_.folder(), path("again"));
+  for (const std::string& name :
+       {std::string("log.csv"), std::string("./log.csv"), std::string("hard.csv"), std::string("soft.csv"),
+        std::string("again/log.csv"), std::string("again/./log.csv")}) {
+    const std::string error = refusal(log, {{"--output", path(name), FileKind::force_csv}}, true);
+    EXPECT_THAT(error, HasSubstr("--output: ")) << name;
+    EXPECT_THAT(error, HasSubstr("is the file that --log reads")) << name;
+    EXPECT_THAT(error, HasSubstr("accepted: another file")) << name;
+  }
+  EXPECT_EQ(refusal(log, {{"--output", path("other.csv"), FileKind::force_csv}}), "");
+  EXPECT_EQ(refusal(log, {{"--output", "", FileKind::force_csv}}), "");
+}
+
+TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
+  const auto both = [&](const std::string& one, const std::string& other) {
+    return refusal("", {{"--output", path(one), FileKind::figure}, {"--plot", path(other), FileKind::figure}});
+  };
+  EXPECT_THAT(both("a.svg", "a.svg"), HasSubstr("--plot and --output"));
+  EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("is one file with"));
+  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("is one file with"));  // on a disk that does not tell the case
+  fs::create_symlink("a.svg", path("dangling.svg"));
+  EXPECT_THAT(both("a.svg", "dangling.svg"), HasSubstr("is one file with"));
+  EXPECT_EQ(both("a.svg", "b.svg"), "");
+  file("b.svg", "<svg>");
+  file("B.svg", "<svg>");
+  if (!fs::equivalent(path("b.svg"), path("B.svg"))) {
+    EXPECT_EQ(both("b.svg", "B.svg"), "");  // here they are two
+  }
+  EXPECT_EQ(refusal("/dev/null", {{"--output", "/dev/null", FileKind::bag}, {"--plot", "/dev/null", FileKind::bag}}),
+            "");
+}
+
+TEST_F(CheckOutputs, AnotherKindOfFileNeedsForce) {
+  const std::string notes = file("notes.txt", "what I did\n");
+  const std::vector<io::OutputFile> output = {{"--output", notes, FileKind::force_csv}};
+  EXPECT_THAT(refusal("", output), HasSubstr("notes.txt exists and is not a log as this command writes it"));
+  EXPECT_THAT(refusal("", output), HasSubstr("or --force"));
+  EXPECT_EQ(refusal("", output, true), "");
+  file("notes.txt", "");
+  EXPECT_EQ(refusal("", output), "");  // nothing is lost
+}
+
+TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
+  const std::vector<std::pair<FileKind, std::string>> examples = {
+      {FileKind::force_csv, "time_s,displacement_m,force_N\n0,0,0\n"},
+      {FileKind::gap_csv, "time_s,level,window_s,samples\n"},
+      {FileKind::vehicle_csv, "time_s,frame_m,pitch_rad\n"},
+      {FileKind::figure_csv, "curve,frequency_hz\n"},
+      {FileKind::component_file, "# found by estimate\ncomponents:\n  a: {}\n"},
+      {FileKind::report_json, "{\n \"schema\": \"rubber_suspension/gap_report/1\"}"},
+      {FileKind::report_html, "<!DOCTYPE html>\n<title>Gap report</title> the gap"},
+      {FileKind::test_report, "<?xml version=\"1.0\"?>\n<testsuites/>"},
+      {FileKind::figure, "<?xml version=\"1.0\"?>\n<svg/>"},
+      {FileKind::bag, "#ROSBAG V2.0\n"},
+  };
+  for (const auto& [kind, text] : examples) {
+    for (const auto& [other, unused] : examples) {
+      EXPECT_EQ(io::isOfKind(file("example", text), other), kind == other)
+          << static_cast<int>(kind) << " as " << static_cast<int>(other);
+    }
+  }
+  EXPECT_TRUE(io::isOfKind(file("example", "\x89PNG\r\n\x1a\n"), FileKind::figure));
+  // A log with another column is a measurement, not what the command wrote.
+  EXPECT_FALSE(io::isOfKind(file("example", "time_s,displacement_mm,force_kN\n"), FileKind::force_csv));
+  EXPECT_FALSE(io::isOfKind(file("example", "my components: a, b\n"), FileKind::component_file));
+}
+
+TEST_F(CheckOutputs, RefusesFoldersAsFilesAndFilesAsFolders) {
+  EXPECT_THAT(refusal("", {{"--output", folder_.folder(), FileKind::bag}}, true), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal("", {{"--output", path("log.csv/report.json"), FileKind::report_json}}, true),
+              HasSubstr("is no folder"));
+}
+
+TEST_F(CheckOutputs, AnErrorIsOneLine) {
+  const std::string odd = file("a\n\x1b[31m.txt", "text");
+  const std::string error = refusal("", {{"--output", odd, FileKind::bag}});
+  EXPECT_THAT(error, HasSubstr("\\x1b[31m"));
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+TEST(MakeRunFolder, NumbersTheRuns) {
+  const TemporaryFile file("keep", "");
+  const std::vector<std::string> records = {"bush_force.csv", "bush.bag"};
+  const auto run = [&](const std::string& name) {
+    const std::string folder = io::makeRunFolder(file.folder() + "/" + name, records);
+    std::ofstream(folder + "/bush.bag") << "record";
+    return fs::path(folder).filename().string();
+  };
+  EXPECT_EQ(run("run_1"), "run_1");
+  EXPECT_EQ(run("run_1"), "run_2");
+  EXPECT_EQ(run("run_1/"), "run_3");
+  EXPECT_EQ(run("bench"), "bench");
+  EXPECT_EQ(run("bench"), "bench_2");
+  EXPECT_EQ(run("bench"), "bench_3");
+  EXPECT_EQ(run("run_x"), "run_x");
+  EXPECT_EQ(run("run_x"), "run_x_2");
+}
+
+TEST(MakeRunFolder, LeavesARunThatIsStillBeingWritten) {
+  const TemporaryFile file(".bush_force.Ab12Cd.csv", "");
+  EXPECT_EQ(io::makeRunFolder(file.folder(), {"bush_force.csv"}), file.folder() + "_2");
+  fs::remove_all(file.folder() + "_2");
+  EXPECT_EQ(io::makeRunFolder(file.folder(), {"left_force.csv"}), file.folder());  // of another component
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,164 @@
+// Logs as rigs and spreadsheets write them. good_logs/X has what it has to give in X.expected: the options, the notes,
+// and a line "stamp [ns], displacement [m], force [N]" per sample. bad_logs/X.csv has in X.error how its error begins,
+// behind the file's name and a colon.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "log/text.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::vector<std::string> filesIn(const std::string& folder, const std::string& extension) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(TEST_DIR "/log/" + folder)) {
+    if (entry.path().extension() == extension) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = std::filesystem::path(info.param).stem().string();
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+struct Expected {
+  log::LogFormat format;
+  std::vector<std::string> notes;
+  std::vector<std::int64_t> stamp;
+  std::vector<double> displacement;
+  std::vector<double> force;
+};
+
+// "--columns time=a b displacement=c --unit mm": a word without a dash or an equals sign goes on with the one before.
+log::LogFormat formatOf(const std::string& options) {
+  std::vector<std::string> columns;
+  std::string unit;
+  double rate = 0.0;
+  std::istringstream words(options);
+  std::string option;
+  for (std::string word; words >> word;) {
+    if (word.compare(0, 2, "--") == 0) {
+      option = word;
+    } else if (option == "--unit") {
+      unit = word;
+    } else if (option == "--rate") {
+      rate = std::stod(word);
+    } else if (!columns.empty() && word.find('=') == std::string::npos &&
+               columns.back().find('=') != std::string::npos) {
+      columns.back() += " " + word;
+    } else {
+      columns.push_back(word);
+    }
+  }
+  return log::makeLogFormat(columns, unit, rate);
+}
+
+Expected readExpected(const std::string& path) {
+  Expected expected;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.compare(0, 8, "options ") == 0) {
+      expected.format = formatOf(line.substr(8));
+    } else if (line.compare(0, 5, "note ") == 0) {
+      expected.notes.push_back(line.substr(5));
+    } else {
+      std::istringstream row(line);
+      std::int64_t stamp = 0;
+      double displacement = 0.0;
+      std::string force;
+      row >> stamp >> displacement >> force;
+      expected.stamp.push_back(stamp);
+      expected.displacement.push_back(displacement);
+      if (force != "-") {
+        expected.force.push_back(std::stod(force));
+      }
+    }
+  }
+  return expected;
+}
+
+void expectSame(const std::vector<double>& values, const std::vector<double>& expected) {
+  ASSERT_EQ(values.size(), expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i + 1;  // some rounding steps of a conversion
+  }
+}
+
+class GoodLog : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(GoodLog, GivesItsNumbersAndSaysWhatItTookForWhat) {
+  const Expected expected = readExpected(GetParam());
+  ASSERT_FALSE(expected.stamp.empty());
+  const std::string path = GetParam().substr(0, GetParam().size() - std::string(".expected").size());
+  const log::Log log = log::readLog(path, expected.format);
+  EXPECT_EQ(log.stamp, expected.stamp);
+  expectSame(log.displacement, expected.displacement);
+  expectSame(log.force, expected.force);
+  EXPECT_EQ(log.notes, expected.notes);
+  EXPECT_NO_THROW(log::checkLog(log));
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, GoodLog, ::testing::ValuesIn(filesIn("good_logs", ".expected")), nameOf);
+
+class BadLog : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BadLog, IsRefusedWithItsError) {
+  std::ifstream file(std::filesystem::path(GetParam()).replace_extension(".error"));
+  std::string expected;
+  std::getline(file, expected);
+  ASSERT_FALSE(expected.empty()) << GetParam() << " does not say which error it has to give";
+  try {
+    log::readLog(GetParam());
+    FAIL() << "accepted";
+  } catch (const log::LogError& error) {
+    const std::string text = error.what();
+    EXPECT_THAT(text, StartsWith(GetParam() + ":" + expected));
+    EXPECT_THAT(text, HasSubstr("accepted"));
+    EXPECT_LT(text.size(), GetParam().size() + 1000);
+    // Nothing that a terminal would obey.
+    EXPECT_TRUE(std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; })) << text;
+    EXPECT_TRUE(log::isUtf8(text));
+    EXPECT_EQ(log::oneLine(text), text);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadLog, ::testing::ValuesIn(filesIn("bad_logs", ".csv")), nameOf);
+
+TEST(LogFiles, AreAllThere) {
+  EXPECT_GE(filesIn("good_logs", ".expected").size(), 38u);
+  EXPECT_GE(filesIn("bad_logs", ".csv").size(), 48u);
+}
+
+TEST(OneLine, EscapesWhatATerminalObeys) {
+  EXPECT_EQ(log::oneLine("a\nb\tc\x1b[2J\x7f\x07"), "a b c\\x1b[2J\\x7f\\x07");
+  EXPECT_EQ(log::oneLine("Pr\xc3\xbc"
+                         "fstand \xc2\xb5m"),
+            "Pr\xc3\xbc"
+            "fstand \xc2\xb5m");
+  EXPECT_EQ(log::oneLine("\xff\xc2\x9b\xe2\x80\xae"), "\\xff\\xc2\\x9b\\xe2\\x80\\xae");  // no UTF-8, CSI, override
+  EXPECT_EQ(log::oneLine(std::string("\0", 1)), "\\x00");
+}
+
+TEST(Quoted, CutsBetweenCharacters) {
+  std::string text(59, 'x');
+  text += "\xc3\xbc\xc3\xbc";
+  EXPECT_EQ(log::quoted(text), "'" + std::string(59, 'x') + "...'");
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,190 @@
+// Files that are written beside and renamed: an older one stays whole until the new one is complete, whatever happens.
+#include "log/new_file.h"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "io/temporary_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+std::string contentOf(const fs::path& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+std::vector<std::string> namesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string errorOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(NewFile, TakesTheNameWhenItIsCommitted) {
+  const TemporaryFile file("out.svg", "older");
+  {
+    log::NewFile beside(file.path());
+    EXPECT_EQ(fs::path(beside.writingPath()).parent_path(), fs::canonical(file.folder()));
+    EXPECT_EQ(fs::path(beside.writingPath()).extension(), ".svg");
+    std::ofstream(beside.writingPath()) << "newer";
+    EXPECT_EQ(contentOf(file.path()), "older");
+    beside.commit();
+    EXPECT_EQ(contentOf(file.path()), "newer");
+  }
+  EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.svg"));
+}
+
+TEST(NewFile, LeavesNothingWithoutCommit) {
+  const TemporaryFile file("out.csv", "older");
+  {
+    log::NewFile beside(file.path());
+    std::ofstream(beside.writingPath()) << "half";
+  }
+  EXPECT_EQ(contentOf(file.path()), "older");
+  EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.csv"));
+}
+
+TEST(NewFile, FollowsLinksAndKeepsPermissions) {
+  const TemporaryFile file("real.csv", "older");
+  chmod(file.path().c_str(), 0640);
+  const fs::path link = fs::path(file.folder()) / "link.csv";
+  fs::create_symlink("real.csv", link);
+  log::writeNewFile(link.string(), "newer");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(contentOf(file.path()), "newer");
+  struct stat status {};
+  ASSERT_EQ(stat(file.path().c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640U);
+  const fs::path dangling = fs::path(file.folder()) / "dangling.csv";
+  fs::create_symlink("to_come.csv", dangling);
+  log::writeNewFile(dangling.string(), "come");
+  EXPECT_EQ(contentOf(fs::path(file.folder()) / "to_come.csv"), "come");
+}
+
+TEST(NewFile, ANewOneHasTheUsualPermissions) {
+  const TemporaryFile folder("keep", "");
+  const mode_t mask = umask(027);
+  log::writeNewFile(folder.folder() + "/out.csv", "text");
+  umask(mask);
+  struct stat status {};
+  ASSERT_EQ(stat((folder.folder() + "/out.csv").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640U);
+}
+
+TEST(NewFile, WritesToDevicesAtOnce) {
+  EXPECT_NO_THROW(log::writeNewFile("/dev/null", "text"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_THAT(errorOf([] { log::writeNewFile("/dev/full", "text"); }), HasSubstr("/dev/full: cannot be written"));
+}
+
+TEST(NewFile, NamesWhatCannotBeWritten) {
+  const TemporaryFile file("out.csv", "older");
+  EXPECT_THAT(errorOf([] { log::NewFile("/nonexistent/out.csv"); }),
+              HasSubstr("/nonexistent/out.csv: cannot be written: No such file or directory"));
+  EXPECT_THAT(errorOf([&] { log::NewFile(file.folder() + ""); }), HasSubstr("Is a directory"));
+  if (geteuid() != 0) {  // root may write to everything
+    chmod(file.path().c_str(), 0400);
+    EXPECT_THAT(errorOf([&] { log::NewFile(file.path()); }), HasSubstr("Permission denied"));
+  }
+}
+
+// The status of a child that does the work.
+int inChild(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+class NewFileOnSignal : public ::testing::TestWithParam<int> {};
+
+TEST_P(NewFileOnSignal, IsRemovedAndTheOlderStays) {
+  const TemporaryFile file("out.csv", "older");
+  const int status = inChild([&] {
+    signal(GetParam(), SIG_DFL);
+    log::NewFile beside(file.path());
+    std::ofstream(beside.writingPath()) << "half";
+    raise(GetParam());
+    std::ofstream(file.path()) << "not ended by the signal";
+  });
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == GetParam());
+  EXPECT_EQ(contentOf(file.path()), "older");
+  EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.csv"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, NewFileOnSignal, ::testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+log::Log longLog() {
+  log::Log log;
+  for (int i = 0; i < 20000; ++i) {
+    log.stamp.push_back(i * 1000000LL);
+    log.displacement.push_back(1e-3 / 3.0 * i);
+  }
+  return log;
+}
+
+// A limit of the size of files ends the writing in its middle, as a full disk does.
+TEST(NewFile, AFileBeyondTheLimitLeavesTheOlder) {
+  const TemporaryFile file("out.csv", "older");
+  const int status = inChild([&] {
+    const rlimit limit{65536, 65536};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string error = errorOf([&] { log::writeLogCsv(file.path(), longLog()); });
+    _exit(error.find("out.csv: cannot be written: File too large") == std::string::npos ? 1 : 0);
+  });
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(contentOf(file.path()), "older");
+  EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.csv"));
+}
+
+// The same on a file system of 64 KiB, where one may be mounted.
+TEST(NewFile, AFullDiskLeavesTheOlder) {
+  const TemporaryFile folder("keep", "");
+  const std::string disk = folder.folder() + "/disk";
+  fs::create_directory(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=64k") != 0) {
+    GTEST_SKIP() << "no file system may be mounted here";
+  }
+  std::ofstream(disk + "/out.csv") << "older";
+  const std::string error = errorOf([&] { log::writeLogCsv(disk + "/out.csv", longLog()); });
+  EXPECT_THAT(error, HasSubstr("/out.csv: cannot be written: No space left on device"));
+  EXPECT_EQ(contentOf(disk + "/out.csv"), "older");
+  EXPECT_THAT(namesIn(disk), ElementsAre("out.csv"));
+  EXPECT_EQ(umount(disk.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

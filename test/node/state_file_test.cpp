@@ -1,0 +1,178 @@
+// State files: every bit kept, everything else refused, nothing but regular files read or replaced.
+#include "node/state_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<node::SavedState> states() {
+  node::SavedState state;
+  state.component = "left";
+  state.elements = {{"spring", {{"stiffness", {3e6}}}}};
+  state.started = true;
+  state.stamp = 1234567890123456789;
+  state.displacement = 0.1;
+  state.memory = {1.0 / 3.0, -0.0, 5e-324, std::numeric_limits<double>::max()};
+  node::SavedState other = state;
+  other.component = "right";
+  other.started = false;
+  other.stamp = 0;
+  return {state, other};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+void expectRefusal(const std::string& text, const std::string& word) {
+  try {
+    node::parseStates(text, "state.json");
+    ADD_FAILURE() << "accepted, though " << word;
+  } catch (const node::StateFileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("state.json"));
+    EXPECT_THAT(error.what(), HasSubstr(word));
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+TEST(StateText, KeepsEveryBit) {
+  const std::vector<node::SavedState> read = node::parseStates(node::stateText(states()), "");
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].stamp, 1234567890123456789);
+  EXPECT_TRUE(read[0].started);
+  EXPECT_FALSE(read[1].started);
+  const std::vector<double> expected = states()[0].memory;
+  ASSERT_EQ(read[0].memory.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(std::signbit(read[0].memory[i]), std::signbit(expected[i]));
+    EXPECT_EQ(read[0].memory[i], expected[i]);
+  }
+}
+
+TEST(StateText, StampsAreWholeNumbersThatAMessageCanHave) {
+  const std::string text = node::stateText(states());
+  for (const char* stamp : {"1e30", "18446744073709551616", "9223372036854775808", "4294967299999999999", "1.5", "-1",
+                            "\"1\"", "null", "true", "[]"}) {
+    expectRefusal(replaced(text, "1234567890123456789", stamp), "stamp_ns");
+  }
+}
+
+TEST(StateText, NumbersAreNumbers) {
+  const std::string text = node::stateText(states());
+  for (const char* number : {"true", "null", "\"0.1\"", "[0.1]"}) {
+    expectRefusal(replaced(text, "0.1,", std::string(number) + ","), "displacement_m");
+  }
+  expectRefusal(replaced(text, "3000000.0", "false"), "stiffness");
+  expectRefusal(replaced(text, "0.1,", "1e999,"), "overflow");
+}
+
+TEST(StateText, AComponentStandsThereOnce) {
+  expectRefusal(replaced(node::stateText(states()), "right", "left"), "twice");
+}
+
+TEST(StateText, NestingIsBounded) {
+  for (const char* bracket : {"[", "{\"a\":"}) {
+    std::string deep;
+    for (int i = 0; i < 1000000; ++i) {
+      deep += bracket;
+    }
+    expectRefusal(deep, "nested");
+  }
+  // Brackets in a text are none.
+  expectRefusal("{\"schema\": \"" + std::string(100, '[') + "\"}", "schema");
+}
+
+TEST(StateText, WhatIsNoStateIsRefused) {
+  const std::string text = node::stateText(states());
+  for (const std::string& bad :
+       {std::string(), std::string("{}"), std::string("[]"), std::string("1"), text.substr(0, text.size() / 2),
+        replaced(text, "state/1", "state/2"), replaced(text, "\"states\": [", "\"states\": [7, "),
+        replaced(text, "\"values\": {", "\"values\": 7, \"other\": {")}) {
+    expectRefusal(bad, "no state file");
+  }
+}
+
+class StateFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "state_file_XXXXXX";
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    path_ = folder_ + "/state.json";
+  }
+  void TearDown() override {
+    for (const char* name : {"/state.json", "/state.json.next", "/target"}) {
+      std::remove((folder_ + name).c_str());
+    }
+    rmdir(folder_.c_str());
+  }
+
+  void expectNeitherReadNorReplaced(const std::string& path, const std::string& word) const {
+    for (const bool write : {false, true}) {
+      try {
+        write ? node::writeStateFile(path, states()) : static_cast<void>(node::readStateFile(path));
+        ADD_FAILURE() << word;
+      } catch (const node::FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(path));
+        EXPECT_THAT(error.what(), HasSubstr(word));
+      }
+    }
+  }
+
+  std::string folder_;
+  std::string path_;
+};
+
+TEST_F(StateFile, IsReadAsItWasWritten) {
+  node::writeStateFile(path_, states());
+  node::writeStateFile(path_, states());
+  EXPECT_EQ(node::stateText(node::readStateFile(path_)), node::stateText(states()));
+  EXPECT_NE(access((path_ + ".next").c_str(), F_OK), 0);
+}
+
+TEST_F(StateFile, IsARegularFile) {
+  expectNeitherReadNorReplaced("/dev/zero", "a device");
+  expectNeitherReadNorReplaced(folder_, "a folder");
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  expectNeitherReadNorReplaced(path_, "a pipe");
+  std::remove(path_.c_str());
+  node::writeStateFile(folder_ + "/target", states());
+  ASSERT_EQ(symlink((folder_ + "/target").c_str(), path_.c_str()), 0);
+  expectNeitherReadNorReplaced(path_, "a symbolic link");
+}
+
+TEST_F(StateFile, WritesThroughNoLinkOrPipeThatLiesInItsWay) {
+  ASSERT_EQ(mkfifo((path_ + ".next").c_str(), 0600), 0);
+  EXPECT_THROW(node::writeStateFile(path_, states()), node::FileError);
+  std::remove((path_ + ".next").c_str());
+  std::ofstream(path_ + ".next") << "left by a process that was killed";
+  EXPECT_NO_THROW(node::writeStateFile(path_, states()));
+}
+
+TEST_F(StateFile, IsBounded) {
+  std::ofstream(path_) << std::string(node::kLargestStateFile + 1, ' ');
+  EXPECT_THROW(node::readStateFile(path_), node::FileError);
+}
+
+TEST(RegularFile, ALinkToOneNamesAComponentFile) {
+  EXPECT_THROW(node::requireRegularFile("/dev/zero"), node::FileError);
+  EXPECT_THROW(node::requireRegularFile("/nowhere/at/all"), node::FileError);
+  EXPECT_NO_THROW(node::requireRegularFile(std::string(TEST_DIR) + "/CMakeLists.txt"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,435 @@
+#!/usr/bin/python3
+"""What a node must stand: masters that hang or lie, messages that claim too much, processes that are stopped, subscribers
+that stall, files that are none. Each test has a master and a node of its own and speaks to them by its own bytes.
+
+    attacks_test.py PROGRAMS [NODE [TEST ...]]    # folder of the programs; another program in place of simulate
+"""
+
+import os
+import re
+import shutil
+import signal
+import struct
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import xmlrpc.server
+
+import tcpros
+
+PROGRAMS = ""
+SIMULATE = ""
+SANITIZED = False
+NODE = "/simulate"
+MEBIBYTE = 1 << 20
+FRAME = b"x"
+FORCE_SIZE = 4 + 16 + len(FRAME) + 40
+
+
+def sample(number, displacement=1e-3, frame=FRAME):
+    stamp = 1000 * 1000 + number  # [ms]
+    return tcpros.text(struct.pack("<III", number, stamp // 1000, stamp % 1000 * 1000000) + tcpros.text(frame) +
+                       struct.pack("<d", displacement))
+
+
+class Attack(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="attack.")
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.network = tcpros.Network(self.folder)
+        self.addCleanup(self.network.close)
+
+    def components(self, names):
+        path = os.path.join(self.folder, "components.yaml")
+        with open(path, "w") as file:
+            file.write("components:\n")
+            for name in names:
+                file.write(f"  {name}:\n    model: elements\n    elements:\n      - {{type: spring, stiffness: 3.0e6}}\n"
+                           "      - {type: friction, maximum_force: 6000.0, displacement: 0.0022}\n")
+        return path
+
+    def start(self, names=("left", "right"), config=None, **parameters):
+        arguments = [f"_config_file:={config or self.components(names)}"]
+        arguments += [f"_{key}:={value}" for key, value in parameters.items()]
+        return self.network.start([SIMULATE, *arguments], "simulate")
+
+    def counts(self, report, name, key, wanted, reports=15):
+        """The counter's value, once it is the one wanted or after some reports, one a second."""
+        value = None
+        for _ in range(reports):
+            value = self.values(report, name).get(key)
+            if value == str(wanted):
+                break
+        return int(value)
+
+    @staticmethod
+    def values(report, name):
+        """Of the next report; the very first, that the node starts, holds nothing else."""
+        while True:
+            statuses = tcpros.diagnostics(tcpros.next_message(report))
+            if name in statuses:
+                return statuses[name][2]
+
+    def memory(self, node, field="VmRSS"):
+        with open(f"/proc/{node.process.pid}/status") as status:
+            return next(int(line.split()[1]) * 1024 for line in status if line.startswith(field))
+
+    def registrations(self):
+        state = self.network.master.getSystemState(tcpros.CALLER)[2]
+        return [name for part in state for name, nodes in part if NODE in nodes]
+
+    def exits(self, node, limit):
+        """Exit status, within so many seconds; a sanitizer takes longer to end."""
+        begin = time.monotonic()
+        status = node.process.wait(tcpros.PATIENCE)
+        self.assertLess(time.monotonic() - begin, limit * (5 if SANITIZED else 1))
+        return status
+
+
+class Flood:
+    """Sends to some components and reads their forces, each over connections of its own, in threads."""
+
+    def __init__(self, network, names):
+        self.links = [(network.publish(f"/{name}/displacement", "rubber_suspension/Displacement"),
+                       network.subscribe(NODE, f"/{name}/force")) for name in names]
+        self.received = [0] * len(names)
+        self.threads = []
+        for i, (_, reader) in enumerate(self.links):
+            self.threads.append(threading.Thread(target=self.read, args=(i, reader), daemon=True))
+            self.threads[-1].start()
+
+    def read(self, i, reader):
+        reader.settimeout(None)
+        try:
+            while data := reader.recv(1 << 18):
+                self.received[i] += len(data)
+        except OSError:
+            pass
+
+    def send(self, data):
+        """The same bytes to all, as fast as each takes them."""
+        senders = [threading.Thread(target=writer.sendall, args=(data,)) for writer, _ in self.links]
+        for sender in senders:
+            sender.start()
+        return senders
+
+    def forces(self, i):
+        return self.received[i] // FORCE_SIZE
+
+
+class Answers(Attack):
+    """Every accepted sample gives a force; what a queue must drop is counted."""
+
+    def accounted(self, flood, names, sent):
+        """All that was sent is accepted or counted as lost, all that was accepted arrives or is counted."""
+        report = self.network.subscribe(NODE, "/diagnostics")
+        lost = 0
+        for i, name in enumerate(names):
+            for _ in range(30):
+                values = self.values(report, name)
+                accepted, missed = int(values["accepted"]), int(values["forces not delivered"])
+                if accepted + int(values["lost before arrival"]) == sent and flood.forces(i) + missed == accepted:
+                    break
+            self.assertEqual(accepted + int(values["lost before arrival"]), sent, name)
+            self.assertEqual(flood.forces(i) + missed, accepted, name)
+            lost += missed
+        return lost
+
+    def test_after_the_node_was_stopped_nothing_accepted_is_lost(self):
+        names = [f"c{i}" for i in range(10)]
+        node = self.start(names)
+        flood = Flood(self.network, names)
+        flood.send(sample(0))
+        tcpros.until(lambda: all(flood.forces(i) == 1 for i in range(10)), "a force each")
+        node.process.send_signal(signal.SIGSTOP)
+        senders = flood.send(b"".join(sample(i) for i in range(1, 14001)))  # 14 s at 1 kHz
+        node.process.send_signal(signal.SIGCONT)
+        for sender in senders:
+            sender.join()
+        flood.send(sample(14001))  # the sequence number tells of what was lost before
+        self.assertEqual(self.accounted(flood, names, 14002), 0)
+
+    def test_a_burst_beyond_all_queues_is_counted(self):
+        names = ["left", "right"]
+        self.start(names)
+        flood = Flood(self.network, names)
+        flood.send(sample(0))
+        tcpros.until(lambda: all(flood.forces(i) == 1 for i in range(2)), "a force each")
+        for sender in flood.send(b"".join(sample(i) for i in range(1, 100001))):
+            sender.join()
+        flood.send(sample(100001))
+        self.assertEqual(self.accounted(flood, names, 100002), 0)
+
+    def test_a_queue_of_one_loses_no_answer(self):
+        self.start(["left"], queue_size=1)
+        flood = Flood(self.network, ["left"])
+        flood.send(sample(0))
+        tcpros.until(lambda: flood.forces(0) == 1, "a force")
+        for sender in flood.send(b"".join(sample(i) for i in range(1, 20001))):
+            sender.join()
+        # The last one may replace the one before in the queue, but is not replaced itself.
+        flood.send(sample(20001))
+        self.assertEqual(self.accounted(flood, ["left"], 20002), 0)
+
+    def test_what_a_slow_subscriber_does_not_get_is_counted(self):
+        self.start(["left"])
+        stalled = self.network.subscribe(NODE, "/left/force", receive_buffer=4096)
+        flood = Flood(self.network, ["left"])
+        size = 0
+        while size < 300000:  # well beyond the queue of 40000 and the buffers of the sockets
+            for sender in flood.send(b"".join(sample(i) for i in range(size, size + 2000))):
+                sender.join()
+            size += 2000
+            tcpros.until(lambda: flood.forces(0) == size, "the other subscriber's forces")
+        report = self.network.subscribe(NODE, "/diagnostics")
+        self.values(report, "left")  # may have been counted before the last force
+        missed = int(self.values(report, "left")["forces not delivered"])
+        self.assertGreater(missed, 0)
+        received = 0
+        stalled.settimeout(tcpros.PATIENCE)
+        while received < (size - missed) * FORCE_SIZE:
+            received += len(stalled.recv(1 << 18))
+        # One more comes through to both: it is the very next after what was read.
+        flood.send(sample(size))
+        data = tcpros.receive(stalled, FORCE_SIZE)
+        self.assertEqual(received, (size - missed) * FORCE_SIZE)
+        self.assertEqual(struct.unpack_from("<d", data, FORCE_SIZE - 40)[0], 1e-3)
+        self.assertEqual(struct.unpack_from("<I", data, 8)[0] * 1000 + struct.unpack_from("<I", data, 12)[0] // 1000000,
+                         1000 * 1000 + size)
+        self.assertEqual(self.counts(report, "left", "forces not delivered", missed), missed)
+
+    def test_connections_that_come_and_go_lose_nothing(self):
+        self.start(["left"])
+        report = self.network.subscribe(NODE, "/diagnostics")
+        answers = self.network.subscribe(NODE, "/left/force")
+        for visit in range(40):
+            writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
+            for i in range(30):
+                # Each counts from a number of its own.
+                data = bytearray(sample(30 * visit + i))
+                struct.pack_into("<I", data, 4, 1000003 * visit + i)
+                writer.sendall(data)
+            for i in range(30):
+                tcpros.next_message(answers)
+            writer.close()
+            self.network.master.unregisterPublisher(tcpros.CALLER, "/left/displacement", self.network.slave_uri)
+        self.assertEqual(self.counts(report, "left", "accepted", 1200), 1200)
+        self.assertEqual(self.counts(report, "left", "lost before arrival", 0), 0)
+
+
+class Masters(Attack):
+    def test_a_master_that_hangs_holds_up_nothing(self):
+        node = self.start()
+        flood = Flood(self.network, ["left"])
+        report = self.network.subscribe(NODE, "/diagnostics")
+        host, _, port = self.network.master.lookupService(tcpros.CALLER, NODE + "/reset")[2][9:].partition(":")
+        self.values(report, "left")
+        self.network.master_process.process.send_signal(signal.SIGSTOP)
+        for _ in range(6):  # seconds; the master is asked every two
+            report_of = tcpros.diagnostics(tcpros.next_message(report))
+        self.assertEqual(report_of["thread serving 1"][0], 0)
+        with tcpros.socket.create_connection((host, int(port)), tcpros.PATIENCE) as sock:
+            tcpros.send_header(sock, {"callerid": tcpros.CALLER, "service": NODE + "/reset", "md5sum": "*"})
+            tcpros.receive_header(sock)
+            sock.sendall(tcpros.text(b""))
+            self.assertEqual(tcpros.receive(sock, 1), b"\1")
+        flood.send(sample(0))
+        tcpros.until(lambda: flood.forces(0) == 1, "a force")
+        node.process.send_signal(signal.SIGTERM)
+        self.assertEqual(self.exits(node, 1.0), 0)
+
+    def lie(self, method, answer):
+        """A master that answers one method as none should, and passes all others on."""
+        network = self.network
+
+        class Liar(xmlrpc.server.SimpleXMLRPCServer):
+            def _dispatch(self, name, arguments):
+                return answer if name == method else getattr(tcpros.proxy(network.uri), name)(*arguments)
+
+        server = Liar((tcpros.HOST, 0), logRequests=False, allow_none=True)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        return f"http://{tcpros.HOST}:{server.server_address[1]}"
+
+    def test_a_master_that_lies_is_refused_in_one_line(self):
+        uri = self.lie("registerSubscriber", [1, "", 5])
+        node = self.network.start([SIMULATE, f"_config_file:={self.components(['left'])}"], "simulate",
+                                  ROS_MASTER_URI=uri)
+        self.assertEqual(node.process.wait(tcpros.PATIENCE), 1)
+        self.assertEqual(len(node.output().splitlines()), 1, node.output())
+        self.assertIn("master", node.output())
+
+    def test_all_leave_the_master_at_each_signal(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(number):
+                node = self.start([f"c{i}" for i in range(10)])
+                self.network.node_api(NODE)
+                tcpros.until(lambda: len(self.registrations()) > 70, "all registrations")
+                node.process.send_signal(number)
+                self.assertEqual(self.exits(node, 5.0), 0)
+                self.assertEqual(self.registrations(), [])
+
+
+class Messages(Attack):
+    def bundle(self, names, numbers, body=b""):
+        return tcpros.text(struct.pack("<III", 0, 1000, 0) + tcpros.text(FRAME) + struct.pack("<I", names) +
+                           (struct.pack("<I", numbers) if not names else b"") + body)
+
+    def settled(self, report, count):
+        self.assertEqual(self.counts(report, "bundled topics", "dropped, undecodable", count), count)
+
+    def test_what_a_message_claims_takes_no_memory(self):
+        node = self.start()
+        report = self.network.subscribe(NODE, "/diagnostics")
+        writer = self.network.publish("/displacements", "rubber_suspension/DisplacementArray")
+        self.settled(report, 0)
+        before = self.memory(node, "VmHWM")
+        for claim in (1 << 28, 1 << 31, (1 << 32) - 1):
+            writer.sendall(self.bundle(0, claim))
+            writer.sendall(self.bundle(claim, 0))
+        self.settled(report, 6)
+        self.assertLess(self.memory(node, "VmHWM") - before, 8 * MEBIBYTE)
+
+    def test_large_messages_leave_no_memory_behind(self):
+        node = self.start()
+        report = self.network.subscribe(NODE, "/diagnostics")
+        writer = self.network.publish("/displacements", "rubber_suspension/DisplacementArray")
+        self.settled(report, 0)
+        before = self.memory(node)
+        large = self.bundle(0, 14 * MEBIBYTE // 8, bytes(14 * MEBIBYTE))
+        for _ in range(100):
+            writer.sendall(large)
+        self.settled(report, 100)
+        # Two messages at the most: one that is read, one that waits to be looked at.
+        tcpros.until(lambda: self.memory(node) - before < 32 * MEBIBYTE, "memory given back", 10.0)
+
+    def test_locked_memory_is_what_was_touched(self):
+        node = self.start(lock_memory="true")
+        self.network.node_api(NODE)
+        tcpros.until(lambda: self.memory(node, "VmLck") > 0 or "not locked" in node.output(), "locked memory")
+        if "not locked" in node.output():
+            self.skipTest("memory cannot be locked here")
+        report = self.network.subscribe(NODE, "/diagnostics")
+        writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
+        self.counts(report, "left", "accepted", 0)
+        before = self.memory(node)
+        writer.sendall(struct.pack("<I", 999999999))
+        for _ in range(2):
+            tcpros.next_message(report)
+        self.assertLess(self.memory(node) - before, 8 * MEBIBYTE)
+
+    def test_what_cannot_be_decoded_is_counted_and_said_seldom(self):
+        node = self.start()
+        report = self.network.subscribe(NODE, "/diagnostics")
+        writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
+        for i in range(5000):
+            writer.sendall(tcpros.text(b"\0" * (i % 20)) if i % 20 else tcpros.text(sample(i)[4:-1]))
+        self.assertEqual(self.counts(report, "left", "dropped, undecodable", 5000), 5000)
+        lines = [line for line in node.output().splitlines() if "WARN" in line or "ERROR" in line]
+        self.assertIn("cannot be decoded", lines[0])
+        self.assertLess(len(lines), 8)
+
+
+class Files(Attack):
+    def refused(self, config, *words):
+        node = self.start(config=config)
+        self.assertEqual(node.process.wait(20.0), 1)
+        self.assertEqual(len(node.output().splitlines()), 1, node.output())
+        for word in words:
+            self.assertIn(word, node.output())
+
+    def test_component_files_that_are_none(self):
+        pipe = os.path.join(self.folder, "pipe")
+        os.mkfifo(pipe)
+        self.refused("/dev/zero", "/dev/zero", "a device", "regular file")
+        self.refused(pipe, pipe, "a pipe")
+        self.refused(self.folder, "a folder")
+
+    def test_names_that_are_taken(self):
+        for name in ("simulate", "displacements", "forces", "reset", "save_state", "set_enabled", "diagnostics"):
+            self.refused(self.components(["left", name]), name, "accepted: any name but", "load_state")
+
+    def test_states_that_are_none(self):
+        state = os.path.join(self.folder, "state.json")
+        node = self.start(state_file=state)
+        save, load = NODE + "/save_state", NODE + "/load_state"
+        self.assertTrue(tcpros.trigger(self.network.call(save))[0])
+        with open(state) as file:
+            good = file.read()
+        texts = {"[" * 2000000: "nested", good.replace('"stamp_ns": 0', '"stamp_ns": 1e30'): "stamp_ns",
+                 good.replace('"stamp_ns": 0', f'"stamp_ns": {1 << 64}'): "stamp_ns",
+                 good.replace('"stamp_ns": 0', '"stamp_ns": 1.5'): "stamp_ns", good.replace("right", "left"): "twice"}
+        for text, word in texts.items():
+            with open(state, "w") as file:
+                file.write(text)
+            done, message = tcpros.trigger(self.network.call(load))
+            self.assertFalse(done)
+            self.assertIn(word, message)
+        os.remove(state)
+        os.mkfifo(state)
+        for service in (save, load):
+            done, message = tcpros.trigger(self.network.call(service))
+            self.assertFalse(done)
+            self.assertIn("a pipe", message)
+        os.remove(state)
+        target = os.path.join(self.folder, "target")
+        with open(target, "w") as file:
+            file.write(good)
+        os.symlink(target, state)
+        for service in (save, load):
+            done, message = tcpros.trigger(self.network.call(service))
+            self.assertFalse(done)
+            self.assertIn("symbolic link", message)
+        os.remove(state)
+        self.assertTrue(tcpros.trigger(self.network.call(save))[0])
+        self.assertIsNone(node.process.poll())
+        self.assertEqual(node.end(), 0)
+
+    def test_a_state_of_a_device_stops_the_start(self):
+        for file in ("/dev/zero", "/dev/full"):
+            node = self.start(state_file=file, load_state="true")
+            self.assertEqual(node.process.wait(20.0), 1)
+            self.assertIn("a device", node.output())
+
+
+class Loggers(Attack):
+    def test_get_loggers_is_answered_and_the_node_goes_on(self):
+        node = self.start()
+        self.network.call(NODE + "/reset")  # it has started
+        for _ in range(3):
+            done, data = self.network.call(NODE + "/get_loggers")
+            self.assertTrue(done)
+            reader = tcpros.Reader(data)
+            levels = {reader.text(): reader.text() for _ in range(reader.number("I"))}
+            self.assertEqual(levels["ros.rubber_suspension"], "info")
+            self.assertTrue(tcpros.trigger(self.network.call(NODE + "/reset"))[0])  # a line of log
+        done, _ = self.network.call(NODE + "/set_logger_level", tcpros.text("ros.rubber_suspension") + tcpros.text("warn"))
+        self.assertTrue(done)
+        reader = tcpros.Reader(self.network.call(NODE + "/get_loggers")[1])
+        levels = {reader.text(): reader.text() for _ in range(reader.number("I"))}
+        self.assertEqual(levels["ros.rubber_suspension"], "warn")
+        self.assertEqual(node.end(), 0)
+
+
+class Threads(Attack):
+    def test_each_serving_thread_is_watched(self):
+        self.start(threads=2)
+        reports = self.network.subscribe(NODE, "/diagnostics")
+        self.values(reports, "thread serving 1")
+        report = tcpros.diagnostics(tcpros.next_message(reports))
+        names = [name for name in report if re.match(r"thread serving \d", name)]
+        self.assertEqual(names, ["thread serving 1", "thread serving 2"])
+        for name in names:
+            self.assertEqual(report[name][0], 0)
+            self.assertLess(float(report[name][2]["last round [s ago]"]), 2.0)
+
+
+if __name__ == "__main__":
+    PROGRAMS = os.path.abspath(sys.argv[1])
+    SIMULATE = os.path.join(PROGRAMS, "simulate")
+    if len(sys.argv) > 2:
+        SIMULATE, SANITIZED = os.path.abspath(sys.argv[2]), True
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

@@ -1,0 +1,265 @@
+"""TCPROS and the slave API by their own bytes: a publisher, a subscriber and a service caller that share no code with ROS.
+
+See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. Everything stays on the loopback interface.
+"""
+
+import os
+import signal
+import socket
+import struct
+import subprocess
+import threading
+import time
+import xmlrpc.client
+import xmlrpc.server
+
+HOST = "127.0.0.1"
+CALLER = "/wire_driver"
+PATIENCE = 60.0  # only bounds how long a failure takes [s]
+
+
+class WireError(RuntimeError):
+    """What the other side did that it should not have."""
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind((HOST, 0))
+        return probe.getsockname()[1]
+
+
+def until(condition, what, patience=PATIENCE):
+    """Ask again and again until the condition gives something true; returns that."""
+    end = time.monotonic() + patience
+    while True:
+        result = condition()
+        if result:
+            return result
+        if time.monotonic() > end:
+            raise WireError(f"waited {patience:.0f} s for {what}")
+        time.sleep(0.01)
+
+
+def text(value):
+    data = value.encode() if isinstance(value, str) else value
+    return struct.pack("<I", len(data)) + data
+
+
+def receive(sock, size):
+    data = b""
+    while len(data) < size:
+        piece = sock.recv(size - len(data))
+        if not piece:
+            raise WireError("the connection was closed")
+        data += piece
+    return data
+
+
+def send_header(sock, fields):
+    data = b"".join(text(f"{key}={value}") for key, value in fields.items())
+    sock.sendall(text(data))
+
+
+def receive_header(sock):
+    data = receive(sock, struct.unpack("<I", receive(sock, 4))[0])
+    fields = {}
+    while data:
+        size = struct.unpack_from("<I", data)[0]
+        key, _, value = data[4:4 + size].partition(b"=")
+        fields[key.decode()] = value.decode()
+        data = data[4 + size:]
+    return fields
+
+
+class Timeout(xmlrpc.client.Transport):
+    def make_connection(self, host):
+        connection = super().make_connection(host)
+        connection.timeout = PATIENCE
+        return connection
+
+
+def proxy(uri):
+    return xmlrpc.client.ServerProxy(uri, transport=Timeout())
+
+
+class Program:
+    """A child process in a session of its own that is gone when this is."""
+
+    def __init__(self, arguments, environment, log):
+        self.log = log
+        with open(log, "wb") as file:
+            self.process = subprocess.Popen(arguments, env=environment, stdin=subprocess.DEVNULL, stdout=file,
+                                            stderr=subprocess.STDOUT, start_new_session=True)
+
+    def end(self, number=signal.SIGINT):
+        """Ask it to end; returns its exit status."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        try:
+            return self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            raise WireError(f"process did not end within {PATIENCE:.0f} s of signal {number}") from None
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGCONT)
+            self.process.kill()
+            self.process.wait()
+
+    def output(self):
+        with open(self.log, errors="replace") as file:
+            return file.read()
+
+
+class Network:
+    """A master, a slave API of our own, and the nodes that are started in it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.port = free_port()
+        self.uri = f"http://{HOST}:{self.port}"
+        self.environment = dict(os.environ, ROS_MASTER_URI=self.uri, ROS_HOSTNAME=HOST, ROS_HOME=folder,
+                                ROS_LOG_DIR=folder)
+        self.environment.pop("ROS_IP", None)
+        self.programs = []
+        self.master_process = self.start(["rosmaster", "--core", "-p", str(self.port)], "master")
+        self.master = proxy(self.uri)
+        until(self.master_answers, "the master")
+        self.listener = socket.create_server((HOST, 0), backlog=1024)
+        self.listener.settimeout(PATIENCE)
+        self.slave = xmlrpc.server.SimpleXMLRPCServer((HOST, 0), logRequests=False, allow_none=True)
+        self.slave.register_function(self.request_topic, "requestTopic")
+        self.slave.register_function(lambda *_: [1, "", 0], "publisherUpdate")
+        self.slave.register_function(lambda *_: [1, "", os.getpid()], "getPid")
+        self.slave_uri = f"http://{HOST}:{self.slave.server_address[1]}"
+        threading.Thread(target=self.slave.serve_forever, daemon=True).start()
+        self.waiting = {}  # connections to our publishers that were accepted while another was waited for, by topic
+
+    def master_answers(self):
+        try:
+            return self.master.getPid(CALLER)[0] == 1
+        except OSError:
+            return False
+
+    def request_topic(self, _caller, _topic, _protocols):
+        return [1, "", ["TCPROS", HOST, self.listener.getsockname()[1]]]
+
+    def start(self, arguments, name, **environment):
+        program = Program(arguments, dict(self.environment, **environment), os.path.join(self.folder, name + ".log"))
+        self.programs.append(program)
+        return program
+
+    def node_api(self, node):
+        """The slave API of a node, once the master knows it."""
+        def lookup():
+            code, _, uri = self.master.lookupNode(CALLER, node)
+            return uri if code == 1 else None
+        return proxy(until(lookup, f"node {node}"))
+
+    def publish(self, topic, message_type):
+        """Register as publisher; the socket of the first subscriber that comes."""
+        self.master.registerPublisher(CALLER, topic, message_type, self.slave_uri)
+        while topic not in self.waiting:
+            try:
+                connection, _ = self.listener.accept()
+            except socket.timeout:
+                raise WireError(f"nobody subscribed to {topic}") from None
+            connection.settimeout(PATIENCE)
+            fields = receive_header(connection)
+            send_header(connection, {"callerid": CALLER, "type": fields["type"], "md5sum": fields["md5sum"],
+                                     "topic": fields["topic"], "latching": "0", "message_definition": ""})
+            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self.waiting[fields["topic"]] = connection
+        return self.waiting.pop(topic)
+
+    def subscribe(self, node, topic, receive_buffer=0):
+        """A socket on which the messages of a node's topic come in; nothing that it publishes from now on is missed."""
+        api = self.node_api(node)
+        return until(lambda: self.connect(api, topic, receive_buffer), f"{node} to publish {topic}")
+
+    @staticmethod
+    def connect(api, topic, receive_buffer):
+        """None while the topic does not exist."""
+        code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
+        if code != 1:
+            return None
+        sock = socket.socket()
+        if receive_buffer:
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+        sock.settimeout(PATIENCE)
+        sock.connect((protocol[1], protocol[2]))
+        send_header(sock, {"callerid": CALLER, "topic": topic, "md5sum": "*", "type": "*", "tcp_nodelay": "1"})
+        error = receive_header(sock).get("error")
+        if error is None:
+            return sock
+        sock.close()
+        if "nonexistent topic" not in error:
+            raise WireError(f"{topic}: {error}")
+        return None
+
+    def call(self, service, request=b""):
+        """Call a service; returns whether it was answered and the bytes of the answer."""
+        def lookup():
+            code, _, uri = self.master.lookupService(CALLER, service)
+            return uri if code == 1 else None
+        host, _, port = until(lookup, f"service {service}")[len("rosrpc://"):].partition(":")
+        with socket.create_connection((host, int(port)), PATIENCE) as sock:
+            send_header(sock, {"callerid": CALLER, "service": service, "md5sum": "*"})
+            receive_header(sock)
+            sock.sendall(text(request))
+            done = receive(sock, 1) == b"\1"
+            return done, receive(sock, struct.unpack("<I", receive(sock, 4))[0])
+
+    def close(self):
+        for program in reversed(self.programs):
+            program.kill()
+        self.slave.shutdown()
+        self.slave.server_close()
+        self.listener.close()
+
+
+def trigger(answer):
+    """Success and message of a std_srvs/Trigger response."""
+    done, data = answer
+    return done and data[0] == 1, data[5:].decode() if done else data.decode()
+
+
+class Reader:
+    """Takes the fields of a message one after the other."""
+
+    def __init__(self, data):
+        self.data = data
+        self.place = 0
+
+    def number(self, code):
+        value = struct.unpack_from("<" + code, self.data, self.place)[0]
+        self.place += struct.calcsize("<" + code)
+        return value
+
+    def text(self):
+        size = self.number("I")
+        self.place += size
+        return self.data[self.place - size:self.place].decode()
+
+    def header(self):
+        self.place += 12
+        self.text()
+
+
+def diagnostics(data):
+    """A DiagnosticArray as {name: (level, message, {key: value})}."""
+    reader = Reader(data)
+    reader.header()
+    result = {}
+    for _ in range(reader.number("I")):
+        level = reader.number("B")
+        name, message, _ = reader.text(), reader.text(), reader.text()
+        values = {reader.text(): reader.text() for _ in range(reader.number("I"))}
+        result[name.split(": ", 1)[-1]] = (level, message, values)
+    return result
+
+
+def next_message(sock):
+    return receive(sock, struct.unpack("<I", receive(sock, 4))[0])
