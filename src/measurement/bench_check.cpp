@@ -426,7 +426,7 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
 }
 
 std::optional<RigFinding> checkRecord(const component::Component& component, const log::Record& record) {
-  if (const auto too_short = lengthFinding(record)) {
+  if (auto too_short = lengthFinding(record)) {
     return too_short;
   }
   const VectorXd simulated = simulate(component, record.displacement, record.dt);
@@ -439,7 +439,7 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
     return signFinding(record, e);
   }
   // Columns of exchanged size first: their loops give energy, too.
-  if (const auto stiffness = stiffnessFinding(component, record, e)) {
+  if (auto stiffness = stiffnessFinding(component, record, e)) {
     return stiffness;
   }
   if (e.givesEnergy()) {
@@ -455,7 +455,7 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
   const component::Component component(elements);
   std::vector<RigFinding> findings;
   for (const log::Record& record : records) {
-    if (const auto finding = checkRecord(component, record)) {
+    if (auto finding = checkRecord(component, record)) {
       findings.push_back(*finding);
     }
   }
