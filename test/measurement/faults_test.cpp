@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "measurement/examine.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -82,7 +83,7 @@ TEST(Faults, LeavesCornersAndStopsAlone) {
   const Faults faults = findFaults("triangle", z, f);
   EXPECT_TRUE(faults.findings.empty()) << faults.findings.front().text;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double sine = std::sin(2.0 * M_PI * static_cast<double>(i) / 40.0);
+    const double sine = std::sin(2.0 * element::kPi * static_cast<double>(i) / 40.0);
     z[i] = sine;
     f[i] = 10.0 * sine + 2000.0 * std::max(sine - 0.99, 0.0) + 0.02 * std::sin(37.1 * static_cast<double>(i));
   }
@@ -96,7 +97,7 @@ TEST(Faults, LeavesFrictionAlone) {
   Eigen::VectorXd f(count);
   double force = 0.0;
   for (Eigen::Index i = 0; i < count; ++i) {
-    z[i] = std::sin(2.0 * M_PI * static_cast<double>(i) / 200.0);
+    z[i] = std::sin(2.0 * element::kPi * static_cast<double>(i) / 200.0);
     force = i > 0 ? std::clamp(force + 20.0 * (z[i] - z[i - 1]), -1.0, 1.0) : 0.0;
     f[i] = force;
   }

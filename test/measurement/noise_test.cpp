@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "measurement/examine.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/noise_model.h"
 
@@ -63,7 +64,8 @@ TEST(Whitener, PrefersTheColourThatIsThere) {
             Whitener(white, mask).logLikelihood(noise) + 100.0);
   // In closed form for white noise.
   EXPECT_NEAR(Whitener(white, mask).logLikelihood(noise),
-              -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * M_PI) * static_cast<double>(kCount), 1e-6 * kCount);
+              -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(kCount),
+              1e-6 * kCount);
 }
 
 // Within a factor of 1.3 in 90 % of the rigs, whatever the noise.
