@@ -61,7 +61,7 @@ TEST(AugmentedGap, IsWhatTheReportClaims) {
   const ros_interface::PlayResult played = player.play(unseen);
   ASSERT_TRUE(played.exactlyOneEach());
   // The same numbers through the same code: what differs is the order of summation of the mean and the squares.
-  EXPECT_NEAR(gapOf(unseen, played.force), result.gap.augmented, 1e-9);
+  EXPECT_NEAR(gapOf(unseen, played.force), result.gap_as_recorded.augmented, 1e-9);
   std::filesystem::remove_all(folder);
 }
 

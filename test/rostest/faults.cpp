@@ -209,7 +209,8 @@ TEST_F(Fault, SubscriberThatStalls) {
   ASSERT_TRUE(stalled.connected());
   const pid_t node = processOf("/simulate");
   ASSERT_GT(node, 0);
-  constexpr int kFill = 50000;  // more than may wait for a subscriber, which is 40000
+  constexpr int kFill =
+      100000;  // more than may wait for a subscriber, which is 40000, and what the sockets hold besides
   constexpr int kMore = 40000;
   constexpr long kWire = 64;  // bytes of a force on the wire, and more
   flood(kStart, kFill);
