@@ -18,7 +18,8 @@ from virtual_rig import bench, case  # noqa: E402
 
 def one(job):
     """Build and write case number `number`; returns its name."""
-    case_set, seed, number, (kind, effects, small), output, labels, (faults, size) = job
+    case_set, seed, number, (kind, effects, small), output, labels, *rest = job
+    faults, size = rest[0] if rest else ((), 1.0)
     built = case.build(case_set, seed, number, kind, effects, small)
     if faults:
         rng = np.random.default_rng([seed, number, len(faults)])
