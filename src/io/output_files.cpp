@@ -195,7 +195,7 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
   }
   const auto [name, number] = numberedName(base.string());
   for (unsigned long next = number + 1;; ++next) {
-    const std::string path = name + std::to_string(next);
+    std::string path = name + std::to_string(next);
     if (mkdir(path.c_str(), 0777) == 0) {  // one run alone succeeds in it
       return path;
     }

@@ -131,7 +131,8 @@ class Utf16Source final : public ByteSource {
       : source_(std::move(source)),
         converter_(iconv_open("UTF-8", little_endian ? "UTF-16LE" : "UTF-16BE")),
         input_(kPortion) {
-    if (converter_ == reinterpret_cast<iconv_t>(-1)) {
+    // iconv_open's own word for failure.
+    if (converter_ == reinterpret_cast<iconv_t>(-1)) {  // NOLINT(performance-no-int-to-ptr)
       throw std::runtime_error("UTF-16: this system cannot convert it; accepted: UTF-8");
     }
   }

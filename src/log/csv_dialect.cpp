@@ -243,7 +243,7 @@ std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {
     return numberedColumns(i);
   }
   for (const bool units_follow : {false, true}) {
-    if (const auto header = namedColumns(i, units_follow)) {
+    if (auto header = namedColumns(i, units_follow)) {
       return header;
     }
   }

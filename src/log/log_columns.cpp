@@ -103,12 +103,12 @@ class ColumnFinder {
       const auto place = static_cast<std::size_t>(&column - header_.data());
       return std::find(taken_.begin(), taken_.end(), place) == taken_.end();
     };
-    const Places exact = placesWhere(
+    Places exact = placesWhere(
         header_, [&](const ColumnName& column) { return is_free(column) && isCanonical(column.text, quantity); });
     if (!exact.empty()) {
       return exact;
     }
-    const Places named = placesWhere(
+    Places named = placesWhere(
         header_, [&](const ColumnName& column) { return is_free(column) && quantityOfName(column.bare) == quantity; });
     if (!named.empty()) {
       return named;

@@ -99,7 +99,7 @@ int permissionsOfNewFiles() {
   const std::lock_guard<std::mutex> lock(maskMutex());
   const mode_t mask = umask(0);
   umask(mask);
-  return 0666 & ~mask;
+  return 0666 & ~static_cast<int>(mask);
 }
 
 void syncFolder(const std::string& folder) {
