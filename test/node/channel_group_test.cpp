@@ -14,11 +14,9 @@ namespace {
 constexpr std::int64_t kMillisecond = 1000000;
 
 io::ComponentDescription describe(const std::string& name) {
-  io::ComponentDescription description;
-  description.name = name;
-  description.elements = {{"spring", {{"stiffness", {3e6}}}},
-                          {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}}};
-  return description;
+  return {
+      name,
+      {{"spring", {{"stiffness", {3e6}}}}, {"friction", {{"maximum_force", {6000.0}}, {"displacement", {0.0022}}}}}};
 }
 
 class Group : public testing::Test {
