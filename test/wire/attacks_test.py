@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""What a node must stand: masters that hang or lie, messages that claim too much, processes that are stopped, subscribers
-that stall, files that are none. Each test has a master and a node of its own and speaks to them by its own bytes.
+"""What a node must stand: masters that hang or lie, messages that claim too much, processes that are stopped,
+subscribers that stall, files that are none. Each test has a master and a node of its own and speaks to them by its own
+bytes.
 
     attacks_test.py PROGRAMS [NODE [TEST ...]]    # folder of the programs; another program in place of simulate
 """
@@ -46,7 +47,8 @@ class Attack(unittest.TestCase):
         with open(path, "w") as file:
             file.write("components:\n")
             for name in names:
-                file.write(f"  {name}:\n    model: elements\n    elements:\n      - {{type: spring, stiffness: 3.0e6}}\n"
+                file.write(f"  {name}:\n    model: elements\n    elements:\n"
+                           "      - {type: spring, stiffness: 3.0e6}\n"
                            "      - {type: friction, maximum_force: 6000.0, displacement: 0.0022}\n")
         return path
 
@@ -410,7 +412,8 @@ class Loggers(Attack):
             levels = {reader.text(): reader.text() for _ in range(reader.number("I"))}
             self.assertEqual(levels["ros.rubber_suspension"], "info")
             self.assertTrue(tcpros.trigger(self.network.call(NODE + "/reset"))[0])  # a line of log
-        done, _ = self.network.call(NODE + "/set_logger_level", tcpros.text("ros.rubber_suspension") + tcpros.text("warn"))
+        request = tcpros.text("ros.rubber_suspension") + tcpros.text("warn")
+        done, _ = self.network.call(NODE + "/set_logger_level", request)
         self.assertTrue(done)
         reader = tcpros.Reader(self.network.call(NODE + "/get_loggers")[1])
         levels = {reader.text(): reader.text() for _ in range(reader.number("I"))}

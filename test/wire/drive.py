@@ -333,8 +333,9 @@ def reference(programs, folder, config, stream):
             file.write("time_s,displacement_m\n")
             file.writelines(f"{stamp // SECOND}.{stamp % SECOND:09d},{displacement!r}\n"
                             for stamp, displacement in zip(stamps.tolist(), displacements.tolist()))
-        done = subprocess.run([os.path.join(programs, "replay"), "--config", config, "--component", stream.name, "--log",
-                               log, "--output", output], capture_output=True, text=True, check=False)
+        command = [os.path.join(programs, "replay"), "--config", config, "--component", stream.name, "--log", log,
+                   "--output", output]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         require(done.returncode == 0, f"wire replay: {done.stderr.strip()}")
         with open(output, newline="") as file:
             rows = csv.reader(file)
@@ -456,7 +457,8 @@ class Drive:
 
     def check(self):
         options = self.options
-        links = [Link(self.network, Stream(name, options.seed + i), options.window, options.samples // options.components)
+        share = options.samples // options.components
+        links = [Link(self.network, Stream(name, options.seed + i), options.window, share)
                  for i, name in enumerate(self.singles)]
         bundles = Bundles(self.network, self.bundled, options.samples // 50, options.seed + 1000)
         report = self.network.subscribe(NODE, "/diagnostics")

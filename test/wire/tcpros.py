@@ -1,4 +1,4 @@
-"""TCPROS and the slave API by their own bytes: a publisher, a subscriber and a service caller that share no code with ROS.
+"""TCPROS and the slave API by their own bytes: a publisher, a subscriber, a caller of services; no code of ROS in it.
 
 See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. Everything stays on the loopback interface.
 """
