@@ -126,7 +126,10 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const auto of_log = rig.findings(r, fits[r]);
-    found.insert(found.end(), of_log.begin(), of_log.end());
+    // Parts of an initial state may be beyond chance where their sum, which is told, is not.
+    std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [](const measurement::RigFinding& finding) {
+      return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
+    });
     if (const auto colour = measurement::colouredNoiseFinding(records[r].name, fits[r].noise)) {
       found.push_back(*colour);
     }
