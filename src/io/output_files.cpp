@@ -37,7 +37,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::figure_csv, "the numbers of a figure", {"curve,"}, {}},
       {FileKind::component_file, "a component file", {""}, {"components:"}},
       {FileKind::report_json, "a report of a diagnosis", {"{"}, {"rubber_suspension/gap_report/"}},
-      {FileKind::report_html, "a report of a diagnosis", {"<!DOCTYPE html>", "<!doctype html>"}, {"gap"}},
+      {FileKind::report_html, "a report of a diagnosis", {"<!DOCTYPE html>", "<!doctype html>"}, {"Gap report"}},
       {FileKind::test_report, "a report of a test", {"<?xml", "<testsuite"}, {"<testsuite"}},
       {FileKind::figure, "a figure (SVG, PNG, PDF)", {"<?xml", "<svg", "\x89PNG", "%PDF"}, {"<svg", "\x89PNG", "%PDF"}},
       {FileKind::bag, "a ROS bag", {"#ROSBAG V"}, {}},
