@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "fit/fitter.h"
+#include "gap/simulate.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
@@ -31,6 +32,14 @@ gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
     moved[r].displacement = displacements[r];
   }
   return gap::simulate(elements, moved);
+}
+
+// The rig's part in each record about a model.
+std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
+                                        const std::vector<element::ElementDescription>& elements) {
+  return rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
+    return simulateAt(elements, rig.records(), displacements);
+  });
 }
 
 // What remains of each log's force on average [N] once the model is re-estimated with all zeros free.
@@ -98,10 +107,7 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
 bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
                               const io::RigTolerances& tolerances, std::vector<log::Record>& records) {
   const measurement::RigModel rig(records, masksOf(records), tolerances);
-  const gap::Forces simulated = gap::simulate(elements, records);
-  const auto fits = rig.fitAll(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
-    return simulateAt(elements, records, displacements);
-  });
+  const std::vector<measurement::RigFit> fits = fitRig(rig, elements);
   bool any = false;
   for (std::size_t r = 0; r < records.size(); ++r) {
     for (const measurement::RigFinding& finding : rig.findings(r, fits[r])) {
@@ -117,12 +123,9 @@ bool correctDisplacementZeros(const std::vector<element::ElementDescription>& el
 
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records,
-                                                 const gap::Forces& simulated) {
+                                                 const std::vector<log::Record>& records) {
   const measurement::RigModel rig(records, masksOf(records), tolerances);
-  const auto fits = rig.fitAll(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
-    return simulateAt(elements, records, displacements);
-  });
+  const std::vector<measurement::RigFit> fits = fitRig(rig, elements);
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const auto of_log = rig.findings(r, fits[r]);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/model_parameters.h"
-#include "gap/simulate.h"
+#include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
@@ -21,9 +21,9 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
 bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
                               const io::RigTolerances& tolerances, std::vector<log::Record>& records);
 
-/// What the rig did to each record, by what a model of these forces leaves.
+/// What the rig did to each record, by what a model leaves of it.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records, const gap::Forces& simulated);
+                                                 const std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis

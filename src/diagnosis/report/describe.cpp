@@ -144,7 +144,7 @@ class Describer {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = result_.augmented.allElements();
     for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
-      const auto found = rigFindings(elements, tolerances, *records, gap::simulate(elements, *records));
+      const auto found = rigFindings(elements, tolerances, *records);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }
