@@ -167,7 +167,9 @@ element::ComponentForce Component::start(ComponentState& state, double displacem
 element::ComponentForce Component::startTestPiece(double displacement, Start kind, double* memory) const {
   element::ComponentForce force = kernel_.initialise(displacement, memory);
   for (const auto& element : elements_) {
-    add(force, element.law->part(), element.law->initialise(displacement, memory + element.offset));
+    double* own = memory + element.offset;
+    add(force, element.law->part(),
+        kind == Start::as_new ? element.law->initialise(displacement, own) : element.law->relax(displacement, own));
   }
   for (const auto& effect : force_effects_) {
     if (kind == Start::as_new) {

@@ -12,22 +12,28 @@
 #include "rubber_suspension/element/coulomb_friction.h"
 #include "rubber_suspension/element/creep.h"
 #include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/first_loading.h"
 #include "rubber_suspension/element/force_drift.h"
 #include "rubber_suspension/element/force_offset.h"
 #include "rubber_suspension/element/free_play.h"
+#include "rubber_suspension/element/friction_behind_play.h"
 #include "rubber_suspension/element/inertia.h"
 #include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/maxwell_behind_play.h"
 #include "rubber_suspension/element/nonlinear_maxwell.h"
 #include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/series_compliance.h"
+#include "rubber_suspension/element/sliding_maxwell.h"
 #include "rubber_suspension/element/spring.h"
 #include "rubber_suspension/element/spring_table.h"
 #include "rubber_suspension/element/springpot.h"
 #include "rubber_suspension/element/stress_softening.h"
+#include "rubber_suspension/element/thixotropic_maxwell.h"
 #include "rubber_suspension/element/time_delay.h"
+#include "rubber_suspension/element/variable_friction.h"
 
 namespace rubber_suspension::element {
 namespace {
@@ -76,12 +82,18 @@ const std::vector<ElementType>& elementTypes() {
       powerDashpotType(),
       maxwellType(),
       nonlinearMaxwellType(),
+      slidingMaxwellType(),
+      thixotropicMaxwellType(),
+      maxwellBehindPlayType(),
       springpotType(),
       creepType(),
       bergFrictionType(),
       coulombFrictionType(),
       iwanType(),
       iwanTableType(),
+      variableFrictionType(),
+      frictionBehindPlayType(),
+      firstLoadingType(),
       stressSofteningType(),
       selfHeatingType(),
       freePlayType(),

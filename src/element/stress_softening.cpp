@@ -11,22 +11,67 @@ namespace {
 
 enum Slot { kLargest, kReach };
 
-}  // namespace
-
-StressSoftening::StressSoftening(double reduction, double width, double path)
-    : reduction_(reduction), width_(width), path_(path), deepest_(std::tanh(1.0 / width)) {}
-
-void StressSoftening::initialise(double displacement, double* memory) const {
-  memory[kLargest] = memory[kReach] = std::abs(displacement);
+StressSoftening::Side sideFrom(const ElementDescription& description) {
+  const double side = description.value("side");
+  if (side != -1.0 && side != 0.0 && side != 1.0) {
+    refuseValue(description.type, "side", side, "1", "1 (z > 0 only), -1 (z < 0 only) or 0 (both)");
+  }
+  return static_cast<StressSoftening::Side>(static_cast<int>(side));
 }
 
-// Softening is permanent: only a displacement beyond all before counts anew.
+StressSoftening::Parameters parametersFrom(const ElementDescription& description) {
+  StressSoftening::Parameters parameters{description.value("reduction"), description.value("width"),
+                                         description.value("path")};
+  parameters.reach_exponent = description.value("reach_exponent");
+  parameters.full_reach = description.value("full_reach");
+  parameters.recovery_time = description.value("recovery_time");
+  parameters.side = sideFrom(description);
+  if (parameters.reach_exponent > 0.0 && parameters.full_reach == 0.0) {
+    refuseValue(description.type, "full_reach", 0.0, "m", "greater than 0 beside a reach_exponent");
+  }
+  return parameters;
+}
+
+}  // namespace
+
+StressSoftening::StressSoftening(const Parameters& parameters)
+    : parameters_(parameters), deepest_(std::tanh(1.0 / parameters.width)) {}
+
+double StressSoftening::reachOf(double displacement) const {
+  return parameters_.side == Side::both ? std::abs(displacement)
+                                        : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
+}
+
+void StressSoftening::initialise(double displacement, double* memory) const {
+  memory[kLargest] = memory[kReach] = reachOf(displacement);
+}
+
+// A long rest heals what heals at all; else only a displacement beyond all before counts anew.
 double StressSoftening::relax(double displacement, double* memory) const {
-  memory[kLargest] = std::max(memory[kLargest], std::abs(displacement));
-  if (path_ == 0.0) {
+  if (parameters_.recovery_time > 0.0) {
+    initialise(displacement, memory);
+    return 1.0;
+  }
+  memory[kLargest] = std::max(memory[kLargest], reachOf(displacement));
+  if (parameters_.path == 0.0) {
     memory[kReach] = memory[kLargest];
   }
   return factor(displacement, memory[kReach]);
+}
+
+double StressSoftening::reductionAt(double reach) const {
+  const double exponent = parameters_.reach_exponent;
+  return exponent == 0.0 ? parameters_.reduction
+                         : parameters_.reduction * std::pow(std::min(reach / parameters_.full_reach, 1.0), exponent);
+}
+
+double StressSoftening::shareOfSide(double displacement, double reach) const {
+  constexpr double kBlended = 0.25;  // of the reach, to either side of zero
+  if (parameters_.side == Side::both) {
+    return 1.0;
+  }
+  const double beyond = static_cast<double>(parameters_.side) * displacement / (kBlended * reach);
+  return std::clamp(0.5 * (1.0 + beyond), 0.0, 1.0);
 }
 
 double StressSoftening::factor(double displacement, double reach) const {
@@ -34,12 +79,26 @@ double StressSoftening::factor(double displacement, double reach) const {
     return 1.0;
   }
   const double ratio = displacement / reach;
-  return 1.0 - reduction_ * std::tanh((1.0 - ratio * ratio) / width_) / deepest_;
+  return 1.0 - reductionAt(reach) * shareOfSide(displacement, reach) *
+                   std::tanh((1.0 - ratio * ratio) / parameters_.width) / deepest_;
+}
+
+// Towards the reach of the present displacement.
+void StressSoftening::recover(double dt, double reached, double* memory) const {
+  const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
+  for (const Slot slot : {kLargest, kReach}) {
+    memory[slot] = std::min(memory[slot], reached + std::max(0.0, memory[slot] - reached) * kept);
+  }
 }
 
 double StressSoftening::step(const Motion& motion, const ComponentForce& /*force*/, double* memory) const {
-  memory[kLargest] = std::max(memory[kLargest], std::abs(motion.displacement));
-  const double kept = path_ > 0.0 ? Relaxation::over(std::abs(motion.increment) / path_).decay : 0.0;
+  const double reached = reachOf(motion.displacement);
+  if (parameters_.recovery_time > 0.0) {
+    recover(motion.dt, reached, memory);
+  }
+  memory[kLargest] = std::max(memory[kLargest], reached);
+  const double kept =
+      parameters_.path > 0.0 ? Relaxation::over(std::abs(motion.increment) / parameters_.path).decay : 0.0;
   memory[kReach] += (memory[kLargest] - memory[kReach]) * (1.0 - kept);
   return factor(motion.displacement, memory[kReach]);
 }
@@ -51,10 +110,17 @@ ElementType stressSofteningType() {
             "share R of the force that is lost deep within"},
            {"width", "1", Role::shape, Range::closed(0.01, 10.0), 0.5,
             "width w of the transition, as a share of the energy at the largest past displacement"},
-           {"path", "m", Role::shape, Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"}},
+           {"path", "m", Role::shape, Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"},
+           {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0), 0.0,
+            "power q of the reach by which the reduction grows; 0: the same at any reach"},
+           {"full_reach", "m", Role::shape, Range::nonNegative(), 0.0,
+            "largest past displacement at which the reduction is R and from which on it grows no more"},
+           {"recovery_time", "s", Role::shape, Range::nonNegative(), 0.0,
+            "time over which softening is lost again; 0: permanent"},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
+            "1: softens at z > 0 only, -1: at z < 0 only, 0: both"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const StressSoftening>(description.value("reduction"), description.value("width"),
-                                                           description.value("path"));
+            return std::make_shared<const StressSoftening>(parametersFrom(description));
           }};
 }
 

@@ -188,10 +188,10 @@ TEST(Candidates, AreEnteredOnceEach) {
   }
   // The effects that reports may name, besides parameter_error and unknown.
   const std::set<std::string> contract = {
-      "friction",   "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
-      "free_play",  "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
-      "inertia",    "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
-      "force_drift"};
+      "friction",    "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
+      "free_play",   "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
+      "inertia",     "time_delay", "force_offset", "series_compliance", "rate_amplitude_coupling",
+      "force_drift", "backlash"};
   EXPECT_EQ(names, contract);
 }
 

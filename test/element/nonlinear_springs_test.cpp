@@ -69,12 +69,24 @@ TEST(ProgressiveStiffness, RefusesAnExponentialWithoutScale) {
 }
 
 TEST(AsymmetricStiffness, ExponentialStiffensOnOneSide) {
-  const element::AsymmetricStiffness upper(0.0, 0.0, 2e5, 1e-3);
+  const element::AsymmetricStiffness upper(0.0, 0.0, {2e5, 0.0, 1e-3});
   EXPECT_NEAR(upper.force(kA), 2e5 * (1e-3 * std::expm1(2.0) - kA), 1e-10);
   EXPECT_NEAR(upper.force(-kA), 2e5 * (1e-3 * std::expm1(-2.0) + kA), 1e-10);
-  const element::AsymmetricStiffness lower(0.0, 0.0, 2e5, -1e-3);
+  const element::AsymmetricStiffness lower(0.0, 0.0, {2e5, 0.0, -1e-3});
   EXPECT_NEAR(lower.force(-kA), -upper.force(kA), 1e-10) << "the mirror image";
   EXPECT_TRUE(std::isfinite(upper.force(1e3)));
+}
+
+// Two one-sided exponentials of either sign: what is even in them, twice as much.
+TEST(AsymmetricStiffness, EvenExponentialIsEven) {
+  const element::AsymmetricStiffness even(0.0, 0.0, {0.0, 2e5, 1e-3});
+  const element::AsymmetricStiffness upper(0.0, 0.0, {1e5, 0.0, 1e-3});
+  const element::AsymmetricStiffness lower(0.0, 0.0, {1e5, 0.0, -1e-3});
+  for (const double z : {1e-4, 2e-3, 0.019, 0.05}) {
+    EXPECT_DOUBLE_EQ(even.force(z), even.force(-z)) << z;
+    EXPECT_NEAR(even.force(z), upper.force(z) - lower.force(z), 1e-12 * std::abs(even.force(z))) << z;
+  }
+  EXPECT_NEAR(even.force(2e-3), 2e5 * 1e-3 * (std::cosh(2.0) - 1.0), 1e-10);
 }
 
 TEST(AsymmetricStiffness, RefusesAnExponentialWithoutScale) {
@@ -82,7 +94,7 @@ TEST(AsymmetricStiffness, RefusesAnExponentialWithoutScale) {
 }
 
 TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
-  const element::AsymmetricStiffness law(1e8, 0.0);
+  const element::AsymmetricStiffness law(1e8, 0.0, {});
   EXPECT_NEAR(harmonic(law, kA, 0).real(), 0.5 * 1e8 * kA * kA, 1e-10);
   // z^2 = A^2/2 (1 - cos 2wt), and cos = sin a quarter later.
   EXPECT_NEAR(std::abs(harmonic(law, kA, 2)), 0.5 * 1e8 * kA * kA, 1e-10);
@@ -90,7 +102,7 @@ TEST(AsymmetricStiffness, HarmonicsOfTheQuadraticTerm) {
 }
 
 TEST(AsymmetricStiffness, TensionHasASlopeOfItsOwn) {
-  const element::AsymmetricStiffness law(0.0, -3e5);
+  const element::AsymmetricStiffness law(0.0, -3e5, {});
   EXPECT_DOUBLE_EQ(law.force(1e-3), -300.0);
   EXPECT_EQ(law.force(-1e-3), 0.0);
 }

@@ -259,7 +259,7 @@ class SofteningDriver {
 };
 
 TEST(StressSoftening, SoftensOnlyWithinWhatWasReached) {
-  const element::StressSoftening law(0.3, 0.2, 0.0);
+  const element::StressSoftening law({0.3, 0.2, 0.0});
   SofteningDriver driver(law);
   EXPECT_EQ(driver.step(1e-3), 1.0) << "first loading";
   EXPECT_EQ(driver.step(2e-3), 1.0);
@@ -271,7 +271,7 @@ TEST(StressSoftening, SoftensOnlyWithinWhatWasReached) {
 }
 
 TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
-  const element::StressSoftening law(0.3, 0.5, 0.0);
+  const element::StressSoftening law({0.3, 0.5, 0.0});
   double before = law.factor(0.0, 2.0);
   EXPECT_NEAR(before, 0.7, 1e-12);
   for (int i = 1; i <= 200; ++i) {
@@ -286,7 +286,7 @@ TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
 TEST(StressSoftening, PathMakesItTakeSomeCycles) {
   constexpr double kAmplitude = 1e-3;
   constexpr double kPath = 4e-3;  // one cycle of that amplitude
-  const element::StressSoftening law(0.3, 0.2, kPath);
+  const element::StressSoftening law({0.3, 0.2, kPath});
   SofteningDriver driver(law);
   driver.step(kAmplitude);
   double remaining = kAmplitude - driver.memory()[1];
@@ -300,20 +300,74 @@ TEST(StressSoftening, PathMakesItTakeSomeCycles) {
 }
 
 TEST(StressSoftening, ReductionOfZeroDoesNothing) {
-  const element::StressSoftening law(0.0, 0.2, 0.0);
+  const element::StressSoftening law({0.0, 0.2, 0.0});
   SofteningDriver driver(law);
   driver.step(2e-3);
   EXPECT_EQ(driver.step(1e-3), 1.0);
 }
 
 TEST(StressSoftening, StaysThroughARest) {
-  const element::StressSoftening law(0.3, 0.2, 0.0);
+  const element::StressSoftening law({0.3, 0.2, 0.0});
   SofteningDriver driver(law);
   driver.step(2e-3);
   EXPECT_NEAR(law.relax(0.0, driver.memory()), 0.7, 1e-12);
   EXPECT_LT(driver.step(1e-3), 0.75);
   law.initialise(0.0, driver.memory());
   EXPECT_EQ(driver.step(1e-3), 1.0) << "a new specimen";
+}
+
+element::StressSoftening::Parameters softeningOf(double reduction, double width) { return {reduction, width, 0.0}; }
+
+TEST(StressSoftening, GrowsWithTheReachUpToFullReach) {
+  element::StressSoftening::Parameters parameters = softeningOf(0.4, 0.2);
+  parameters.reach_exponent = 2.0;
+  parameters.full_reach = 4e-3;
+  const element::StressSoftening law(parameters);
+  EXPECT_NEAR(law.factor(0.0, 2e-3), 1.0 - 0.4 * 0.25, 1e-12) << "half of the reach, a quarter of the reduction";
+  EXPECT_NEAR(law.factor(0.0, 4e-3), 0.6, 1e-12);
+  EXPECT_NEAR(law.factor(0.0, 8e-3), 0.6, 1e-12) << "no more beyond";
+}
+
+TEST(StressSoftening, OfOneSideLeavesTheOtherAlone) {
+  element::StressSoftening::Parameters parameters = softeningOf(0.3, 0.2);
+  parameters.side = element::StressSoftening::Side::upper;
+  const element::StressSoftening law(parameters);
+  SofteningDriver driver(law);
+  EXPECT_EQ(driver.step(-3e-3), 1.0) << "does not count";
+  EXPECT_EQ(driver.step(2e-3), 1.0) << "first loading to this side";
+  EXPECT_LT(driver.step(1e-3), 0.75);
+  EXPECT_NEAR(driver.step(0.0), 0.85, 1e-12) << "half of it at zero";
+  EXPECT_EQ(driver.step(-0.6e-3), 1.0) << "beyond a quarter of the reach";
+  double before = law.factor(-1e-3, 2e-3);
+  for (int i = 1; i <= 300; ++i) {
+    const double factor = law.factor(-1e-3 + 1e-5 * i, 2e-3);
+    EXPECT_LT(std::abs(factor - before), 0.01) << "no jump";
+    before = factor;
+  }
+}
+
+// A reach that decays by e over the recovery time; 1 s steps.
+TEST(StressSoftening, RecoversAtRest) {
+  element::StressSoftening::Parameters parameters = softeningOf(0.3, 0.2);
+  parameters.recovery_time = 10.0;
+  const element::StressSoftening law(parameters);
+  SofteningDriver driver(law);
+  driver.step(2e-3);
+  driver.step(0.0);
+  for (int i = 0; i < 9; ++i) {
+    driver.step(0.0);
+  }
+  EXPECT_NEAR(driver.memory()[0], 2e-3 * std::exp(-1.0), 1e-12);
+  EXPECT_EQ(driver.step(1e-3), 1.0) << "beyond what is left of the reach";
+  EXPECT_EQ(law.relax(0.0, driver.memory()), 1.0) << "a long rest heals it";
+  EXPECT_EQ(driver.memory()[0], 0.0);
+}
+
+TEST(StressSoftening, RefusesAnExponentWithoutReach) {
+  EXPECT_THROW(element::makeElement({"stress_softening", {{"reduction", {0.3}}, {"reach_exponent", {1.0}}}}),
+               std::invalid_argument);
+  EXPECT_THROW(element::makeElement({"stress_softening", {{"reduction", {0.3}}, {"side", {0.5}}}}),
+               std::invalid_argument);
 }
 
 // Constant loss force under steady motion: dx/dt = s F v (1 - x) - x/T.

@@ -20,6 +20,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"progressive_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {1e-3}}}},
       {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
       {"asymmetric_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {-1e-3}}}},
+      {"asymmetric_stiffness", {{"even_exponential", {-2e5}}, {"exponential_scale", {1e-3}}}},
       {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
@@ -30,6 +31,11 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
       {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2000.0}}}},
       {"nonlinear_maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"displacement", {5e-4}}}},
+      {"sliding_maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"yield_displacement", {4e-4}}}},
+      {"thixotropic_maxwell",
+       {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"build_up_time", {0.3}}, {"travel", {5e-3}}}},
+      {"maxwell_behind_play", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"gap", {2e-4}}}},
+      {"maxwell_behind_play", {{"stiffness", {1e7}}, {"break_frequency", {200.0}}, {"gap", {4e-4}}}},
       {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}},
       {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}},
       {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}},
@@ -38,8 +44,17 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}, {"sliders", {3.0}}}},
       {"iwan_table", {{"yield_displacement", {2e-3, 1e-4, 5e-4}}, {"stiffness", {4e5, 2e6, 1e6}}}},
+      {"variable_friction", {{"stiffness", {1e6}}, {"yield_displacement", {4e-4}}, {"growth_displacement", {1e-3}}}},
+      {"variable_friction", {{"stiffness", {1e6}}, {"yield_displacement", {6e-4}}, {"travel", {0.05}}}},
+      {"variable_friction",
+       {{"stiffness", {1e6}}, {"yield_displacement", {6e-4}}, {"travel", {0.02}}, {"build_up_time", {0.3}}}},
+      {"friction_behind_play", {{"stiffness", {1e6}}, {"yield_displacement", {4e-4}}, {"gap", {2e-4}}}},
+      {"first_loading", {{"stiffness", {1e6}}, {"yield_share", {0.5}}}},
+      {"first_loading", {{"stiffness", {1e6}}, {"yield_share", {0.1}}, {"side", {-1.0}}}},
       {"stress_softening", {{"reduction", {0.3}}}},
       {"stress_softening", {{"reduction", {0.3}}, {"width", {0.2}}, {"path", {0.01}}}},
+      {"stress_softening", {{"reduction", {0.4}}, {"reach_exponent", {2.0}}, {"full_reach", {4e-3}}, {"side", {1.0}}}},
+      {"stress_softening", {{"reduction", {0.3}}, {"recovery_time", {0.05}}}},
       {"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {20.0}}}},
       {"free_play", {{"gap", {2e-4}}}},
       {"free_play", {{"gap", {4e-4}}, {"share", {0.6}}}},
@@ -100,9 +115,11 @@ inline bool isElastic(const element::ElementDescription& description) {
 /// the line between two samples, which the specimen behind them does not see (their own exactness: see their own
 /// tests).
 inline bool isExact(const element::ElementDescription& description) {
-  const bool approximate = isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play",
-                                                 "time_delay", "power_dashpot", "nonlinear_maxwell"});
-  const bool softens_slowly = description.type == "stress_softening" && description.values.count("path") != 0;
+  const bool approximate =
+      isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
+                            "nonlinear_maxwell", "variable_friction"});
+  const bool softens_slowly = description.type == "stress_softening" &&
+                              (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;
   return !approximate && !softens_slowly && !smooth;
 }

@@ -67,6 +67,10 @@ class ParallelElement : public Element {
   /// Initialise the memory for a component at rest at this displacement [m], relaxed since long; returns the force [N].
   virtual double initialise(double displacement, double* memory) const = 0;
 
+  /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
+  /// force there [N].
+  virtual double relax(double displacement, double* memory) const { return initialise(displacement, memory); }
+
   /// Advance the memory over one step and return the force at its end [N].
   virtual double step(const Motion& motion, double* memory) const = 0;
 

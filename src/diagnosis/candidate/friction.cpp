@@ -1,22 +1,39 @@
-// Candidate effect: rate-independent friction of any smoothness.
+// Candidate effect: rate-independent friction of any smoothness, the same at any displacement or not.
 #include "diagnosis/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+fit::BasisTerm sliderTerm(double yield, double typical) {
+  fit::BasisTerm term;
+  term.typical = typical;
+  term.at = [yield](double stiffness) {
+    return element::ElementDescription{"iwan_table", {{"yield_displacement", {yield}}, {"stiffness", {stiffness}}}};
+  };
+  return term;
+}
+
 fit::Candidate friction(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "friction", "rate-independent friction: stiffness falls with amplitude at any frequency", false, {}, false};
+  const double typical = 0.1 * excitation.stiffness;
+  const double largest = excitation.largest_displacement;
   // Stop operators over the range of amplitudes: with stiffnesses of 0 or more they compose any friction that obeys
   // Masing's rule (Coulomb, Dahl, Iwan) and come close to those that nearly do (Berg, Bouc-Wen).
   for (const double share : {0.006, 0.015, 0.035, 0.075, 0.15, 0.27, 0.45, 0.7}) {
-    const double yield = share * excitation.largest_displacement;
-    fit::BasisTerm term;
-    term.typical = 0.1 * excitation.stiffness;
-    term.at = [yield](double stiffness) {
-      return element::ElementDescription{"iwan_table", {{"yield_displacement", {yield}}, {"stiffness", {stiffness}}}};
-    };
-    candidate.terms.push_back(term);
+    candidate.terms.push_back(sliderTerm(share * largest, typical));
+  }
+  // Limits that grow fivefold up to the largest displacement.
+  for (const double share : {0.006, 0.015, 0.035, 0.075, 0.15}) {
+    candidate.terms.push_back(
+        fit::additiveTerm("variable_friction", "stiffness", typical,
+                          {{"yield_displacement", {share * largest}}, {"growth_displacement", {0.25 * largest}}}));
+  }
+  // Friction that wears within some cycles.
+  for (const double share : {0.035, 0.15}) {
+    candidate.terms.push_back(
+        fit::additiveTerm("variable_friction", "stiffness", typical,
+                          {{"yield_displacement", {share * largest}}, {"travel", {40.0 * largest}}}));
   }
   return candidate;
 }

@@ -4,21 +4,64 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
+  fit::BasisTerm term = fit::additiveTerm("stress_softening", "reduction", 0.1, shape);
+  term.upper = 0.8;
+  term.additive = false;
+  term.softening = true;
+  return term;
+}
+
 // Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
 // displacement only; at once or over some cycles.
+void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
+  for (const double width : {0.05, 0.15, 0.5, 1.5}) {
+    for (const double path : {0.0, 2.0, 8.0, 32.0}) {
+      terms.push_back(factorTerm({{"width", {width}}, {"path", {path * largest}}}));
+    }
+  }
+}
+
+// The farther the test piece was moved, the more it softens.
+void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
+  for (const double exponent : {1.0, 2.0}) {
+    for (const double width : {0.15, 1.5}) {
+      for (const double path : {0.0, 8.0}) {
+        terms.push_back(factorTerm({{"width", {width}},
+                                    {"path", {path * largest}},
+                                    {"reach_exponent", {exponent}},
+                                    {"full_reach", {largest}}}));
+      }
+    }
+  }
+}
+
+// Of one direction alone, and one that is lost again at rest.
+void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double path : {0.0, 8.0}) {
+      terms.push_back(
+          factorTerm({{"width", {0.5}}, {"path", {path * excitation.largest_displacement}}, {"side", {side}}}));
+    }
+  }
+  terms.push_back(factorTerm({{"width", {0.5}}, {"recovery_time", {0.2 * excitation.longest_duration}}}));
+}
+
+// What the first loading carries more than a factor on the settled force can tell.
+void addFirstLoading(double stiffness, std::vector<fit::BasisTerm>& terms) {
+  for (const double share : {0.02, 0.06, 0.2, 0.6}) {
+    terms.push_back(
+        fit::additiveTerm("first_loading", "stiffness", 0.1 * stiffness / share, {{"yield_share", {share}}}));
+  }
+}
+
 fit::Candidate stressSoftening(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}, false};
-  for (const double width : {0.05, 0.15, 0.5, 1.5}) {
-    for (const double path : {0.0, 2.0, 8.0, 32.0}) {
-      fit::BasisTerm term = fit::additiveTerm("stress_softening", "reduction", 0.1,
-                                              {{"width", {width}}, {"path", {path * excitation.largest_displacement}}});
-      term.upper = 0.8;
-      term.additive = false;
-      term.softening = true;
-      candidate.terms.push_back(term);
-    }
-  }
+  addAtAnyReach(excitation.largest_displacement, candidate.terms);
+  addByReach(excitation.largest_displacement, candidate.terms);
+  addOneSidedAndRecovering(excitation, candidate.terms);
+  addFirstLoading(excitation.stiffness, candidate.terms);
   return candidate;
 }
 

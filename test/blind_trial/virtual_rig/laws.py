@@ -800,6 +800,75 @@ def spikes(rng, scale, name, law_name):
     return added_logs(rng, name, law_name, maker, scale, {"per_second": per_second}, 6.0)
 
 
+# ---- forms of friction, softening and play that the laws above do not have -------------------------------------------
+
+
+@law("friction", "pressed_by_displacement", test_only=True)
+def friction_pressed(rng, scale, name, law_name):
+    """A slider whose limit grows with the square of the displacement, as where a wedge presses it."""
+    zy, growth = slip_length(rng, scale), rng.uniform(0.5, 4.0)
+
+    def run(z, rate):
+        out, f = np.empty_like(z), 0.0
+        limit = zy * (1.0 + growth * (z / scale.amplitude) ** 2)
+        for i, (step, most) in enumerate(zip(np.diff(z, prepend=z[0]), limit)):
+            f = min(most, max(-most, f + step))
+            out[i] = f / scale.amplitude
+        return out
+    return friction_effect(name, law_name, run, scale, {"zy": zy, "growth": growth})
+
+
+@law("stress_softening", "broken_links", test_only=True)
+def softening_links(rng, scale, name, law_name):
+    """Parallel links that break for good where the displacement first exceeds what each of them bears."""
+    strength, m = scale.amplitude * rng.uniform(0.3, 1.2), rng.uniform(1.0, 2.5)
+
+    def run(z, rate):
+        return [x / scale.amplitude * np.exp(-(peak / strength) ** m)
+                for x, peak in zip(z, running_peaks(z, scale.training))]
+    return Effect(name, law_name, "parallel", run, 1.5 * scale.stiffness * scale.amplitude,
+                  {"strength": strength, "m": m})
+
+
+@law("backlash", "damper_in_a_hard_joint")
+def backlash_damper(rng, scale, name, law_name):
+    """A dashpot behind a clearance whose contact hardens: F = c dw/dt = k d^1.5, d the depth of contact."""
+    gap = scale.amplitude * log_uniform(rng, 0.03, 0.25)
+    w, depth = 2 * np.pi * scale.top_frequency * rng.uniform(1.0, 4.0), scale.amplitude * rng.uniform(0.02, 0.1)
+
+    def run(z, rate):
+        out, damper = np.empty_like(z), float(z[0])
+        parts = max(1, int(math.ceil(4.0 * w / rate)))
+        for i, x in enumerate(z.tolist()):
+            before = z[i - 1] if i else x
+            for part in range(1, parts + 1):
+                contact = before + (x - before) * part / parts - damper
+                beyond = math.copysign(max(abs(contact) - gap, 0.0), contact)
+                force = beyond * math.sqrt(abs(beyond) / depth)
+                move = w * force / (rate * parts)
+                damper += math.copysign(min(abs(move), abs(beyond)), move)
+            out[i] = force / scale.amplitude
+        return out
+    return friction_effect(name, law_name, run, scale, {"gap": gap, "w": w, "depth": depth})
+
+
+@law("backlash", "dahl_behind_clearance", test_only=True)
+def backlash_dahl(rng, scale, name, law_name):
+    """Dahl's friction that moves only once a clearance is used up, which the other end of it follows."""
+    gap, zy = scale.amplitude * log_uniform(rng, 0.03, 0.25), scale.amplitude * log_uniform(rng, 0.02, 0.1)
+
+    def run(z, rate):
+        out, stand, f = np.empty_like(z), float(z[0]), 0.0
+        for i, x in enumerate(z.tolist()):
+            moved = max(x - gap, min(x + gap, stand)) - stand
+            stand += moved
+            f = 0.0 if moved == 0.0 else f + moved * (1.0 - math.copysign(1.0, moved) * f / zy)
+            f = max(-zy, min(zy, f))
+            out[i] = f / scale.amplitude
+        return out
+    return friction_effect(name, law_name, run, scale, {"gap": gap, "zy": zy})
+
+
 EFFECTS = tuple(k for k in LAWS if not k.startswith("unknown:"))
 UNKNOWN = tuple(k for k in LAWS if k.startswith("unknown:"))
 

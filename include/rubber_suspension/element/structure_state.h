@@ -1,0 +1,28 @@
+// State of a structure that motion breaks down and rest builds up: thixotropy.
+#pragma once
+
+#include <cmath>
+
+#include "rubber_suspension/element/element.h"
+
+namespace rubber_suspension::element {
+
+/// dm/dt = (1 - m)/T_b - m |dz/dt|/s over one step of constant velocity, from 1 (unbroken) to 0. Exact.
+/// Source: P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109.
+struct StructureState {
+  double rate;     ///< 1/T_b + |dz/dt|/s [1/s]
+  double settled;  ///< what m tends to at this velocity [-]
+  double decay;    ///< part of the difference to it that the step leaves [-]
+
+  /// A build-up time T_b [s] of 0 stands for none; travel s [m] is greater than 0.
+  StructureState(const Motion& motion, double build_up_time, double travel) {
+    const double building = build_up_time > 0.0 ? 1.0 / build_up_time : 0.0;
+    rate = building + std::abs(motion.increment) / (motion.dt * travel);
+    settled = rate > 0.0 ? building / rate : 0.0;
+    decay = std::exp(-rate * motion.dt);
+  }
+
+  double after(double state) const { return settled + (state - settled) * decay; }
+};
+
+}  // namespace rubber_suspension::element

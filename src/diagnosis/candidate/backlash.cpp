@@ -1,0 +1,36 @@
+// Candidate effect: friction or a damper that a clearance of its own leaves without force after each reversal.
+#include "diagnosis/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// A small clearance looks like friction, like damping or like nothing: named only where they fail.
+fit::Candidate backlash(const fit::Excitation& excitation) {
+  fit::Candidate candidate{"backlash",
+                           "friction or damper with a clearance of its own: no loss force for some travel after each "
+                           "reversal, none at small amplitude",
+                           true,
+                           {},
+                           false,
+                           true};
+  const double typical = 0.1 * excitation.stiffness;
+  const double largest = excitation.largest_displacement;
+  for (const double gap : {0.02, 0.05, 0.12, 0.25}) {
+    for (const double yield : {0.01, 0.05, 0.2}) {
+      candidate.terms.push_back(
+          fit::additiveTerm("friction_behind_play", "stiffness", typical,
+                            {{"yield_displacement", {yield * largest}}, {"gap", {gap * largest}}}));
+    }
+    for (const double band : {1.0, 10.0}) {
+      candidate.terms.push_back(
+          fit::additiveTerm("maxwell_behind_play", "stiffness", typical * band,
+                            {{"break_frequency", {band * excitation.highest_frequency}}, {"gap", {gap * largest}}}));
+    }
+  }
+  return candidate;
+}
+
+const CandidateEntry kEntry(85, backlash);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

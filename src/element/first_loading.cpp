@@ -1,0 +1,69 @@
+// Force of the first loading.
+#include "rubber_suspension/element/first_loading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubber_suspension::element {
+namespace {
+
+enum Slot { kUpper, kLower };
+
+FirstLoading::Side sideFrom(const ElementDescription& description) {
+  const double side = description.value("side");
+  if (side != -1.0 && side != 0.0 && side != 1.0) {
+    refuseValue(description.type, "side", side, "1", "1 (z > 0 only), -1 (z < 0 only) or 0 (both)");
+  }
+  return static_cast<FirstLoading::Side>(static_cast<int>(side));
+}
+
+}  // namespace
+
+double FirstLoading::initialise(double displacement, double* memory) const {
+  memory[kUpper] = std::max(displacement, 0.0);
+  memory[kLower] = std::max(-displacement, 0.0);
+  return 0.0;
+}
+
+// Rest at a displacement not reached before relaxes the force there: the reach goes on to it.
+double FirstLoading::relax(double displacement, double* memory) const {
+  memory[kUpper] = std::max(memory[kUpper], displacement);
+  memory[kLower] = std::max(memory[kLower], -displacement);
+  return 0.0;
+}
+
+// Solution of dd/dz = 1 - d/(b z) from where the motion leaves the reach.
+double FirstLoading::follow(double end, double increment, double& reach) const {
+  const double start = std::max(end - increment, reach);
+  if (end <= start) {
+    return std::max(end - reach, 0.0);
+  }
+  const double limit = yield_share_ / (1.0 + yield_share_);
+  const double kept = std::pow(start / end, 1.0 / yield_share_);
+  const double beyond = limit * end + (start - reach - limit * start) * kept;
+  reach = end - beyond;
+  return beyond;
+}
+
+double FirstLoading::step(const Motion& motion, double* memory) const {
+  const double upper = side_ == Side::lower ? 0.0 : follow(motion.displacement, motion.increment, memory[kUpper]);
+  const double lower = side_ == Side::upper ? 0.0 : follow(-motion.displacement, -motion.increment, memory[kLower]);
+  return stiffness_ * (upper - lower);
+}
+
+ElementType firstLoadingType() {
+  return {"first_loading",
+          "What a new test piece carries beyond displacements that were reached before: k beyond them, k b |z|/(1 + b) "
+          "at most, and gone within some cycles.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt,
+            "stiffness k just beyond the largest past displacement"},
+           {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3), std::nullopt,
+            "share b of the displacement over which the force approaches its limit"},
+           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0, "1: at z > 0 only, -1: at z < 0 only, 0: both"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const FirstLoading>(description.value("stiffness"),
+                                                        description.value("yield_share"), sideFrom(description));
+          }};
+}
+
+}  // namespace rubber_suspension::element

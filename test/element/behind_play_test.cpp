@@ -1,0 +1,68 @@
+// Branches behind a play: what is missing after a reversal, loss per cycle, limits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "element/driver.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/friction_behind_play.h"
+#include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/maxwell_behind_play.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+constexpr double kStiffness = 1e6;
+
+TEST(FrictionBehindPlay, IsMissingOverTwiceTheGapAfterAReversal) {
+  const element::FrictionBehindPlay law(kStiffness, 4e-4, 2e-4);
+  Driver<element::FrictionBehindPlay> driver(law);
+  EXPECT_EQ(driver.step(0.01, 1e-4), 0.0);
+  EXPECT_NEAR(driver.step(0.01, 2e-3), 400.0, 1e-9) << "slides";
+  EXPECT_NEAR(driver.step(0.01, 1.6e-3), 0.0, 1e-9) << "contact lost after 0.4 mm";
+  EXPECT_EQ(driver.step(0.01, 1.4e-3), 0.0);
+  EXPECT_NEAR(driver.step(0.01, 1.2e-3 - 1e-4), -100.0, 1e-9) << "contact on the other side after 0.4 mm more";
+}
+
+// 4 k y (A - g - y), by trapezoids of 1/4000 of the way each.
+TEST(FrictionBehindPlay, LosesWhatItsFormulaSays) {
+  const element::FrictionBehindPlay law(kStiffness, 4e-4, 2e-4);
+  Driver<element::FrictionBehindPlay> driver(law);
+  EXPECT_NEAR(settledWork(driver, 2e-3, 2, 4000), 4.0 * 400.0 * (2e-3 - 6e-4), 1e-6);
+}
+
+TEST(MaxwellBehindPlay, IsAMaxwellElementWhereTheGapIsSmall) {
+  const element::MaxwellBehindPlay law(kStiffness, 2.0, 1e-15);
+  const element::Maxwell linear(kStiffness, 2.0);
+  Driver<element::MaxwellBehindPlay> driver(law);
+  Driver<element::Maxwell> reference(linear);
+  for (const double z : {1e-3, 5e-4, 3e-3, -2e-3, -2e-3, 1e-4}) {
+    EXPECT_NEAR(driver.step(0.05, z), reference.step(0.05, z), 1e-6);
+  }
+}
+
+TEST(MaxwellBehindPlay, GivesNothingWithinTheGap) {
+  const element::MaxwellBehindPlay law(kStiffness, 2.0, 1e-3);
+  Driver<element::MaxwellBehindPlay> driver(law);
+  for (const double z : {5e-4, -9e-4, 9.9e-4}) {
+    EXPECT_EQ(driver.step(0.01, z), 0.0);
+  }
+}
+
+// In steady motion the dashpot moves as fast: F = k tau v; after a reversal it relaxes and then is missing.
+TEST(MaxwellBehindPlay, IsADamperWithBacklash) {
+  constexpr double kFrequency = 200.0;
+  constexpr double kRate = 0.05;
+  const element::MaxwellBehindPlay law(kStiffness, kFrequency, 1e-3);
+  Driver<element::MaxwellBehindPlay> driver(law);
+  const double force = kStiffness * kRate / (2.0 * element::kPi * kFrequency);
+  driver.step(1.0, kRate);
+  EXPECT_NEAR(driver.output(), force, 1e-9);
+  driver.step(0.02, kRate - 0.02 * kRate);
+  EXPECT_EQ(driver.output(), 0.0) << "1 mm after the reversal";
+  driver.step(0.98, 0.0);
+  EXPECT_NEAR(driver.output(), -force, 1e-9);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
