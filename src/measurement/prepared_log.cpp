@@ -72,13 +72,15 @@ Eigen::MatrixXd freeNuisances(const log::Record& record, const io::RigTolerances
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.array();
   }
+  if (chosen.empty()) {
+    return columns;  // a zero that is a cause, of a log that starts at rest; a factorisation needs a column
+  }
   // Without columns that others stand for, such as exponentials that are over before the first sample that counts.
   constexpr double kIndependent = 1e-6;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(columns.rows(), columns.cols());
   factor.setThreshold(kIndependent);
   factor.compute(columns);
-  const Eigen::Index rank = columns.cols() == 0 ? 0 : factor.rank();
-  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), rank);
+  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
 }
 
 }  // namespace rubber_suspension::measurement

@@ -341,7 +341,7 @@ TEST(StressSoftening, OfOneSideLeavesTheOtherAlone) {
   double before = law.factor(-1e-3, 2e-3);
   for (int i = 1; i <= 300; ++i) {
     const double factor = law.factor(-1e-3 + 1e-5 * i, 2e-3);
-    EXPECT_LT(std::abs(factor - before), 0.01) << "no jump";
+    EXPECT_LT(std::abs(factor - before), 0.016) << "no jump: R 2/w over a 200th of the reach";
     before = factor;
   }
 }

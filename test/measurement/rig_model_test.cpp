@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "measurement/examine.h"
+#include "rubber_suspension/measurement/prepared_log.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -168,6 +169,15 @@ TEST(RigModel, FindsTheSameTheOtherWayRound) {
     EXPECT_NEAR(turned.findings[i].value, sign * reference.findings[i].value,
                 1e-6 * std::abs(reference.findings[i].value));
   }
+}
+
+// A zero that is a cause is not free, and a log that starts at rest has nothing else that is.
+TEST(FreeNuisances, AreNoneWhereTheZeroIsACause) {
+  const log::Record record = prepareLog(runRig(allRigs(1).front()).log).record;
+  ASSERT_EQ(freeNuisances(record, {}, false).cols(), 1);
+  const Eigen::MatrixXd none = freeNuisances(record, {}, true);
+  EXPECT_EQ(none.rows(), record.size());
+  EXPECT_EQ(none.cols(), 0);
 }
 
 TEST(RigModel, RefusesMasksOfOtherSize) {
