@@ -15,17 +15,15 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
                            true};
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
-  for (const double gap : {0.02, 0.05, 0.12, 0.25}) {
-    for (const double yield : {0.01, 0.05, 0.2}) {
+  for (const double gap : {0.03, 0.08, 0.2}) {
+    for (const double yield : {0.02, 0.1}) {
       candidate.terms.push_back(
           fit::additiveTerm("friction_behind_play", "stiffness", typical,
                             {{"yield_displacement", {yield * largest}}, {"gap", {gap * largest}}}));
     }
-    for (const double band : {1.0, 10.0}) {
-      candidate.terms.push_back(
-          fit::additiveTerm("maxwell_behind_play", "stiffness", typical * band,
-                            {{"break_frequency", {band * excitation.highest_frequency}}, {"gap", {gap * largest}}}));
-    }
+    candidate.terms.push_back(
+        fit::additiveTerm("maxwell_behind_play", "stiffness", 3.0 * typical,
+                          {{"break_frequency", {3.0 * excitation.highest_frequency}}, {"gap", {gap * largest}}}));
   }
   return candidate;
 }

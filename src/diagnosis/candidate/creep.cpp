@@ -1,4 +1,5 @@
-// Candidate effect: relaxation over more than 5 s.
+// Candidate effect: relaxation that is slower than the motion.
+#include "diagnosis/candidate/creep_time.h"
 #include "diagnosis/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -8,7 +9,9 @@ namespace {
 fit::Candidate creep(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}, false};
-  for (double time = 6.0; time < 3.0 * excitation.longest_duration || candidate.terms.empty(); time *= 2.5) {
+  constexpr double kShortest = 1.2;  // of the longest time of relaxation
+  for (double time = kShortest * longestRelaxationTime(excitation);
+       time < 3.0 * excitation.longest_duration || candidate.terms.empty(); time *= 2.5) {
     candidate.terms.push_back(fit::additiveTerm("maxwell", "stiffness", 0.05 * excitation.stiffness,
                                                 {{"break_frequency", {1.0 / (2.0 * element::kPi * time)}}}));
   }

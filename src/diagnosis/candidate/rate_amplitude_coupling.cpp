@@ -11,28 +11,29 @@ constexpr std::array<double, 3> kBands = {0.03, 0.15,
 
 // Flow that large forces accelerate, and flow that begins at a limit of the force.
 void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  const auto add = [&](const char* law, const char* limit, double band, double share) {
+    terms.push_back(fit::additiveTerm(law, "stiffness", 0.2 * excitation.stiffness,
+                                      {{"break_frequency", {band * excitation.highest_frequency}},
+                                       {limit, {share * excitation.largest_displacement}}}));
+  };
   for (const double band : kBands) {
     for (const double share : {0.03, 0.1, 0.3}) {
-      const double yield = share * excitation.largest_displacement;
-      const double frequency = band * excitation.highest_frequency;
-      terms.push_back(fit::additiveTerm("nonlinear_maxwell", "stiffness", 0.2 * excitation.stiffness,
-                                        {{"break_frequency", {frequency}}, {"displacement", {yield}}}));
-      terms.push_back(fit::additiveTerm("sliding_maxwell", "stiffness", 0.2 * excitation.stiffness,
-                                        {{"break_frequency", {frequency}}, {"yield_displacement", {yield}}}));
+      add("nonlinear_maxwell", "displacement", band, share);
+    }
+    for (const double share : {0.05, 0.25}) {
+      add("sliding_maxwell", "yield_displacement", band, share);
     }
   }
 }
 
-// A structure that motion breaks and rest builds up again.
+// A structure that motion breaks and rest builds up again: within a cycle of the highest frequency or over several.
 void addThixotropy(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double band : kBands) {
-    for (const double build_up : {0.5, 5.0}) {  // cycles of the highest frequency
-      for (const double travel : {0.3, 2.0}) {  // largest displacements
-        terms.push_back(fit::additiveTerm("thixotropic_maxwell", "stiffness", 0.2 * excitation.stiffness,
-                                          {{"break_frequency", {band * excitation.highest_frequency}},
-                                           {"build_up_time", {build_up / excitation.highest_frequency}},
-                                           {"travel", {travel * excitation.largest_displacement}}}));
-      }
+    for (const double cycles : {0.5, 5.0}) {
+      terms.push_back(fit::additiveTerm("thixotropic_maxwell", "stiffness", 0.2 * excitation.stiffness,
+                                        {{"break_frequency", {band * excitation.highest_frequency}},
+                                         {"build_up_time", {cycles / excitation.highest_frequency}},
+                                         {"travel", {excitation.largest_displacement}}}));
     }
   }
 }

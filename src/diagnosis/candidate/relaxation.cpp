@@ -1,17 +1,18 @@
 // Candidate effect: further relaxation times within the band of the excitation.
+#include "diagnosis/candidate/creep_time.h"
 #include "diagnosis/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Faster than 5 s, where creep begins, and slower than what a dashpot could not be told from.
+// Faster than creep, and slower than what a dashpot could not be told from.
 fit::Candidate relaxation(const fit::Excitation& excitation) {
-  constexpr double kSlowest = 1.0 / (2.0 * element::kPi * 5.0);
+  const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;
   fit::Candidate candidate{
       "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};
-  for (double frequency = kSlowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
+  for (double frequency = slowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
     candidate.terms.push_back(
         fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
   }

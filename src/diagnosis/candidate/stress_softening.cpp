@@ -15,8 +15,13 @@ fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
 // Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
 // displacement only; at once or over some cycles.
 void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
-  for (const double width : {0.05, 0.15, 0.5, 1.5}) {
-    for (const double path : {0.0, 2.0, 8.0, 32.0}) {
+  for (const double path : {0.0, 8.0}) {
+    for (const double width : {0.05, 0.15, 0.5, 1.5}) {
+      terms.push_back(factorTerm({{"width", {width}}, {"path", {path * largest}}}));
+    }
+  }
+  for (const double path : {2.0, 32.0}) {
+    for (const double width : {0.15, 1.5}) {
       terms.push_back(factorTerm({{"width", {width}}, {"path", {path * largest}}}));
     }
   }
@@ -24,32 +29,29 @@ void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
 
 // The farther the test piece was moved, the more it softens.
 void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
-  for (const double exponent : {1.0, 2.0}) {
-    for (const double width : {0.15, 1.5}) {
-      for (const double path : {0.0, 8.0}) {
-        terms.push_back(factorTerm({{"width", {width}},
-                                    {"path", {path * largest}},
-                                    {"reach_exponent", {exponent}},
-                                    {"full_reach", {largest}}}));
-      }
-    }
-  }
+  const auto add = [&](double exponent, double width, double path) {
+    terms.push_back(factorTerm(
+        {{"width", {width}}, {"path", {path * largest}}, {"reach_exponent", {exponent}}, {"full_reach", {largest}}}));
+  };
+  add(1.0, 1.5, 0.0);
+  add(1.0, 1.5, 8.0);
+  add(1.0, 0.15, 8.0);
+  add(2.0, 1.5, 0.0);
+  add(2.0, 1.5, 8.0);
 }
 
 // Of one direction alone, and one that is lost again at rest.
 void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double side : {1.0, -1.0}) {
-    for (const double path : {0.0, 8.0}) {
-      terms.push_back(
-          factorTerm({{"width", {0.5}}, {"path", {path * excitation.largest_displacement}}, {"side", {side}}}));
-    }
+    terms.push_back(
+        factorTerm({{"width", {0.5}}, {"path", {8.0 * excitation.largest_displacement}}, {"side", {side}}}));
   }
   terms.push_back(factorTerm({{"width", {0.5}}, {"recovery_time", {0.2 * excitation.longest_duration}}}));
 }
 
 // What the first loading carries more than a factor on the settled force can tell.
 void addFirstLoading(double stiffness, std::vector<fit::BasisTerm>& terms) {
-  for (const double share : {0.02, 0.06, 0.2, 0.6}) {
+  for (const double share : {0.02, 0.1, 0.5}) {
     terms.push_back(
         fit::additiveTerm("first_loading", "stiffness", 0.1 * stiffness / share, {{"yield_share", {share}}}));
   }
