@@ -14,14 +14,15 @@ fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
       false,
       {fit::additiveTerm("asymmetric_stiffness", "quadratic", typical / excitation.largest_displacement),
        fit::additiveTerm("asymmetric_stiffness", "tension_stiffness", typical)}};
-  // Steep, without a knee. Even, as the others: what stiffens both sides alike is progressive_stiffness.
-  for (const double share : {0.3, 0.15}) {
-    const double scale = share * excitation.largest_displacement;
-    candidate.terms.push_back(fit::additiveTerm("asymmetric_stiffness", "even_exponential",
-                                                typical * std::exp(-1.0 / share), {{"exponential_scale", {scale}}}));
-  }
   for (fit::BasisTerm& term : candidate.terms) {
     term.lower = -term.upper;
+  }
+  // One side that stiffens steeply, without a knee.
+  for (const double share : {0.3, -0.3, 0.15, -0.15}) {
+    const double scale = share * excitation.largest_displacement;
+    candidate.terms.push_back(fit::additiveTerm("asymmetric_stiffness", "exponential",
+                                                typical * std::exp(-1.0 / std::abs(share)),
+                                                {{"exponential_scale", {scale}}}));
   }
   return candidate;
 }
