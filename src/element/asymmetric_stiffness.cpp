@@ -26,9 +26,11 @@ double AsymmetricStiffness::stiffening(double displacement) const {
 
 ElementType asymmetricStiffnessType() {
   return {"asymmetric_stiffness",
-          "Different stiffness in the two directions: F = k2 z^2 + k_t max(z, 0) + k_h s (cosh(z/s) - 1) + "
-          "k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
+          "Different stiffness in the two directions: F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + "
+          "k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
           {{"quadratic", "N/m^2", Role::scale, Range::any(), 0.0, "coefficient k2, of either sign"},
+           {"slope_difference", "N/m", Role::scale, Range::any(), 0.0,
+            "stiffness k_d at z > 0 beyond that at z < 0, the mean of both kept; of either sign"},
            {"tension_stiffness", "N/m", Role::scale, Range::any(), 0.0, "extra stiffness k_t at z > 0, of either sign"},
            {"even_exponential", "N/m", Role::scale, Range::any(), 0.0,
             "stiffness k_h of the even exponential, of either sign"},
@@ -44,7 +46,8 @@ ElementType asymmetricStiffnessType() {
               refuseValue(description.type, "exponential_scale", scale, "m", "not 0 beside an exponential");
             }
             return std::make_shared<const AsymmetricStiffness>(description.value("quadratic"),
-                                                               description.value("tension_stiffness"), exponentials);
+                                                               description.value("tension_stiffness"), exponentials,
+                                                               description.value("slope_difference"));
           }};
 }
 

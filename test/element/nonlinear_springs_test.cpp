@@ -89,6 +89,12 @@ TEST(AsymmetricStiffness, EvenExponentialIsEven) {
   EXPECT_NEAR(even.force(2e-3), 2e5 * 1e-3 * (std::cosh(2.0) - 1.0), 1e-10);
 }
 
+TEST(AsymmetricStiffness, SlopeDifferenceKeepsTheMeanSlope) {
+  const element::AsymmetricStiffness law(0.0, 0.0, {}, 3e5);
+  EXPECT_DOUBLE_EQ(law.force(1e-3), 150.0);
+  EXPECT_DOUBLE_EQ(law.force(-1e-3), 150.0);
+}
+
 TEST(AsymmetricStiffness, RefusesAnExponentialWithoutScale) {
   EXPECT_THROW(element::makeElement({"asymmetric_stiffness", {{"exponential", {1e5}}}}), std::invalid_argument);
 }

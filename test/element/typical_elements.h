@@ -21,6 +21,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"asymmetric_stiffness", {{"quadratic", {1e8}}, {"tension_stiffness", {-2e5}}}},
       {"asymmetric_stiffness", {{"exponential", {2e5}}, {"exponential_scale", {-1e-3}}}},
       {"asymmetric_stiffness", {{"even_exponential", {-2e5}}, {"exponential_scale", {1e-3}}}},
+      {"asymmetric_stiffness", {{"slope_difference", {3e5}}}},
       {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
