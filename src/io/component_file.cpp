@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "io/yaml_nesting.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
@@ -18,8 +19,6 @@ namespace rubber_suspension::io {
 namespace {
 
 constexpr std::size_t kMaximumNameLength = 100;
-constexpr int kMaximumNesting = 50;  // a component file needs 6
-constexpr int kMaximumIndentation = 200;
 
 std::vector<std::string> namesOf(const std::vector<element::ParameterInfo>& table) {
   std::vector<std::string> names;
@@ -140,7 +139,9 @@ class Loader {
       refuseLine(1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n')),
                  "", "holds a 0 byte; accepted: text in UTF-8");
     }
-    checkNesting(text);
+    if (const auto line = lineNestedTooDeep(text)) {
+      refuseLine(*line, "", acceptedNesting());
+    }
     try {
       const YAML::Node document = YAML::Load(text);
       if (document.IsNull()) {
@@ -161,26 +162,6 @@ class Loader {
     DocumentStart start;
     if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
       refuseLine(start.line + 1, "", "a second YAML document; accepted: one");
-    }
-  }
-
-  // Before parsing: the parser is recursive, and not every version of it bounds its depth. Brackets in quotes or
-  // comments count, too, which no real file notices.
-  void checkNesting(const std::string& text) const {
-    int line = 1;
-    int brackets = 0;
-    int indentation = 0;
-    bool leading = true;  // nothing on this line so far but blanks and the marks of nested lists and keys
-    for (const char c : text) {
-      brackets += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
-      leading = c == '\n' || (leading && (c == ' ' || c == '-' || c == '?' || c == ':'));
-      indentation = leading && c != '\n' ? indentation + 1 : (leading ? 0 : indentation);
-      line += c == '\n' ? 1 : 0;
-      if (brackets > kMaximumNesting || (leading && indentation > kMaximumIndentation)) {
-        refuseLine(line, "",
-                   fmt::format("nested too deep; accepted: at most {} brackets and {} columns of indentation",
-                               kMaximumNesting, kMaximumIndentation));
-      }
     }
   }
 

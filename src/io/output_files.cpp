@@ -41,6 +41,10 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::test_report, "a report of a test", {"<?xml", "<testsuite"}, {"<testsuite"}},
       {FileKind::figure, "a figure (SVG, PNG, PDF)", {"<?xml", "<svg", "\x89PNG", "%PDF"}, {"<svg", "\x89PNG", "%PDF"}},
       {FileKind::bag, "a ROS bag", {"#ROSBAG V"}, {}},
+      {FileKind::campaign_manifest, "the manifest of a campaign", {"{\"schema\":\"rubber_suspension/campaign/"}, {}},
+      {FileKind::campaign_csv, "a table of a campaign", {"id,group,type,"}, {}},
+      {FileKind::campaign_json, "a table of a campaign", {"{"}, {"rubber_suspension/campaign_table/"}},
+      {FileKind::fleet_report, "a fleet report", {"<!DOCTYPE html>", "<!doctype html>"}, {"Fleet report"}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

@@ -28,6 +28,7 @@ KEYS = {
     "hdf5": ({"HDF5_LIBRARY", "hdf5.h"}, {"libhdf5-dev"}),
     "libceres-dev": ({"Ceres", "ceres"}, {"libceres-dev"}),
     "matio": ({"matio", "matio.h", "MATIO_LIBRARY"}, {"libmatio-dev"}),
+    "libssl-dev": ({"OpenSSL", "openssl"}, {"libssl-dev"}),
     "libudunits2-dev": ({"UDUNITS2_LIBRARY", "udunits2.h"}, {"libudunits2-dev"}),
     "message_generation": ({"message_generation", "GENCPP_TEMPLATES"}, {"ros-message-generation"}),
     "message_runtime": ({"message_runtime"}, {"ros-message-runtime"}),
@@ -68,7 +69,8 @@ OPTIONAL |= {"GSL_LIBRARY", "GSL_BLAS_LIBRARY", "gsl", "SUNDIALS", "cvode", "nve
              "MUJOCO_LIBRARY", "MUJOCO_INCLUDE_DIR", "mujoco", "numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libgsl-dev",
-         "libsundials-dev", "libmujoco-dev", "python3-numba", "dpkg-dev", "file"}
+         "libsundials-dev", "libmujoco-dev", "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld",
+         "slurmd"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}

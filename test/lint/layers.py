@@ -22,6 +22,8 @@ BELOW = {
     "fit": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "command": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
     "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
+    "campaign": {
+        "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "command", "diagnosis"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},

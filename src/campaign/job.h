@@ -1,0 +1,70 @@
+// A job of a campaign: one command on one component with its logs, and what makes it this job and no other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::campaign {
+
+/// What a job does; each is the command of that name.
+enum class Command {
+  diagnose,  ///< diagnose
+  estimate,  ///< estimate --from-log
+  replay,    ///< replay of one log
+};
+
+std::string toString(Command command);
+std::optional<Command> commandFromString(const std::string& name);
+
+/// Which files a job leaves besides its record.
+enum class Reports {
+  none,  ///< its record only
+  data,  ///< what other programs read: report.json, augmented.yaml; identification.json, component.yaml; force.csv
+  full,  ///< and the page for people, report.html, whose figures take longer than many a diagnosis
+};
+
+std::string toString(Reports reports);
+std::optional<Reports> reportsFromString(const std::string& name);
+
+/// The options of a job, those of the commands under the same names.
+struct JobOptions {
+  Reports reports = Reports::data;
+  std::vector<std::string> columns;        ///< as --columns
+  std::string unit;                        ///< as --unit
+  double rate = 0.0;                       ///< as --rate [Hz]; 0: not given
+  std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
+  std::vector<std::string> hold;           ///< as --hold, of estimate
+  std::optional<int> starts;               ///< as --starts, of estimate
+};
+
+/// A file that jobs read, with what it held when the manifest was made.
+struct InputFile {
+  std::string path;    ///< absolute
+  std::string sha256;  ///< of its content, 64 hexadecimal digits
+  std::uint64_t size = 0;
+};
+
+/// Numbers are places in the manifest's list of inputs.
+struct Job {
+  std::string id;          ///< SHA-256 of what decides its result, 64 hexadecimal digits
+  std::string group;       ///< name of its entry in the jobs file
+  std::string type;        ///< components of one type are compared with each other
+  std::string test_piece;  ///< what tells components of one name apart: the folder, or the number of the draw
+  Command command = Command::diagnose;
+  std::string component;
+  std::size_t config = 0;
+  std::vector<std::size_t> logs;
+  std::vector<std::size_t> hold_out;
+  std::map<std::string, double> specification;  ///< drawn values in place of those of the file [SI]
+  JobOptions options;
+};
+
+/// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
+/// the report), its options and the version of the program are.
+std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
+
+}  // namespace rubber_suspension::campaign

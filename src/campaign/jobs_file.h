@@ -1,0 +1,63 @@
+// The jobs file: which commands run on which components and logs, as a user writes it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/job.h"
+
+namespace rubber_suspension::campaign {
+
+/// How a number of a specification scatters.
+struct Tolerance {
+  enum class Shape {
+    uniform,  ///< between the nominal value less `width` and plus `width`
+    normal,   ///< with the standard deviation `width` about the nominal value
+  };
+  Shape shape = Shape::uniform;
+  double width = 0.0;  ///< share of the nominal value, or in its SI unit
+  bool is_share = true;
+};
+
+/// A tolerance study: jobs that differ in the drawn numbers of the specification.
+struct MonteCarlo {
+  std::size_t runs = 0;
+  std::uint64_t seed = 0;
+  std::map<std::string, Tolerance> tolerances;  ///< by the name of the number
+  bool leave_out_unsolvable = false;            ///< draws whose specification has no solution; else they are refused
+};
+
+/// One entry of `jobs:`. Patterns are those of the shell (*, ?, [...]), relative to each folder.
+struct JobGroup {
+  std::string name;
+  int line = 0;  ///< in the jobs file, for errors
+  Command command = Command::diagnose;
+  std::string folders;  ///< pattern relative to the jobs file; empty: the folder of the jobs file
+  std::string config;
+  std::vector<std::string> components;  ///< empty: the only one of each file
+  std::string type;                     ///< empty: the name of the component
+  std::vector<std::string> logs;
+  std::vector<std::string> hold_out;
+  bool one_job_per_log = false;
+  std::optional<MonteCarlo> monte_carlo;
+  JobOptions options;
+};
+
+struct JobsFile {
+  std::string path;  ///< as given
+  std::vector<JobGroup> groups;
+};
+
+constexpr std::size_t kMaximumJobs = 1000000;  ///< of a campaign
+
+/// Read and check it. `problems` receives everything that is wrong, one line each: file:line, key, value, what is
+/// accepted; then the groups are not to be used.
+JobsFile readJobsFile(const std::string& path, std::vector<std::string>& problems);
+
+/// The same from text; `path` stands for the file's name.
+JobsFile parseJobsFile(const std::string& text, const std::string& path, std::vector<std::string>& problems);
+
+}  // namespace rubber_suspension::campaign

@@ -1,0 +1,42 @@
+// From a jobs file to a manifest: patterns and tolerances expand to jobs, and every input is checked before any runs.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "campaign/manifest.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::campaign {
+
+/// Reads a log of any kind; of one with several components, that of the name given. Several threads may call it.
+using LogReader =
+    std::function<log::Log(const std::string& path, const std::string& component, const log::LogFormat& format)>;
+
+/// Inputs that were refused: all problems, a line each.
+class BadInputs : public std::runtime_error {
+ public:
+  explicit BadInputs(std::vector<std::string> problems);
+
+  const std::vector<std::string>& problems() const { return problems_; }
+
+ private:
+  std::vector<std::string> problems_;
+};
+
+struct Expansion {
+  Manifest manifest;
+  std::vector<std::string> notes;  ///< what was left out or stands twice
+};
+
+/// Expand a jobs file. `output`, the campaign's own folder, is none of those that a pattern names. Component files are
+/// loaded, logs read and hashed, draws estimated; throws BadInputs with everything that is wrong.
+Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,
+                       const LogReader& read_log);
+
+/// How the logs of a job are to be read.
+log::LogFormat logFormat(const JobOptions& options);
+
+}  // namespace rubber_suspension::campaign

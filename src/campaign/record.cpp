@@ -1,0 +1,103 @@
+// Records as JSON files.
+#include "campaign/record.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "campaign/manifest.h"
+#include "log/new_file.h"
+
+namespace rubber_suspension::campaign {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* const kSchema = "rubber_suspension/job_record/1";
+
+ordered_json recordJson(const Record& record) {
+  return {{"schema", kSchema},           {"id", record.id},
+          {"version", record.version},   {"status", record.failed() ? "failed" : "done"},
+          {"error", record.error},       {"values", record.values},
+          {"evidence", record.evidence}, {"files", record.files},
+          {"seconds", record.seconds}};
+}
+
+// Throws nlohmann::json::exception for what is no complete record.
+Record recordFromJson(const ordered_json& json) {
+  Record record;
+  record.id = json.at("id").get<std::string>();
+  record.version = json.at("version").get<std::string>();
+  record.error = json.at("error").get<std::string>();
+  record.values = json.at("values").get<ordered_json>();
+  record.evidence = json.at("evidence").get<ordered_json>();
+  record.files = json.at("files").get<std::map<std::string, std::uint64_t>>();
+  record.seconds = json.at("seconds").get<double>();
+  return record;
+}
+
+FoundRecord broken(const std::string& path, const std::string& reason) {
+  return {FoundRecord::State::broken, path + ": " + reason, {}};
+}
+
+// The first file of the report that is not there as it was written; "" where all are.
+std::string damagedFile(const std::string& folder, const Record& record) {
+  for (const auto& [name, size] : record.files) {
+    const std::string path = folder + "/" + reportFolder(record.id) + "/" + name;
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) {
+      return path + " is missing";
+    }
+    if (static_cast<std::uint64_t>(status.st_size) != size) {
+      return fmt::format("{} has {} bytes, not {}", path, status.st_size, size);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+void writeRecord(const Record& record, const std::string& folder) {
+  const std::string path = recordPath(folder, record.id);
+  std::error_code failure;
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failure);
+  if (failure) {
+    throw std::runtime_error(path + ": its folder cannot be made: " + failure.message());
+  }
+  // An error may quote a file's bytes, which need not be UTF-8.
+  log::writeNewFile(path, recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, bool files) {
+  const std::string path = recordPath(folder, id);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return errno == ENOENT ? FoundRecord{} : broken(path, "cannot be read");
+  }
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  FoundRecord found;
+  try {
+    found.record = recordFromJson(ordered_json::parse(text));
+  } catch (const nlohmann::json::exception&) {
+    return broken(path, "cut off, or no record");
+  }
+  if (found.record.id != id) {
+    return broken(path, "the record of another job");
+  }
+  if (found.record.version != version) {
+    return broken(path, fmt::format("of version {}, not {}", found.record.version, version));
+  }
+  const std::string damaged = files ? damagedFile(folder, found.record) : "";
+  if (!damaged.empty()) {
+    return broken(path, damaged);
+  }
+  found.state = FoundRecord::State::good;
+  return found;
+}
+
+}  // namespace rubber_suspension::campaign

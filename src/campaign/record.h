@@ -1,0 +1,44 @@
+// What a job leaves: a record of what it found or why it failed, and the files of its report.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "campaign/job.h"
+
+namespace rubber_suspension::campaign {
+
+struct Record {
+  std::string id;
+  std::string version;                                                 ///< of the program that worked the job off
+  std::string error;                                                   ///< why it failed; empty: done
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();    ///< numbers and texts by name, for the table
+  nlohmann::ordered_json evidence = nlohmann::ordered_json::object();  ///< what the fleet's statistics take
+  std::map<std::string, std::uint64_t> files;                          ///< of the report: size [bytes] by name
+  double seconds = 0.0;                                                ///< that the job took
+
+  bool failed() const { return !error.empty(); }
+};
+
+/// Write it beside, on the disk, and give it its name: it is there completely or not at all. The files that it names
+/// have to be there already. Throws std::runtime_error.
+void writeRecord(const Record& record, const std::string& folder);
+
+/// What stands where the record of a job should.
+struct FoundRecord {
+  enum class State {
+    missing,  ///< nothing
+    good,     ///< a record of this job
+    broken,   ///< cut off, of another version or another job, or files of its report are missing or cut off
+  };
+  State state = State::missing;
+  std::string problem;  ///< of a broken one: path and reason
+  Record record;        ///< of a good one
+};
+
+/// Read and check it; `files` says whether those of its report are looked for, too.
+FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, bool files = true);
+
+}  // namespace rubber_suspension::campaign

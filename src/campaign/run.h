@@ -1,0 +1,48 @@
+// Works off the jobs of a campaign, or a shard of them: what is done is passed over, what fails is a record.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "campaign/make.h"
+#include "campaign/manifest.h"
+
+namespace rubber_suspension::campaign {
+
+/// Every `count`-th job, from the `index`-th on.
+struct Shard {
+  std::size_t index = 1;  ///< from 1
+  std::size_t count = 1;
+
+  bool holds(std::size_t place) const { return place % count == index - 1; }
+};
+
+/// "3/8" is the third of eight shards. Throws std::invalid_argument that says what is accepted.
+Shard parseShard(const std::string& text);
+
+struct RunOptions {
+  Shard shard;
+  int workers = 1;
+  bool retry_failed = false;  ///< work failed jobs off again
+  std::size_t most = 0;       ///< jobs at most; 0: all
+};
+
+struct RunSummary {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t passed_over = 0;  ///< that were done or failed before
+  bool interrupted = false;
+};
+
+/// Receives each line for the user: broken records that are done again, failed jobs, and now and then the progress.
+using Say = std::function<void(const std::string& line)>;
+
+/// Throws std::runtime_error where the manifest is of another version than `version`, or nothing can be written.
+RunSummary run(const std::string& folder, const std::string& version, const RunOptions& options,
+               const LogReader& read_log, const Say& say);
+
+/// Throws std::runtime_error where a manifest was made by another version of the program than this.
+void requireVersion(const Manifest& manifest, const std::string& folder, const std::string& version);
+
+}  // namespace rubber_suspension::campaign

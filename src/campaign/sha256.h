@@ -1,0 +1,20 @@
+// SHA-256 of files and texts, by which a campaign knows its inputs and its jobs again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace rubber_suspension::campaign {
+
+/// The hash as 64 hexadecimal digits.
+std::string sha256(const std::string& text);
+
+struct FileHash {
+  std::string sha256;      ///< 64 hexadecimal digits
+  std::uint64_t size = 0;  ///< [bytes]
+};
+
+/// Of a file's content, read piece by piece. Throws std::runtime_error that begins with the path.
+FileHash hashFile(const std::string& path);
+
+}  // namespace rubber_suspension::campaign

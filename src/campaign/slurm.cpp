@@ -1,0 +1,147 @@
+// A campaign as a job array of Slurm, by its own commands.
+#include "campaign/slurm.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "log/new_file.h"
+#include "log/text.h"
+
+namespace rubber_suspension::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As one word of a shell, whatever is in it.
+std::string shellWord(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) {
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return word + "'";
+}
+
+struct Said {
+  int status = 0;
+  std::string text;  // stdout and stderr
+};
+
+Said ask(const std::string& command) {
+  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "re");
+  if (pipe == nullptr) {
+    throw std::runtime_error(command + ": cannot be run");
+  }
+  Said said;
+  std::array<char, 4096> piece{};
+  for (std::size_t count = 0; (count = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
+    said.text.append(piece.data(), count);
+  }
+  const int status = pclose(pipe);
+  said.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  while (!said.text.empty() && said.text.back() == '\n') {
+    said.text.pop_back();
+  }
+  return said;
+}
+
+std::string submittedPath(const std::string& folder) { return folder + "/slurm/submitted"; }
+
+// The array that was submitted last from this folder; empty: none was.
+std::string lastSubmitted(const std::string& folder) {
+  constexpr std::size_t kLongest = 100;  // bytes; it holds one number
+  try {
+    const std::string text = log::readFile(submittedPath(folder), kLongest);
+    return text.substr(0, text.find_first_not_of("0123456789"));
+  } catch (const std::runtime_error&) {
+    return "";
+  }
+}
+
+void refuseSecond(const std::string& folder) {
+  const std::string array = lastSubmitted(folder);
+  if (array.empty()) {
+    return;
+  }
+  const Said said = ask("squeue --noheader --states=all --format=%T --jobs=" + array);
+  if (said.status != 0 && said.text.find("Invalid job id") == std::string::npos) {
+    throw std::runtime_error("squeue: " + said.text);
+  }
+  for (const char* state : {"PENDING", "RUNNING", "COMPLETING", "CONFIGURING", "REQUEUE", "SUSPENDED"}) {
+    if (said.status == 0 && said.text.find(state) != std::string::npos) {
+      throw std::runtime_error(fmt::format(
+          "{}: array {} of this campaign is {}; accepted: once it has ended (squeue --jobs={}), or after scancel {}",
+          folder, array, log::lowerCase(state), array, array));
+    }
+  }
+}
+
+// Where an element writes what it says; Slurm's own letters stand behind %.
+std::string logPattern(const std::string& folder) {
+  std::string pattern;
+  for (const char c : fs::absolute(folder).lexically_normal().string()) {
+    pattern += c == '%' ? "%%" : std::string(1, c);
+  }
+  return pattern + "/slurm/%A_%a.log";
+}
+
+}  // namespace
+
+SlurmArray planArray(const Status& status, const std::string& folder, const SlurmOptions& options) {
+  SlurmArray array;
+  const std::size_t left = status.all.jobs - status.all.done - status.all.failed;
+  if (left == 0) {
+    array.note = "every job has a result; nothing to submit";
+    return array;
+  }
+  const bool known = status.seconds_per_job > 0.0;
+  const double seconds = known ? status.seconds_per_job : kAssumedSeconds;
+  const double work = static_cast<double>(left) * seconds / options.workers;
+  const double wanted = std::ceil(work / (60.0 * options.shard_minutes));
+  array.shards = std::min({static_cast<std::size_t>(std::max(wanted, 1.0)), left, kMostElements});
+  array.note = fmt::format("{} jobs left at {:.3g} s each{}: {} elements of about {:.3g} min", left, seconds,
+                           known ? "" : " (assumed: no job is done yet)", array.shards,
+                           work / 60.0 / static_cast<double>(array.shards));
+  const std::string absolute = fs::absolute(folder).lexically_normal().string();
+  array.script = fmt::format(
+      "#!/bin/sh\n"
+      "# Works off a campaign; an element that is requeued goes on where it was.\n"
+      "#SBATCH --job-name=rubber_suspension_campaign\n"
+      "#SBATCH --array=1-{}{}\n"
+      "#SBATCH --requeue\n"
+      "#SBATCH --open-mode=append\n"
+      "#SBATCH --cpus-per-task={}\n"
+      "{}"
+      "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {}\n",
+      array.shards, options.max_running > 0 ? fmt::format("%{}", options.max_running) : "", options.workers,
+      options.partition.empty() ? "" : "#SBATCH --partition=" + options.partition + "\n", shellWord(options.program),
+      shellWord(absolute), array.shards, options.workers);
+  return array;
+}
+
+std::string submitArray(const SlurmArray& array, const std::string& folder) {
+  refuseSecond(folder);
+  std::error_code failure;
+  fs::create_directories(folder + "/slurm", failure);
+  if (failure) {
+    throw std::runtime_error(folder + "/slurm: cannot be made: " + failure.message());
+  }
+  const std::string script = folder + "/slurm/array.sh";
+  log::writeNewFile(script, array.script);
+  const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));
+  const std::string id = said.text.substr(0, said.text.find_first_not_of("0123456789"));
+  if (said.status != 0 || id.empty()) {
+    throw std::runtime_error("sbatch: " + said.text);
+  }
+  log::writeNewFile(submittedPath(folder), id + "\n");
+  return id;
+}
+
+}  // namespace rubber_suspension::campaign

@@ -1,0 +1,36 @@
+// How far a campaign is.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/heartbeat.h"
+#include "campaign/manifest.h"
+
+namespace rubber_suspension::campaign {
+
+struct JobCounts {
+  std::size_t jobs = 0;  ///< of different ids
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t broken = 0;   ///< their records are cut off or of another version, and will be done again
+  std::size_t running = 0;  ///< of those without a record
+  std::size_t missing = 0;  ///< neither done nor failed, broken or running
+};
+
+struct Status {
+  JobCounts all;
+  std::map<std::string, JobCounts> by_group;
+  std::vector<std::string> failures;  ///< name and error of each failed job, in the order of the manifest
+  std::vector<std::string> broken;
+  std::vector<RunningRun> silent_runs;  ///< that ended without saying so
+  double seconds_per_job = 0.0;         ///< mean of those done [s of one worker]; 0: none is
+};
+
+/// Reads every record. Throws std::runtime_error.
+Status statusOf(const Manifest& manifest, const std::string& folder);
+
+std::string toText(const Status& status);
+
+}  // namespace rubber_suspension::campaign

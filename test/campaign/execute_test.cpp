@@ -1,0 +1,87 @@
+// A job gives what the command that it stands for gives, to the last byte.
+#include "campaign/execute.h"
+
+#include <gmock/gmock.h>
+
+#include "campaign/scratch_folder.h"
+#include "command/identify.h"
+#include "diagnosis/rig.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ExecuteJob : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("c.yaml", io::toYaml({rigComponent()}));
+    for (unsigned seed : {1U, 2U}) {
+      const std::string name = "log_" + std::to_string(seed);
+      const auto friction = [](double, double displacement, double rate) {
+        return 150.0 * std::tanh(rate / 1e-3) + 0.0 * displacement;
+      };
+      log::writeLogCsv(folder_.path(name + ".csv"), runRig(name, seed, friction));
+    }
+  }
+
+  // The record of the only job of a jobs file.
+  campaign::Record execute(const std::string& command) {
+    folder_.write("jobs.yaml", "jobs:\n  one:\n    command: " + command + "\n    config: c.yaml\n    log: log_*.csv\n");
+    const campaign::Manifest manifest =
+        campaign::makeManifest(folder_.path("jobs.yaml"), folder_.path("out"), "1.0", 1, readTestLog).manifest;
+    campaign::Record record =
+        campaign::Executor(folder_.path("out"), manifest, readTestLog).execute(manifest.jobs.at(0));
+    const campaign::FoundRecord found = campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, "1.0");
+    EXPECT_EQ(found.state, campaign::FoundRecord::State::good) << found.problem;
+    EXPECT_EQ(found.record.values, record.values);
+    report_ = "out/" + campaign::reportFolder(manifest.jobs[0].id) + "/";
+    return record;
+  }
+
+  io::ComponentDescription component() const { return io::loadComponentFile(folder_.path("c.yaml")).front(); }
+
+  std::vector<log::Log> logs() const {
+    return {log::readLog(folder_.path("log_1.csv")), log::readLog(folder_.path("log_2.csv"))};
+  }
+
+  ScratchFolder folder_;
+  std::string report_;
+};
+
+TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
+  const campaign::Record record = execute("diagnose");
+  ASSERT_EQ(record.error, "");
+  diagnosis::DiagnosisOptions settings;
+  settings.threads = 1;
+  const diagnosis::Diagnosis expected = diagnosis::diagnose(component(), logs(), {}, settings);
+  EXPECT_EQ(folder_.read(report_ + "report.json"), diagnosis::toJson(expected));
+  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), io::toYaml({expected.augmented}));
+  EXPECT_EQ(record.values.at("verdict"), expected.verdict);
+  EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
+  EXPECT_EQ(record.evidence.at("ratios_by_log").size(), 2U);
+}
+
+TEST_F(ExecuteJob, EstimatesAsTheCommandDoes) {
+  const campaign::Record record = execute("estimate");
+  ASSERT_EQ(record.error, "");
+  const fit::Identification expected = command::identifyFromLogs(component(), logs(), {});
+  EXPECT_EQ(folder_.read(report_ + "identification.json"), command::toJson("bush", expected));
+  EXPECT_EQ(record.values.at("residual_n"), expected.residual);
+}
+
+TEST_F(ExecuteJob, ALogThatCannotBeUsedIsItsError) {
+  folder_.writeLog("log_1.csv");
+  std::string text = "time_s,displacement_m,force_N\n";
+  for (int i = 0; i < 10; ++i) {
+    text += fmt::format("0.{},0.00{},{}\n", i, i, i);
+  }
+  folder_.write("log_1.csv", text);
+  const campaign::Record record = execute("diagnose");
+  EXPECT_THAT(record.error, HasSubstr("log_1"));
+  EXPECT_TRUE(record.values.empty());
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,152 @@
+// What the fleet decides, changes and leaves open, on fleets of known truth.
+#include "campaign/fleet.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "campaign/fleet_report.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+campaign::Job job(int number, const std::string& type = "bush") {
+  campaign::Job job;
+  job.id = std::string(64 - std::to_string(number).size(), '0') + std::to_string(number);
+  job.type = type;
+  job.component = "bush";
+  job.test_piece = "truck_" + std::to_string(number);
+  return job;
+}
+
+// A diagnosis with one parameter ratio, by logs that scatter about it.
+campaign::Record diagnosis(const std::string& verdict, const std::vector<std::string>& set = {},
+                           const std::map<std::string, double>& probabilities = {}, double ratio = 1.0,
+                           double scatter_of_logs = 0.01) {
+  campaign::Record record;
+  const std::vector<std::string> effects = set.empty() ? set : std::vector<std::string>{set.front()};
+  nlohmann::ordered_json by_log = nlohmann::ordered_json::array();
+  for (const double sign : {-1.0, 0.0, 1.0}) {
+    by_log.push_back({{"static_stiffness", ratio * std::exp(sign * scatter_of_logs)}});
+  }
+  record.evidence = {{"verdict", verdict},
+                     {"effects", effects},
+                     {"confounded", set.empty() ? std::vector<std::vector<std::string>>{}
+                                                : std::vector<std::vector<std::string>>{set}},
+                     {"probabilities", probabilities},
+                     {"ratios", {{"static_stiffness", ratio}}},
+                     {"ratios_by_log", by_log}};
+  return record;
+}
+
+campaign::FleetType analyse(const std::vector<campaign::Record>& records) {
+  campaign::Fleet fleet;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    fleet.add(job(static_cast<int>(i)), records[i]);
+  }
+  return fleet.analyse().at(0);
+}
+
+TEST(FleetAnalysis, DecidesBetweenEffectsThatOneComponentConfounds) {
+  std::vector<campaign::Record> records(20, diagnosis("named", {"friction"}, {{"friction", 0.99}}));
+  records.push_back(diagnosis("confounded", {"relaxation", "friction"}, {{"relaxation", 0.55}, {"friction", 0.45}}));
+  const campaign::FleetType type = analyse(records);
+  ASSERT_THAT(type.changed, SizeIs(1));
+  EXPECT_EQ(type.changed[0].component, 20U);
+  EXPECT_EQ(type.changed[0].to, "named: friction");
+  // By hand: 0.45 (20 + 1/2) against 0.55 (0 + 1/2): 0.971.
+  EXPECT_THAT(type.changed[0].reason, AllOf(HasSubstr("of 20 components"), HasSubstr("97 % within the set")));
+}
+
+TEST(FleetAnalysis, LeavesWhatEveryComponentConfounds) {
+  // Thirty components that all lean the same way are no thirty witnesses.
+  EXPECT_THAT(analyse(std::vector<campaign::Record>(
+                          30, diagnosis("confounded", {"relaxation", "creep"}, {{"relaxation", 0.6}, {"creep", 0.4}})))
+                  .changed,
+              IsEmpty());
+}
+
+TEST(FleetAnalysis, LeavesWhatADividedFleetDoesNotDecide) {
+  std::vector<campaign::Record> records(10, diagnosis("named", {"friction"}, {{"friction", 0.99}}));
+  records.insert(records.end(), 10, diagnosis("named", {"relaxation"}, {{"relaxation", 0.99}}));
+  records.push_back(diagnosis("confounded", {"relaxation", "friction"}, {{"relaxation", 0.55}, {"friction", 0.45}}));
+  EXPECT_THAT(analyse(records).changed, IsEmpty());
+}
+
+TEST(FleetAnalysis, DoesNotBringBackWhatAComponentExcludes) {
+  std::vector<campaign::Record> records(50, diagnosis("named", {"friction"}, {{"friction", 0.99}}));
+  records.push_back(diagnosis("confounded", {"creep", "relaxation"}, {{"creep", 0.6}, {"relaxation", 0.39}}));
+  EXPECT_THAT(analyse(records).changed, IsEmpty());
+}
+
+std::vector<campaign::Record> scatteringFleet(double mean, double scatter, std::size_t components = 30) {
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal(mean, scatter);
+  std::vector<campaign::Record> records;
+  for (std::size_t i = 0; i < components; ++i) {
+    records.push_back(diagnosis("parameter_error", {}, {}, std::exp(normal(generator))));
+  }
+  return records;
+}
+
+TEST(FleetAnalysis, TellsWrongValuesOfTheTypeFromScatterBetweenTestPieces) {
+  const campaign::FleetType common = analyse(scatteringFleet(-0.1, 0.03));
+  ASSERT_TRUE(common.parameters.at(0).model);
+  EXPECT_TRUE(common.parameters[0].isWrongForAll());
+  EXPECT_NEAR(common.parameters[0].model->mean, -0.1, 4.0 * 0.03 / std::sqrt(30.0));
+  // The scatter itself is known to 1/sqrt(2*29) of it.
+  EXPECT_NEAR(common.parameters[0].model->scatter, 0.03, 4.0 * 0.03 / std::sqrt(58.0));
+  ASSERT_THAT(common.changed, SizeIs(30));
+  EXPECT_EQ(common.changed[0].to, "wrong values common to the type");
+  EXPECT_THAT(common.changed[0].reason, HasSubstr("static_stiffness -"));
+
+  const campaign::FleetType scatter = analyse(scatteringFleet(0.0, 0.05));
+  EXPECT_FALSE(scatter.parameters[0].isWrongForAll());
+  ASSERT_THAT(scatter.changed, SizeIs(30));
+  EXPECT_EQ(scatter.changed[0].to, "scatter between test pieces");
+}
+
+TEST(FleetAnalysis, AComponentThatStandsOutKeepsItsVerdict) {
+  std::vector<campaign::Record> records = scatteringFleet(0.0, 0.03);
+  records[4] = diagnosis("parameter_error", {}, {}, 1.8);
+  const campaign::FleetType type = analyse(records);
+  ASSERT_THAT(type.stand_outs, SizeIs(1));
+  EXPECT_EQ(type.stand_outs[0].component, 4U);
+  EXPECT_NEAR(type.stand_outs[0].ratio, 1.8, 1e-12);
+  for (const campaign::ChangedVerdict& changed : type.changed) {
+    EXPECT_NE(changed.component, 4U);
+  }
+}
+
+TEST(FleetAnalysis, AFewComponentsDecideNothing) {
+  EXPECT_THAT(analyse(scatteringFleet(-0.2, 0.01, 4)).changed, IsEmpty());
+}
+
+TEST(FleetAnalysis, TypesAreComparedEachAlone) {
+  campaign::Fleet fleet;
+  fleet.add(job(1, "bush"), diagnosis("none"));
+  fleet.add(job(2, "mount"), diagnosis("none"));
+  EXPECT_THAT(fleet.analyse(), SizeIs(2));
+}
+
+TEST(FleetReport, EscapesNamesAndLinksReports) {
+  campaign::Fleet fleet;
+  campaign::Job one = job(1);
+  one.test_piece = "<script>";
+  campaign::Record record = diagnosis("named", {"friction"}, {{"friction", 0.99}});
+  record.files["report.html"] = 1;
+  fleet.add(one, record);
+  const std::string html = campaign::fleetHtml(fleet.analyse(), {});
+  EXPECT_THAT(html, AllOf(HasSubstr("&lt;script&gt;"), ::testing::Not(HasSubstr("<script"))));
+  EXPECT_THAT(html, HasSubstr("<a href=\"reports/00/" + one.id.substr(2) + "/report.html\">"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

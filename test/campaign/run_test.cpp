@@ -1,0 +1,286 @@
+// Working jobs off: records, what is passed over, what is done again, crashes, shards, and tables of the same bytes.
+#include "campaign/run.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "campaign/heartbeat.h"
+#include "campaign/record.h"
+#include "campaign/scratch_folder.h"
+#include "campaign/status.h"
+#include "campaign/table.h"
+#include "campaign/worker_pool.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr const char* kVersion = "1.0";
+
+class RunCampaign : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.writeComponent("c.yaml");
+    folder_.writeLog("log_1.csv", 1);
+    folder_.writeLog("log_2.csv", 2);
+    folder_.write(
+        "jobs.yaml",
+        "jobs:\n  study:\n    command: replay\n    config: c.yaml\n    log: log_*.csv\n    monte_carlo: {runs: "
+        "6, seed: 5, tolerances: {static_stiffness: {uniform: 5 %}}}\n");
+  }
+
+  campaign::Manifest make(const std::string& output = "out") {
+    const campaign::Manifest manifest =
+        campaign::makeManifest(folder_.path("jobs.yaml"), folder_.path(output), kVersion, 1, readTestLog).manifest;
+    std::filesystem::create_directories(folder_.path(output));
+    campaign::writeManifest(manifest, folder_.path(output));
+    return manifest;
+  }
+
+  campaign::RunSummary run(const campaign::RunOptions& options = {}, const std::string& output = "out",
+                           const campaign::LogReader& reader = readTestLog) {
+    said_.clear();
+    return campaign::run(folder_.path(output), kVersion, options, reader,
+                         [&](const std::string& line) { said_.push_back(line); });
+  }
+
+  campaign::CollectSummary collect(const std::string& output = "out") {
+    return campaign::writeTables(campaign::readManifest(folder_.path(output)), folder_.path(output),
+                                 [](const campaign::Job&, const campaign::Record*) {});
+  }
+
+  ScratchFolder folder_;
+  std::vector<std::string> said_;
+};
+
+TEST_F(RunCampaign, DoesEachJobOnce) {
+  make();
+  EXPECT_EQ(run().done, 12U);
+  const campaign::RunSummary again = run();
+  EXPECT_EQ(again.done, 0U);
+  EXPECT_EQ(again.passed_over, 12U);
+  EXPECT_THAT(said_, IsEmpty());
+}
+
+TEST_F(RunCampaign, GivesTheSameTablesHoweverItRan) {
+  make();
+  make("shards");
+  run();
+  campaign::RunOptions options;
+  options.workers = 3;
+  for (const std::size_t index : {3, 1, 2}) {
+    options.shard = {index, 3};
+    EXPECT_EQ(run(options, "shards").done, 4U);
+  }
+  EXPECT_EQ(collect().done, 12U);
+  EXPECT_EQ(collect("shards").done, 12U);
+  EXPECT_EQ(folder_.read("out/table.csv"), folder_.read("shards/table.csv"));
+  EXPECT_EQ(folder_.read("out/table.json"), folder_.read("shards/table.json"));
+  EXPECT_THAT(folder_.read("out/table.csv"),
+              AllOf(HasSubstr("id,group,type,test_piece,command,component,logs,status,specification.static_stiffness,"
+                              "samples,duration_s"),
+                    HasSubstr(",study,bush,. draw 1,replay,bush,log_1,done,")));
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("out/table.json")).at("jobs").size(), 12U);
+}
+
+TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
+  const campaign::Manifest manifest = make();
+  run();
+  const std::string record =
+      folder_.read("out/results/" + manifest.jobs[0].id.substr(0, 2) + "/" + manifest.jobs[0].id.substr(2) + ".json");
+  const auto damage = [&](std::size_t job, const std::string& text) {
+    std::ofstream(campaign::recordPath(folder_.path("out"), manifest.jobs[job].id)) << text;
+  };
+  damage(0, record.substr(0, record.size() / 2));
+  auto other = nlohmann::ordered_json::parse(
+      folder_.read("out/results/" + manifest.jobs[1].id.substr(0, 2) + "/" + manifest.jobs[1].id.substr(2) + ".json"));
+  other["version"] = "0.9";
+  damage(1, other.dump());
+  damage(2, record);  // that of job 0
+  damage(3, "");
+  const std::string report = folder_.path("out/" + campaign::reportFolder(manifest.jobs[4].id) + "/force.csv");
+  std::filesystem::resize_file(report, 10);
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).broken, SizeIs(5));
+  const campaign::RunSummary summary = run();
+  EXPECT_EQ(summary.done, 5U);
+  EXPECT_EQ(summary.passed_over, 7U);
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("cut off, or no record; the job is done again"),
+                                 HasSubstr("of version 0.9, not 1.0; the job is done again"),
+                                 HasSubstr("the record of another job"), HasSubstr("cut off"),
+                                 AllOf(HasSubstr("force.csv has 10 bytes, not"), HasSubstr("done again"))));
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).broken, IsEmpty());
+}
+
+TEST_F(RunCampaign, AFailedJobIsARecordAndTheOthersGoOn) {
+  const campaign::Manifest manifest = make();
+  folder_.writeLog("log_2.csv", 77);  // changed since the manifest was made
+  const campaign::RunSummary summary = run();
+  EXPECT_EQ(summary.done, 6U);
+  EXPECT_EQ(summary.failed, 6U);
+  EXPECT_THAT(said_, SizeIs(6));
+  const campaign::Status status = campaign::statusOf(manifest, folder_.path("out"));
+  EXPECT_EQ(status.all.failed, 6U);
+  EXPECT_THAT(status.failures.front(), AllOf(HasSubstr("log_2.csv: has changed since"), HasSubstr("accepted")));
+  EXPECT_EQ(collect().failed, 6U);
+  EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr("has changed since"));
+  folder_.writeLog("log_2.csv", 2);
+  EXPECT_EQ(run().passed_over, 12U);
+  campaign::RunOptions retry;
+  retry.retry_failed = true;
+  EXPECT_EQ(run(retry).done, 6U);
+}
+
+TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
+  const campaign::Manifest manifest = make();
+  campaign::RunOptions options;
+  options.workers = 2;
+  const campaign::RunSummary summary =
+      run(options, "out", [](const std::string& path, const std::string& component, const log::LogFormat& format) {
+        if (path.find("log_2") != std::string::npos) {
+          std::raise(SIGSEGV);
+        }
+        return readTestLog(path, component, format);
+      });
+  EXPECT_EQ(summary.done, 6U);
+  EXPECT_EQ(summary.failed, 6U);
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).failures.front(), HasSubstr("died of signal 11"));
+}
+
+TEST_F(RunCampaign, AManifestOfAnotherVersionIsRefused) {
+  make();
+  EXPECT_THAT([&] { campaign::run(folder_.path("out"), "2.0", {}, readTestLog, [](const std::string&) {}); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr("of version 1.0, and this is 2.0"), HasSubstr("accepted: `campaign make` again"))));
+}
+
+TEST_F(RunCampaign, StatusTellsWhatIsMissing) {
+  const campaign::Manifest manifest = make();
+  campaign::RunOptions some;
+  some.shard = {1, 4};
+  run(some);
+  const campaign::Status status = campaign::statusOf(manifest, folder_.path("out"));
+  EXPECT_EQ(status.all.jobs, 12U);
+  EXPECT_EQ(status.all.done, 3U);
+  EXPECT_EQ(status.all.missing, 9U);
+  EXPECT_EQ(collect().missing, 9U);
+  EXPECT_THAT(campaign::toText(status), HasSubstr("9 jobs left"));
+}
+
+TEST_F(RunCampaign, StatusTellsWhatRuns) {
+  const campaign::Manifest manifest = make();
+  {
+    campaign::Heartbeat heartbeat(folder_.path("out"));
+    heartbeat.beat(manifest, {0, 3});
+    EXPECT_EQ(campaign::statusOf(manifest, folder_.path("out")).all.running, 2U);
+  }
+  EXPECT_EQ(campaign::statusOf(manifest, folder_.path("out")).all.running, 0U);
+}
+
+TEST(Shards, AreParsed) {
+  EXPECT_EQ(campaign::parseShard("3/8").index, 3U);
+  EXPECT_EQ(campaign::parseShard("3/8").count, 8U);
+  for (const char* text : {"", "3", "0/8", "9/8", "a/8", "1/b", "1.5/8", "1/", "/8", "-1/8", "1/1e300", "nan/nan"}) {
+    EXPECT_THAT([&] { campaign::parseShard(text); },
+                ::testing::ThrowsMessage<std::invalid_argument>(HasSubstr("accepted: I/N")))
+        << text;
+  }
+}
+
+// What the supervisor sees of workers that do nothing, fail, or are killed from outside once or for ever.
+class Workers : public ::testing::Test {
+ protected:
+  campaign::PoolEnd workOff(std::size_t count, int workers, const std::function<bool(std::size_t)>& work) {
+    campaign::PoolCallbacks callbacks;
+    callbacks.start_worker = [&] { return work; };
+    callbacks.finished = [&](std::size_t job, bool done) { (done ? done_ : failed_).push_back(job); };
+    callbacks.died = [&](std::size_t job, const std::string& reason) {
+      died_.push_back(job);
+      reasons_.push_back(reason);
+    };
+    callbacks.tick = [](const std::vector<std::size_t>&) {};
+    std::vector<std::size_t> jobs(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      jobs[i] = i;
+    }
+    return campaign::workOff(jobs, workers, callbacks);
+  }
+
+  std::vector<std::size_t> done_;
+  std::vector<std::size_t> failed_;
+  std::vector<std::size_t> died_;
+  std::vector<std::string> reasons_;
+};
+
+TEST_F(Workers, NoJobsNoWorkers) { EXPECT_EQ(workOff(0, 4, nullptr), campaign::PoolEnd::finished); }
+
+TEST_F(Workers, TellWhatFailed) {
+  workOff(50, 4, [](std::size_t job) { return job % 10 != 3; });
+  EXPECT_THAT(done_, SizeIs(45));
+  EXPECT_THAT(failed_, ::testing::UnorderedElementsAre(3, 13, 23, 33, 43));
+}
+
+TEST_F(Workers, KilledFromOutsideOnceTryAgain) {
+  const ScratchFolder folder;
+  workOff(4, 2, [&](std::size_t job) {
+    if (job == 1 && !folder.holds("tried")) {
+      folder.write("tried", "");
+      std::raise(SIGKILL);
+    }
+    return true;
+  });
+  EXPECT_THAT(done_, ::testing::UnorderedElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(died_, IsEmpty());
+}
+
+TEST_F(Workers, KilledTwiceCountAsDiedOfTheJob) {
+  workOff(4, 2, [&](std::size_t job) {
+    if (job == 1) {
+      std::raise(SIGKILL);
+    }
+    return true;
+  });
+  EXPECT_THAT(done_, ::testing::UnorderedElementsAre(0, 2, 3));
+  EXPECT_THAT(died_, ElementsAre(1));
+  EXPECT_THAT(reasons_, ElementsAre(HasSubstr("signal 9")));
+}
+
+TEST_F(Workers, ThatEndByThemselvesCountAsDied) {
+  workOff(3, 1, [](std::size_t job) {
+    if (job == 0) {
+      _exit(7);
+    }
+    return true;
+  });
+  EXPECT_THAT(reasons_, ElementsAre("the process ended with status 7"));
+  EXPECT_THAT(done_, ElementsAre(1, 2));
+}
+
+TEST_F(Workers, AnExceptionEndsTheRun) {
+  EXPECT_THAT([&] { workOff(3, 2, [](std::size_t) -> bool { throw std::runtime_error("disk full"); }); },
+              ::testing::ThrowsMessage<std::runtime_error>("disk full"));
+}
+
+TEST_F(Workers, AnInterruptionEndsThem) {
+  const pid_t supervisor = getpid();
+  EXPECT_EQ(workOff(100, 2,
+                    [supervisor](std::size_t job) {
+                      if (job == 5) {
+                        kill(supervisor, SIGTERM);
+                        pause();
+                      }
+                      return true;
+                    }),
+            campaign::PoolEnd::interrupted);
+  EXPECT_LT(done_.size(), 100U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
