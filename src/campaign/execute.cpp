@@ -280,7 +280,7 @@ void Executor::requireUnchanged(const InputFile& input) const {
 
 // Made if missing; what an earlier try left there has the same names and is replaced.
 std::string Executor::makeReportFolder(const Job& job) const {
-  const std::string folder = folder_ + "/" + reportFolder(job.id);
+  std::string folder = folder_ + "/" + reportFolder(job.id);
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) {

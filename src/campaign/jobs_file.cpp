@@ -350,7 +350,9 @@ class Reader {
     try {
       tolerance.width = log::parseQuantity(value, tolerance.is_share ? "1" : row.unit);
     } catch (const std::invalid_argument& error) {
-      report(node, path, error.what());
+      report(
+          node, path,
+          fmt::format("{}: {}; accepted: a share such as 5 %, or in {}", log::quoted(value), error.what(), row.unit));
       return;
     }
     if (!(std::isfinite(tolerance.width) && tolerance.width > 0.0 && !(tolerance.is_share && tolerance.width >= 1.0))) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "campaign/jobs_file.h"
@@ -131,12 +132,8 @@ class Maker {
       found[i] = hashInput(files[i]);
       progress.advance();
     });
-    std::vector<const LogCheck*> checks;
-    for (const auto& [key, check] : checks_) {
-      checks.push_back(&check);
-    }
-    fit::parallelFor(checks.size(), threads, [&](std::size_t i) {
-      found[files.size() + i] = checkLog(*checks[i], read_log);
+    fit::parallelFor(checks_.size(), threads, [&](std::size_t i) {
+      found[files.size() + i] = checkLog(checks_[i], read_log);
       progress.advance();
     });
     for (const std::string& problem : found) {
@@ -343,8 +340,9 @@ class Maker {
   // `reading` is how it will be read: each way is checked once.
   std::size_t addLog(const std::string& path, const Job& job, const std::string& reading) {
     const std::size_t input = inputs_.indexOf(path);
-    checks_.emplace(fmt::format("{}\n{}", input, reading),
-                    LogCheck{input, job.component, job.options, job.command != Command::replay});
+    if (check_keys_.insert(fmt::format("{}\n{}", input, reading)).second) {
+      checks_.push_back({input, job.component, job.options, job.command != Command::replay});
+    }
     return input;
   }
 
@@ -376,7 +374,8 @@ class Maker {
   std::string output_;  // the campaign's own folder
   ComponentFiles files_;
   InputList inputs_;
-  std::unordered_map<std::string, LogCheck> checks_;
+  std::vector<LogCheck> checks_;
+  std::unordered_set<std::string> check_keys_;
   std::vector<Job> jobs_;
   std::vector<std::string> notes_;
   Problems problems_;

@@ -136,7 +136,7 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
   const Said said = ask("sbatch --parsable --output=" + shellWord(logPattern(folder)) + " " + shellWord(script));
-  const std::string id = said.text.substr(0, said.text.find_first_not_of("0123456789"));
+  std::string id = said.text.substr(0, said.text.find_first_not_of("0123456789"));
   if (said.status != 0 || id.empty()) {
     throw std::runtime_error("sbatch: " + said.text);
   }

@@ -110,23 +110,22 @@ class Cluster:
         return subprocess.run(command, env=self.environment, capture_output=True, text=True, check=False, timeout=60).stdout
 
     def kill_node(self, name):
-        """The node is lost: its slurmd and everything that it started, with all that these started, at once."""
-        victims = [self.daemons[name].pid]
-        spool = f"{self.folder}/spool-{name}"
-        parents = {}
+        """The node is lost, all of it at once: first who would report it (slurmstepd, slurmd), then what they ran."""
+        parents, names, workers = {}, {}, set()
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:
                 pid = int(entry.name)
-                parents[pid] = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+                names[pid], rest = (entry / "stat").read_text().split("(", 1)[1].rsplit(")", 1)
+                parents[pid] = int(rest.split()[1])
                 environment = (entry / "environ").read_bytes()
-                if f"SLURMD_NODENAME={name}".encode() in environment and str(self.folder).encode() in environment:
-                    victims.append(pid)
             except (OSError, ValueError):
-                continue
-        for victim in list(victims):
-            victims += [pid for pid, parent in parents.items() if parent == victim]
-        steps = self.ask("pgrep", "-f", f"slurmstepd.*{spool}").split()
-        for pid in {*victims, *map(int, steps)}:
+                continue  # it has ended
+            if f"SLURMD_NODENAME={name}\0".encode() in environment and str(self.folder).encode() in environment:
+                workers.add(pid)
+        reporters = {parents[pid] for pid in workers if names.get(parents[pid], "").startswith("slurmstepd")}
+        if not workers or not reporters:
+            raise AssertionError(f"nothing runs on {name}")
+        for pid in [*reporters, self.daemons[name].pid, *workers]:
             try:
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
