@@ -145,13 +145,13 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
   const campaign::RunSummary summary =
       run(options, "out", [](const std::string& path, const std::string& component, const log::LogFormat& format) {
         if (path.find("log_2") != std::string::npos) {
-          std::raise(SIGSEGV);
+          std::raise(SIGABRT);  // sanitizers would turn a SIGSEGV into an exit
         }
         return readTestLog(path, component, format);
       });
   EXPECT_EQ(summary.done, 6U);
   EXPECT_EQ(summary.failed, 6U);
-  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).failures.front(), HasSubstr("died of signal 11"));
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).failures.front(), HasSubstr("died of signal 6"));
 }
 
 TEST_F(RunCampaign, AManifestOfAnotherVersionIsRefused) {
