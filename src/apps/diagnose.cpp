@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "apps/command.h"
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "diagnosis/report/overview_figure.h"
+#include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -20,6 +23,7 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
 
 struct Options {
+  std::vector<std::string> command_line;
   std::string config;
   std::string component;
   std::vector<std::string> logs;
@@ -49,6 +53,32 @@ void showStage(const std::string& stage, double fraction) {
   }
 }
 
+io::FileKind kindOf(const std::string& name) {
+  if (name == "report.json") {
+    return io::FileKind::report_json;
+  }
+  const std::string extension = std::filesystem::path(name).extension().string();
+  if (extension == ".html") {
+    return io::FileKind::report_html;
+  }
+  if (extension == ".yaml") {
+    return io::FileKind::component_file;
+  }
+  return name == "next_experiment.csv" ? io::FileKind::force_csv : io::FileKind::figure_csv;
+}
+
+// Version, date, command line and every file that is read.
+diagnosis::RunRecord runRecord(const Options& options) {
+  std::vector<std::pair<std::string, std::string>> files = {{"--config", options.config}};
+  for (const std::string& path : options.logs) {
+    files.emplace_back("--log", path);
+  }
+  for (const std::string& path : options.hold_out) {
+    files.emplace_back("--hold-out", path);
+  }
+  return diagnosis::makeRunRecord(RUBBER_SUSPENSION_VERSION, options.command_line, files);
+}
+
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 void checkOutputs(const Options& options) {
   std::vector<io::InputFile> inputs = {{"--config", options.config}};
@@ -56,13 +86,10 @@ void checkOutputs(const Options& options) {
   addInputs(inputs, "--hold-out", options.hold_out);
   const std::filesystem::path folder(options.output);
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
-  for (const auto& [name, kind] : {std::pair("report.json", io::FileKind::report_json),
-                                   {"report.html", io::FileKind::report_html},
-                                   {"augmented.yaml", io::FileKind::component_file},
-                                   {"surrogate.yaml", io::FileKind::component_file},
-                                   {"next_experiment.csv", io::FileKind::force_csv}}) {
-    outputs.push_back({"--output", (folder / name).string(), kind});
+  for (const std::string& name : diagnosis::reportFiles()) {
+    outputs.push_back({"--output", (folder / name).string(), kindOf(name)});
   }
+  outputs.push_back({"--output", (folder / "surrogate.yaml").string(), io::FileKind::component_file});
   options.outputs.check(inputs, outputs);
 }
 
@@ -94,7 +121,8 @@ int run(const Options& options) {
   showStage("reading the logs", 0.0);
   const std::vector<log::Log> logs = readLogs(options.logs, component.name, options);
   const std::vector<log::Log> hold_out = readLogs(options.hold_out, component.name, options);
-  const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
+  diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
+  diagnosis.run = runRecord(options);
   showStage("writing the report", 0.95);
   diagnosis::writeReport(diagnosis, options.output);
   if (!options.plot.empty() && diagnosis.workings) {
@@ -113,8 +141,10 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv, "diagnose",
       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
-      [](CLI::App& app) -> CommandBody {
+      [argc, argv](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
+        options->command_line = {"rosrun", "rubber_suspension", "diagnose"};
+        options->command_line.insert(options->command_line.end(), argv + std::min(argc, 1), argv + argc);
         app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
         app.add_option("--component", options->component, "name of the component; may be left out where there is one")
             ->type_name("NAME");

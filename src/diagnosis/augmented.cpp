@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "rubber_suspension/element/catalogue.h"
+
 namespace rubber_suspension::diagnosis {
 namespace {
 
@@ -31,6 +33,37 @@ void writeCommonCompliance(std::vector<element::ElementDescription>& entries) {
   } else {
     entries.erase(soft);
   }
+}
+
+// Force and displacement at half force of sliders in parallel that start at rest: F(z) = sum k_i min(z, y_i).
+struct SliderFriction {
+  double maximum_force = 0.0;
+  double displacement = 0.0;
+};
+
+SliderFriction frictionOf(const element::ElementDescription& table) {
+  std::vector<std::pair<double, double>> sliders;  // yield displacement, stiffness
+  SliderFriction friction;
+  double slope = 0.0;
+  for (std::size_t i = 0; i < table.list("stiffness").size(); ++i) {
+    sliders.emplace_back(table.list("yield_displacement")[i], table.list("stiffness")[i]);
+    friction.maximum_force += sliders.back().first * sliders.back().second;
+    slope += sliders.back().second;
+  }
+  std::sort(sliders.begin(), sliders.end());
+  double force = 0.0;
+  double travel = 0.0;
+  for (const auto& [yield, stiffness] : sliders) {
+    const double next = force + slope * (yield - travel);
+    if (next >= 0.5 * friction.maximum_force) {
+      break;
+    }
+    force = next;
+    travel = yield;
+    slope -= stiffness;
+  }
+  friction.displacement = slope > 0.0 ? travel + (0.5 * friction.maximum_force - force) / slope : travel;
+  return friction;
 }
 
 }  // namespace
@@ -60,24 +93,39 @@ std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitte
   return entries;
 }
 
-std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries) {
-  std::map<std::string, double> result;
+std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries) {
+  std::vector<HeadlineValue> result;
+  const auto add = [&](const std::string& name, const element::ParameterInfo& parameter, double value) {
+    const auto taken = [&](const std::string& key) {
+      return std::any_of(result.begin(), result.end(), [&](const HeadlineValue& other) { return other.name == key; });
+    };
+    std::string key = name;
+    for (int i = 2; taken(key); ++i) {
+      key = fmt::format("{}_{}", name, i);
+    }
+    result.push_back({key, parameter.unit, value, parameter.role == element::Role::scale});
+  };
   for (const element::ElementDescription& entry : entries) {
     if (entry.type == "iwan_table") {
-      double force = 0.0;
-      for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
-        force += entry.list("stiffness")[i] * entry.list("yield_displacement")[i];
-      }
-      result["maximum_force"] = force;
+      const SliderFriction friction = frictionOf(entry);
+      result.push_back({"maximum_force", "N", friction.maximum_force, true});
+      result.push_back({"displacement", "m", friction.displacement, false});
       continue;
     }
-    for (const auto& [name, values] : entry.values) {
-      std::string key = name;
-      for (int i = 2; result.count(key) != 0; ++i) {
-        key = fmt::format("{}_{}", name, i);
+    for (const element::ParameterInfo& parameter : element::findElementType(entry.type)->parameters) {
+      const auto found = entry.values.find(parameter.name);
+      if (found != entry.values.end()) {
+        add(parameter.name, parameter, found->second.at(0));
       }
-      result[key] = values.at(0);
     }
+  }
+  return result;
+}
+
+std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries) {
+  std::map<std::string, double> result;
+  for (const HeadlineValue& value : headlineValuesOf(entries)) {
+    result[value.name] = value.value;
   }
   return result;
 }

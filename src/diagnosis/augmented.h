@@ -14,7 +14,19 @@ namespace rubber_suspension::diagnosis {
 /// The entries of a fitted hypothesis as a user would write them: sliders of one friction in one table.
 std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
-/// Headline numbers of an effect for the report; all of them are in its entries.
+/// One headline number of an effect.
+struct HeadlineValue {
+  std::string name;
+  std::string unit;  ///< SI; "1" for none
+  double value = 0.0;
+  bool is_scale = false;  ///< the effect is gone at 0
+};
+
+/// Headline numbers of an effect: the parameters of its entries; of the sliders of a friction its maximum force and the
+/// displacement at which half of it is reached from rest, as of the element `friction`.
+std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
+
+/// The same by name, as report.json has them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
 /// The model with the parameters of a fit and its entries on top.

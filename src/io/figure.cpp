@@ -26,7 +26,8 @@ using nlohmann::json;
 
 // Found by the JSON library through the types, hence outside the unnamed namespace.
 static void to_json(json& out, const Curve& curve) {
-  out = {{"label", curve.label}, {"x", curve.x}, {"y", curve.y}, {"style", curve.style}, {"colour", curve.colour}};
+  out = {{"label", curve.label}, {"x", curve.x},           {"y", curve.y},
+         {"style", curve.style}, {"colour", curve.colour}, {"width", curve.width}};
 }
 
 static void to_json(json& out, const HeatMap& map) {

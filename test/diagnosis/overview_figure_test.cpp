@@ -40,8 +40,8 @@ TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
   const io::Figure figure = diagnosis::overviewFigure(madeUp());
   EXPECT_EQ(figure.title, "bush: named: friction, creep");
   ASSERT_EQ(figure.axes.size(), 3U);  // without cells there is no map
-  EXPECT_EQ(figure.axes[0].title, "Force over displacement, measured and simulated\nsine, 0.0 to 2.0 s");
-  EXPECT_NEAR(figure.axes[1].curves[0].y[0], -0.1, 1e-12);  // measured less re-estimated [kN]
+  EXPECT_EQ(figure.axes[0].title, "Force over displacement\nsine, 0 to 2 s");
+  EXPECT_NEAR(figure.axes[1].curves[0].y[0], -0.1, 1e-12);  // measured less configured [kN]
   EXPECT_NEAR(figure.axes[1].curves[2].y[0], 0.0, 1e-12);
 }
 

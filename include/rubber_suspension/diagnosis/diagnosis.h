@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -81,6 +82,38 @@ struct ParameterByLog {
   ParameterRatios ratios;
 };
 
+/// A file that a diagnosis read.
+struct InputFile {
+  std::string option;  ///< that named it
+  std::string name;    ///< without its folder
+  std::string sha256;  ///< of its bytes, 64 hexadecimal digits
+};
+
+/// What made a report, so that it can be filed and repeated; the program that diagnoses fills it in.
+struct RunRecord {
+  std::string version;
+  std::string date;  ///< UTC, ISO 8601
+  std::string command_line;
+  std::vector<InputFile> files;
+};
+
+/// A number of the judged model with what the logs leave open.
+struct SizedValue {
+  std::string owner;  ///< "specification", the type of an element, or the effect that it belongs to
+  std::string name;
+  std::string unit;                                              ///< SI; "1" for none
+  double configured = std::numeric_limits<double>::quiet_NaN();  ///< not a number where the component file has none
+  double value = 0.0;
+  std::array<double, 2> interval_95{};  ///< by resampling blocks of the logs
+};
+
+/// An experiment to play on the bench.
+struct ProposedExperiment {
+  std::string description;
+  double dt = 0.0;                   ///< [s]
+  std::vector<double> displacement;  ///< [m], at even steps; empty: none is proposed
+};
+
 struct Workings;  // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
 /// What a diagnosis found.
@@ -90,6 +123,8 @@ struct Diagnosis {
   std::string sentence;              ///< the verdict for an engineer
   std::vector<std::string> effects;  ///< named, most important first
   Gap gap;                           ///< what the rig did to each log taken out
+  double gap_of_values = 0.0;        ///< of the judged model's own values alone, without its effects
+  double gap_of_effects = 0.0;       ///< of its effects alone, on the values as configured
   Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
   std::string noise_source;
   double closed = 0.0;  ///< fraction of the closable gap
@@ -100,6 +135,8 @@ struct Diagnosis {
   double probability_none = 0.0;            ///< that no effect of the list is at work
   std::vector<gap::GapCell> where;
   std::string next_experiment;
+  ProposedExperiment proposed;  ///< its displacement
+  io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
   io::ComponentDescription augmented;  ///< re-estimated, with the effects named
 
@@ -108,8 +145,12 @@ struct Diagnosis {
   std::vector<Admission> admission;
   ParameterRatios parameter_ratios;
   std::vector<ParameterByLog> by_log;
+  std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
+  std::vector<SizedValue> effect_sizes;  ///< of the effects named
   CharacteristicErrors errors_re_estimated;
   CharacteristicErrors errors_augmented;
+
+  RunRecord run;
 
   std::shared_ptr<const Workings> workings;
 };
@@ -126,7 +167,12 @@ std::string toJson(const Diagnosis& diagnosis);
 /// The report as a page that needs no network.
 std::string toHtml(const Diagnosis& diagnosis);
 
-/// Write report.json, report.html and augmented.yaml into a folder, which is made. Throws std::runtime_error.
+/// Names of the files that a report may consist of, the page last.
+std::vector<std::string> reportFiles();
+
+/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, the numbers of its
+/// figures, and report.html last. Nothing takes its name before all are written; what an earlier report left there and
+/// this one lacks is removed. Throws std::runtime_error.
 void writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

@@ -7,13 +7,17 @@
 
 namespace rubber_suspension::io {
 
+/// A colour beside those of the palette: that of text, which stands out from every other.
+constexpr int kInk = -2;
+
 /// One curve, or a set of markers.
 struct Curve {
   std::string label;  ///< empty: not in the legend
   std::vector<double> x;
   std::vector<double> y;
   std::string style = "-";  ///< Matplotlib's line or marker format, "-", "--", "o", ...
-  int colour = -1;          ///< index into the palette; -1: the next one
+  int colour = -1;          ///< index into the palette; -1: the next one, or kInk
+  double width = 0.0;       ///< of the line [pt]; 0: as usual
 };
 
 /// A map of values over a grid, drawn as an image with a colour bar.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "diagnosis/augmented.h"
@@ -12,6 +13,7 @@
 #include "diagnosis/report/closed_interval.h"
 #include "diagnosis/report/model_parameters_by_log.h"
 #include "diagnosis/report/sentence.h"
+#include "diagnosis/report/sizes.h"
 #include "diagnosis/rig.h"
 #include "diagnosis/unseen_logs.h"
 #include "fit/parallel.h"
@@ -37,10 +39,12 @@ class Describer {
   Diagnosis run() {
     result_.component = prepared_.component.name;
     result_.verdict = toString(judgement_.verdict);
+    result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
     result_.augmented = augmentedDescription(prepared_.model, judged_);
     simulateAll();
     measureGap();
+    measureParts();
     mapGap();
     describeRig();
     describeLogs();
@@ -102,6 +106,23 @@ class Describer {
                                asRecorded(result_.augmented)};
     result_.closed = closed(result_.gap.augmented);
     result_.closed_interval = interval(after_);
+  }
+
+  // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
+  // unseen logs, as both are.
+  void measureParts() {
+    io::ComponentDescription values = result_.augmented;
+    values.add = prepared_.component.add;
+    io::ComponentDescription effects = prepared_.component;
+    effects.add = result_.augmented.add;
+    const std::array<std::pair<const io::ComponentDescription*, double*>, 2> parts = {
+        {{&values, &result_.gap_of_values}, {&effects, &result_.gap_of_effects}}};
+    fit::parallelFor(parts.size(), options_.threads, [&](std::size_t i) {
+      const auto elements = parts[i].first->allElements();
+      const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+      *parts[i].second = gap::gapOfParts(gap::partErrors(
+          records, hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records)));
+    });
   }
 
   // Gap of the logs with all that the rig did to them.
@@ -192,6 +213,9 @@ class Describer {
     const fit::Fit& joint = search_.re_estimated.fit;
     result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
     result_.by_log = parametersByLog(prepared_.fitter, joint);
+    Sizes sizes = sizesOf(prepared_.fitter, search_.candidates, judged_, options_);
+    result_.model_sizes = std::move(sizes.model);
+    result_.effect_sizes = std::move(sizes.effects);
   }
 
   void describeJudgement() {
@@ -200,8 +224,21 @@ class Describer {
     for (const auto& set : judgement_.confounded) {
       result_.confounded.push_back(names(set));
     }
-    result_.next_experiment = nextExperiment(search_, judgement_, prepared_.model);
+    NextExperiment next = nextExperiment(search_, judgement_, prepared_.model, stroke());
+    result_.next_experiment = std::move(next.text);
+    result_.proposed = std::move(next.proposed);
     result_.sentence = sentence(judgement_, result_);
+  }
+
+  // Of the logs of the fit, from their least to their largest displacement.
+  Stroke stroke() const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const log::Record& record : prepared_.training) {
+      low = std::min(low, record.displacement.minCoeff());
+      high = std::max(high, record.displacement.maxCoeff());
+    }
+    return strokeOf(low, high);
   }
 
   std::vector<std::string> names(const std::vector<int>& effects) const {

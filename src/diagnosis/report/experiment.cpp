@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
@@ -12,13 +14,11 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-template <class Law>
-Experiment make(const std::string& description, double length, double dt, Law displacement) {
-  Experiment experiment{description, dt, Eigen::VectorXd(static_cast<Eigen::Index>(length / dt))};
-  for (Eigen::Index i = 0; i < experiment.displacement.size(); ++i) {
-    experiment.displacement[i] = displacement(static_cast<double>(i) * dt);
-  }
-  return experiment;
+using Law = std::function<double(double)>;
+
+// From 0 to 1 within a duration, at rest at both ends.
+double eased(double t, double duration) {
+  return t <= 0.0 ? 0.0 : t >= duration ? 1.0 : 0.5 - 0.5 * std::cos(element::kPi * t / duration);
 }
 
 // Steps that resolve the motion; no finer than the logs.
@@ -26,52 +26,92 @@ double stepFor(const fit::Excitation& excitation, double frequency) {
   return std::max(excitation.dt, 1.0 / (200.0 * frequency));
 }
 
-void addSines(const fit::Excitation& excitation, std::vector<Experiment>& menu) {
+class Menu {
+ public:
+  Menu(const fit::Excitation& excitation, const Stroke& stroke) : excitation_(excitation), stroke_(stroke) {
+    // The fastest ease of the centre is pi/2 times its mean rate.
+    travel_ = stroke.centre == 0.0 ? 0.0 : 0.5 * element::kPi * std::abs(stroke.centre) / excitation.highest_rate;
+  }
+
+  /// `motion` about the centre, of that length and eased over `cycle`, both in [s].
+  void add(const std::string& description, double length, double cycle, const Law& motion) {
+    const double dt = stepFor(excitation_, 1.0 / cycle);
+    const double centre = stroke_.centre;
+    const double whole = length + 2.0 * travel_;
+    Experiment experiment{description + about(), dt, Eigen::VectorXd(static_cast<Eigen::Index>(whole / dt) + 2)};
+    for (Eigen::Index i = 0; i < experiment.displacement.size(); ++i) {
+      const double t = static_cast<double>(i) * dt - travel_;
+      const double ease = std::min(eased(t, cycle), eased(length - t, cycle));
+      const double there = std::min(eased(t + travel_, travel_), eased(length + travel_ - t, travel_));
+      experiment.displacement[i] = (centre == 0.0 ? 0.0 : centre * there) + (ease > 0.0 ? ease * motion(t) : 0.0);
+    }
+    menu_.push_back(std::move(experiment));
+  }
+
+  std::vector<Experiment> take() { return std::move(menu_); }
+
+ private:
+  std::string about() const {
+    return stroke_.centre == 0.0 ? "" : fmt::format(", all about {:.3g} mm", 1e3 * stroke_.centre);
+  }
+
+  const fit::Excitation& excitation_;
+  const Stroke& stroke_;
+  double travel_ = 0.0;  // to the centre [s]
+  std::vector<Experiment> menu_;
+};
+
+void addSines(const fit::Excitation& excitation, const Stroke& stroke, Menu& menu) {
   for (const double part : {0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * excitation.highest_frequency;
       const double amplitude =
-          std::min(share * excitation.largest_displacement, excitation.highest_rate / (2.0 * element::kPi * frequency));
-      menu.push_back(make(fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, 1e3 * amplitude),
-                          8.0 / frequency, stepFor(excitation, frequency),
-                          [=](double t) { return amplitude * std::sin(2.0 * element::kPi * frequency * t); }));
+          std::min(share * stroke.half, excitation.highest_rate / (2.0 * element::kPi * frequency));
+      menu.add(fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, 1e3 * amplitude),
+               8.0 / frequency, 1.0 / frequency,
+               [=](double t) { return amplitude * std::sin(2.0 * element::kPi * frequency * t); });
     }
   }
 }
 
 // The fastest sine of full stroke that the rig has shown to be able to run.
-double fullStrokeFrequency(const fit::Excitation& excitation) {
-  return std::min(excitation.highest_frequency,
-                  excitation.highest_rate / (2.0 * element::kPi * excitation.largest_displacement));
+double fullStrokeFrequency(const fit::Excitation& excitation, const Stroke& stroke) {
+  return std::min(excitation.highest_frequency, excitation.highest_rate / (2.0 * element::kPi * stroke.half));
 }
 
 }  // namespace
 
-std::vector<Experiment> experimentMenu(const fit::Excitation& excitation) {
-  const double z = excitation.largest_displacement;
-  const double frequency = fullStrokeFrequency(excitation);
-  const double dt = stepFor(excitation, frequency);
+Stroke strokeOf(double low, double high) {
+  constexpr double kSymmetric = 0.05;  // of the half stroke: a zero that nobody set
+  const Stroke stroke{0.5 * (low + high), 0.5 * (high - low)};
+  return std::abs(stroke.centre) > kSymmetric * stroke.half ? stroke : Stroke{0.0, std::min(-low, high)};
+}
+
+std::vector<Experiment> experimentMenu(const fit::Excitation& excitation, const Stroke& stroke) {
+  const double z = stroke.half;
+  const double frequency = fullStrokeFrequency(excitation, stroke);
   const double omega = 2.0 * element::kPi * frequency;
-  std::vector<Experiment> menu;
-  addSines(excitation, menu);
-  const double rise = 1.0 / frequency;
-  menu.push_back(make(fmt::format("ramp of {:.3g} s to {:.3g} mm and hold for 60 s", rise, 500.0 * z), 60.0 + rise, dt,
-                      [=](double t) { return 0.5 * z * std::min(1.0, t / rise); }));
+  const double cycle = 1.0 / frequency;
+  Menu menu(excitation, stroke);
+  addSines(excitation, stroke, menu);
+  menu.add(fmt::format("ramp of {:.3g} s to {:.3g} mm and hold for 60 s", cycle, 500.0 * z), 60.0 + 2.0 * cycle, cycle,
+           [=](double) { return 0.5 * z; });
   for (const double side : {1.0, -1.0}) {
-    menu.push_back(make(fmt::format("preload of {:.3g} mm, then a sine at {:.3g} Hz with {:.3g} mm about it",
-                                    side * 500.0 * z, frequency, 300.0 * z),
-                        8.0 / frequency, dt, [=](double t) {
-                          return side * 0.5 * z * std::min(1.0, t * frequency) + 0.3 * z * std::sin(omega * t);
-                        }));
+    menu.add(fmt::format("preload of {:.3g} mm, then a sine at {:.3g} Hz with {:.3g} mm about it", side * 500.0 * z,
+                         frequency, 300.0 * z),
+             10.0 * cycle, cycle, [=](double t) {
+               const double fade = std::min(eased(t - cycle, cycle), eased(9.0 * cycle - t, cycle));
+               return side * 0.5 * z + 0.3 * z * fade * std::sin(omega * t);
+             });
   }
-  const double phase = 5.0 / frequency;
-  menu.push_back(make(
-      fmt::format("sine at {:.3g} Hz: 5 cycles with {:.3g} mm, 5 with {:.3g} mm, and 5 with {:.3g} mm again", frequency,
-                  200.0 * z, 1000.0 * z, 200.0 * z),
-      3.0 * phase, dt, [=](double t) { return (t >= phase && t < 2.0 * phase ? z : 0.2 * z) * std::sin(omega * t); }));
-  menu.push_back(make(fmt::format("sine at {:.3g} Hz with {:.3g} mm for 5 minutes", frequency, 1000.0 * z), 300.0, dt,
-                      [=](double t) { return z * std::sin(omega * t); }));
-  return menu;
+  const double phase = 5.0 * cycle;
+  menu.add(fmt::format("sine at {:.3g} Hz: 5 cycles with {:.3g} mm, 5 with {:.3g} mm, and 5 with {:.3g} mm again",
+                       frequency, 200.0 * z, 1000.0 * z, 200.0 * z),
+           3.0 * phase, cycle,
+           [=](double t) { return (t >= phase && t < 2.0 * phase ? z : 0.2 * z) * std::sin(omega * t); });
+  menu.add(fmt::format("sine at {:.3g} Hz with {:.3g} mm for 5 minutes", frequency, 1000.0 * z), 300.0, cycle,
+           [=](double t) { return z * std::sin(omega * t); });
+  return menu.take();
 }
 
 Discrimination mostTelling(const std::vector<Experiment>& menu, const std::vector<element::ElementDescription>& one,

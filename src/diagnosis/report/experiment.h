@@ -16,9 +16,19 @@ struct Experiment {
   Eigen::VectorXd displacement;
 };
 
+/// Where the logs moved: about `centre`, by `half` to either side [m].
+struct Stroke {
+  double centre = 0.0;
+  double half = 0.0;
+};
+
+/// Of displacements from `low` to `high`. Where that is nearly symmetric, the centre is 0 and the smaller side counts.
+Stroke strokeOf(double low, double high);
+
 /// Sines over frequency and amplitude, a hold, a preload, and small amplitude before and after a large one, within the
-/// displacements, frequencies and rates that the logs show to be possible.
-std::vector<Experiment> experimentMenu(const fit::Excitation& excitation);
+/// displacements, frequencies and rates that the logs show to be possible. Each can be played as it is: it begins and
+/// ends at rest at 0, travels to the centre of the stroke first, and eases its amplitude in and out over a cycle.
+std::vector<Experiment> experimentMenu(const fit::Excitation& excitation, const Stroke& stroke);
 
 /// The experiment in which two models differ most.
 struct Discrimination {

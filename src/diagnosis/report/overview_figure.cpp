@@ -11,11 +11,11 @@ io::Figure overviewFigure(const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
     overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
   }
-  for (const io::Figure& figure : reportFigures(diagnosis)) {
-    if (!figure.axes.empty()) {
-      overview.axes.push_back(figure.axes.front());
+  for (const ReportFigure& part : reportFigures(diagnosis)) {
+    if (!part.figure.axes.empty()) {
+      overview.axes.push_back(part.figure.axes.front());
       io::Axes& axes = overview.axes.back();
-      axes.title = figure.title + (axes.title.empty() ? "" : "\n" + axes.title);
+      axes.title = part.figure.title + (axes.title.empty() ? "" : "\n" + axes.title);
     }
   }
   return overview;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,8 +16,12 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kLoopLength = 4.0;         // [s]
-constexpr Eigen::Index kMostPoints = 1500;  // of a curve: more only makes the page heavy
+constexpr double kCycles = 3.0;             // of a loop: more run into one area
+constexpr Eigen::Index kMostPoints = 1500;  // of a curve
+constexpr const char* kLoops = "loops";
+constexpr const char* kWhere = "where";
+constexpr const char* kResidual = "residual_over_displacement";
+constexpr const char* kTime = "gap_over_time";
 constexpr std::size_t kMostLoops = 4;
 
 std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count, double factor) {
@@ -46,51 +51,83 @@ std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   return order;
 }
 
-// Start of the stretch where the displacement has its widest range.
+// Samples of a number of cycles of the mean frequency.
+Eigen::Index cyclesOf(const log::Record& record, double cycles) {
+  const double length = record.mean_frequency > 0.0 ? cycles / record.mean_frequency : record.duration();
+  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(length / record.dt),
+                                  std::min<Eigen::Index>(2, record.size()), record.size());
+}
+
+// Start of the last of the stretches in which the displacement has its widest range, within a tolerance: there most of
+// what settles has settled.
 Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
+  constexpr double kAsWide = 0.98;
   Eigen::Index best = 0;
   double widest = -1.0;
-  for (Eigen::Index first = 0; first + count <= record.size(); first += std::max<Eigen::Index>(1, count / 2)) {
+  for (Eigen::Index first = 0; first + count <= record.size(); first += std::max<Eigen::Index>(1, count / 3)) {
     const auto part = record.displacement.segment(first, count);
     const double range = part.maxCoeff() - part.minCoeff();
-    if (range > widest) {
-      widest = range;
+    if (range >= kAsWide * widest) {
+      widest = std::max(widest, range);
       best = first;
     }
   }
   return best;
 }
 
+// Both are to be seen where one lies over the other: measured broad and below, simulated thin and above.
+void addForces(io::Axes& axes, const std::vector<double>& x, const std::vector<double>& measured,
+               const std::vector<double>& before, const std::vector<double>& after) {
+  constexpr double kBroad = 3.0;
+  constexpr double kThin = 1.0;
+  axes.curves.push_back({"measured", x, measured, "-", 0, kBroad});
+  axes.curves.push_back({"before: as configured", x, before, "--", 1, kThin});
+  axes.curves.push_back({"after: augmented", x, after, "-", io::kInk, kThin});
+}
+
 io::Figure loops(const Diagnosis& diagnosis) {
+  const Workings& w = *diagnosis.workings;
   io::Figure figure;
-  figure.title = "Force over displacement, measured and simulated";
+  figure.title = "Force over displacement";
   for (const std::size_t r : worstRecords(diagnosis)) {
-    const log::Record& record = diagnosis.workings->records[r];
-    const auto count = std::min(record.size(), static_cast<Eigen::Index>(kLoopLength / record.dt));
+    const log::Record& record = w.records[r];
+    const Eigen::Index count = cyclesOf(record, kCycles);
     const Eigen::Index first = widestStretch(record, count);
-    const std::vector<double> z = take(record.raw_displacement, first, count, 1e3);
     io::Axes axes;
-    axes.title =
-        fmt::format("{}{}, {:.1f} to {:.1f} s", record.name, r >= diagnosis.workings->training ? " (held out)" : "",
-                    static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt);
+    axes.title = fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.training ? " (held out)" : "",
+                             static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt);
     axes.x_label = "displacement [mm]";
     axes.y_label = "force [kN]";
-    axes.curves.push_back({"measured", z, take(record.force, first, count, 1e-3), "-", 0});
-    axes.curves.push_back(
-        {"model, re-estimated", z, take(diagnosis.workings->force_re_estimated[r], first, count, 1e-3), "--", 1});
-    axes.curves.push_back({"augmented", z, take(diagnosis.workings->force_augmented[r], first, count, 1e-3), ":", 2});
+    addForces(axes, take(record.raw_displacement, first, count, 1e3), take(record.force, first, count, 1e-3),
+              take(w.force_configured[r], first, count, 1e-3), take(w.force_augmented[r], first, count, 1e-3));
     figure.axes.push_back(std::move(axes));
   }
   return figure;
+}
+
+// Frequencies that the logs excite [Hz].
+std::array<double, 2> excitedBand(const Workings& workings) {
+  std::array<double, 2> band = {std::numeric_limits<double>::infinity(), 0.0};
+  for (const log::Record& record : workings.records) {
+    band[0] = std::min(band[0], record.lowest_frequency);
+    band[1] = std::max(band[1], record.highest_frequency);
+  }
+  return band;
+}
+
+bool isExcited(const gap::GapCell& cell, const std::array<double, 2>& band) {
+  // Mean and drift belong to no frequency. Without a known band all counts.
+  return cell.frequency[0] > 0.0 && (!(band[1] > 0.0) || (cell.frequency[1] > band[0] && cell.frequency[0] < band[1]));
 }
 
 io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   std::map<double, std::map<double, double>> share;  // by lower edge of amplitude, then of frequency
   std::vector<double> x_edges;
   std::vector<double> y_edges;
+  const std::array<double, 2> band = excitedBand(*diagnosis.workings);
   for (const gap::GapCell& cell : diagnosis.where) {
-    if (cell.frequency[0] <= 0.0) {
-      continue;  // mean and drift belong to no frequency
+    if (!isExcited(cell, band)) {
+      continue;
     }
     share[cell.amplitude[0]][cell.frequency[0]] += 100.0 * cell.share;
     x_edges.insert(x_edges.end(), cell.frequency.begin(), cell.frequency.end());
@@ -143,7 +180,7 @@ io::Figure gapMapFigure(const Diagnosis& diagnosis) {
 // Mean residual in bins of displacement, apart for loading and unloading.
 io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, double direction,
                    const std::string& label, const std::string& style, int colour) {
-  constexpr int kBins = 24;
+  constexpr int kBins = 48;
   const double low = record.displacement.minCoeff();
   const double width = (record.displacement.maxCoeff() - low) / kBins;
   std::vector<double> sum(kBins, 0.0);
@@ -170,68 +207,89 @@ io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, d
 
 io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   io::Figure figure;
-  figure.title = "Mean residual (measured less simulated) over displacement";
+  figure.title = "Mean residual over displacement";
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = diagnosis.workings->records[r];
-    const Eigen::VectorXd before = record.force - diagnosis.workings->force_re_estimated[r];
+    const Eigen::VectorXd before = record.force - diagnosis.workings->force_configured[r];
     const Eigen::VectorXd after = record.force - diagnosis.workings->force_augmented[r];
     io::Axes axes;
     axes.title = record.name;
     axes.x_label = "displacement [mm]";
-    axes.y_label = "residual [kN]";
-    axes.curves.push_back(meanOver(record, before, 1.0, "re-estimated, rising", "-", 1));
-    axes.curves.push_back(meanOver(record, before, -1.0, "re-estimated, falling", "--", 1));
-    axes.curves.push_back(meanOver(record, after, 1.0, "augmented, rising", "-", 2));
-    axes.curves.push_back(meanOver(record, after, -1.0, "augmented, falling", "--", 2));
+    axes.y_label = "measured less simulated [kN]";
+    axes.curves.push_back(meanOver(record, before, 1.0, "before, rising", "-", 1));
+    axes.curves.push_back(meanOver(record, before, -1.0, "before, falling", "--", 1));
+    axes.curves.push_back(meanOver(record, after, 1.0, "after, rising", "-", 2));
+    axes.curves.push_back(meanOver(record, after, -1.0, "after, falling", "--", 2));
     figure.axes.push_back(std::move(axes));
   }
   return figure;
 }
 
-// The gap of each second; the logs one after the other.
+// The gap of each stretch; the logs one after the other. A stretch is a cycle, and not shorter than can be seen.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
-                        const std::string& label, int colour) {
+                        const std::string& label, const std::string& style, int colour) {
+  constexpr Eigen::Index kMostStretches = 60;  // of a log
   io::Curve curve;
   curve.label = label;
+  curve.style = style;
   curve.colour = colour;
   double start = 0.0;
   for (std::size_t r = 0; r < diagnosis.workings->records.size(); ++r) {
     const log::Record& record = diagnosis.workings->records[r];
-    const auto step = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1.0 / record.dt));
+    const Eigen::Index step = std::max(cyclesOf(record, 1.0), record.size() / kMostStretches);
     for (Eigen::Index first = 0; first + step <= record.size(); first += step) {
       const double gap = gap::gapOfResidual((record.force - simulated[r]).segment(first, step), record.force_deviation);
-      curve.x.push_back(start + static_cast<double>(first) * record.dt);
+      curve.x.push_back(start + (static_cast<double>(first) + 0.5 * static_cast<double>(step)) * record.dt);
       curve.y.push_back(std::max(1e-5, gap));
     }
     start += record.duration();
+    curve.x.push_back(start);  // no line from one log to the next
+    curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
   }
   return curve;
 }
 
 io::Figure residualOverTime(const Diagnosis& diagnosis) {
   io::Figure figure;
-  figure.title = "Gap in each second, the logs one after the other";
+  figure.title = "Gap over time, the logs one after the other";
   figure.columns = 1;
   io::Axes axes;
   axes.x_label = "time [s]";
   axes.y_label = "gap [-]";
   axes.log_y = true;
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_configured, "as configured", 0));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_re_estimated, "re-estimated", 1));
-  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_augmented, "augmented", 2));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_configured, "as configured", "-", 1));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_re_estimated, "re-estimated", "--", 3));
+  axes.curves.push_back(levelOverTime(diagnosis, diagnosis.workings->force_augmented, "augmented", "-", 2));
   double end = 0.0;
   for (const log::Record& record : diagnosis.workings->records) {
     end += record.duration();
   }
-  axes.curves.push_back({"noise floor", {0.0, end}, {diagnosis.gap.noise_floor, diagnosis.gap.noise_floor}, "--", 3});
+  axes.curves.push_back({"noise floor", {0.0, end}, {diagnosis.gap.noise_floor, diagnosis.gap.noise_floor}, ":", 7});
   figure.axes.push_back(std::move(axes));
   return figure;
 }
 
 }  // namespace
 
-std::vector<io::Figure> reportFigures(const Diagnosis& diagnosis) {
-  return {loops(diagnosis), gapMapFigure(diagnosis), residualOverDisplacement(diagnosis), residualOverTime(diagnosis)};
+std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
+  if (!diagnosis.workings) {
+    return {};
+  }
+  return {{kLoops, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
+          {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
+          {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
+           residualOverDisplacement(diagnosis)},
+          {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
+}
+
+std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }
+
+std::vector<std::string> figureDataFiles() {
+  std::vector<std::string> files;
+  for (const char* name : {kLoops, kWhere, kResidual, kTime}) {
+    files.push_back(figureDataFile(name));
+  }
+  return files;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,6 +1,7 @@
 // The figures of the report.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -8,7 +9,21 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Loops, map of the gap, residual over displacement and over time; each of them one figure.
-std::vector<io::Figure> reportFigures(const Diagnosis& diagnosis);
+/// A figure of the report; its numbers stand in figure_NAME.csv.
+struct ReportFigure {
+  std::string name;
+  std::string caption;
+  io::Figure figure;  ///< its title is short; without axes there is nothing to show
+};
+
+/// Loops, map of the gap, residual over displacement and gap over time; the log with the largest gap comes first. None
+/// where the logs cannot be what they say.
+std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
+
+/// Name of the file with the numbers of a figure.
+std::string figureDataFile(const std::string& name);
+
+/// Those of all figures.
+std::vector<std::string> figureDataFiles();
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,273 +3,267 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
+#include "diagnosis/report/candidate_section.h"
+#include "diagnosis/report/finding_advice.h"
+#include "diagnosis/report/first_screen.h"
+#include "diagnosis/report/model_values.h"
+#include "diagnosis/report/page_style.h"
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/report/text.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-const char* const kStyle = R"(
-:root { color-scheme: light dark; --bar: #2a78b8; --line: #8884; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
-.verdict { font-size: 1.2rem; border-left: .4rem solid var(--bar); padding: .4rem 1rem; }
-table { border-collapse: collapse; width: 100%; font-size: .92rem; }
-th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid var(--line); vertical-align: top; }
-td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
-td.n { white-space: nowrap; }
-.bar { display: inline-block; height: .7rem; background: var(--bar); vertical-align: middle; }
-.note { opacity: .75; font-size: .92rem; }
-figure { margin: 1.5rem 0; break-inside: avoid; }
-svg { max-width: 100%; height: auto; }
-pre { overflow-x: auto; background: #8882; padding: .8rem; font-size: .85rem; }
-)";
-
-std::string escape(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-std::string join(const std::vector<std::string>& parts) {
-  std::string result;
-  for (const std::string& part : parts) {
-    result += (result.empty() ? "" : ", ") + part;
-  }
-  return result;
-}
-
-std::string percent(double value) { return fmt::format("{:.1f} %", 100.0 * value); }
-
-// In whole per cent, without a minus before 0.
-std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
+std::string heading(const std::string& title) { return "<h2>" + title + "</h2>\n"; }
 
 std::string gapTable(const Diagnosis& d) {
   const double widest = std::max({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented, 1e-12});
-  std::string rows;
+  Table table({"model", "#gap", "", "what it is"});
   const auto row = [&](const std::string& name, double value, const std::string& meaning) {
-    rows += fmt::format(
-        "<tr><td>{}</td><td class=n>{}</td><td><span class=bar "
-        "style=\"width:{:.1f}rem\"></span></td><td>{}</td></tr>\n",
-        name, percent(value), 14.0 * value / widest, meaning);
+    table.add({name, percent(value),
+               fmt::format("<span class=track><span class=bar style=\"width:{:.0f}%\"></span></span>",
+                           std::min(100.0, 100.0 * value / widest)),
+               meaning});
   };
   row("as configured", d.gap.as_configured, "the component file as it is");
   row("re-estimated", d.gap.re_estimated, "model parameters fitted to the logs");
   row("augmented", d.gap.augmented, "with the named effects added");
   row("noise floor", d.gap.noise_floor, escape(d.noise_source));
-  return "<table><tr><th>model</th><th class=n>gap</th><th></th><th></th></tr>\n" + rows + "</table>\n";
+  return table.html();
 }
 
-std::string parametersText(const CandidateResult& candidate) {
-  std::string text;
-  for (const auto& [name, value] : candidate.parameters) {
-    text += fmt::format("{}{} = {:.4g}", text.empty() ? "" : ", ", name, value);
-  }
-  return text;
+std::string errorTable(const Diagnosis& d) {
+  Table table({"model", "#stiffness off by", "#loss angle off by", "#energy per cycle off by"});
+  const auto row = [&](const std::string& name, const CharacteristicErrors& e) {
+    table.add({name, percent(e.stiffness), fmt::format("{:.2f}&deg;", e.loss_angle * 180.0 / element::kPi),
+               percent(e.energy)});
+  };
+  row("re-estimated", d.errors_re_estimated);
+  row("augmented", d.errors_augmented);
+  return table.html();
 }
 
-std::string candidateTable(const Diagnosis& d) {
-  std::string rows;
-  for (const CandidateResult& c : d.candidates) {
-    rows += fmt::format(
-        "<tr><td><b>{}</b><br><span class=note>{}</span></td><td class=n>{:.0f} %</td><td class=n>{}</td>"
-        "<td class=n>{} % [{}, {}]</td><td>{}</td><td class=note>{}</td></tr>\n",
-        c.effect, escape(c.documentation), 100.0 * c.probability, percent(c.gap), wholePercent(c.closed),
-        wholePercent(c.interval[0]), wholePercent(c.interval[1]),
-        c.testable ? "yes" : fmt::format("no: {:.0f} % visible", 100.0 * c.visible_share), parametersText(c));
-  }
-  return "<table><tr><th>effect</th><th class=n>probability</th><th class=n>gap with it alone</th>"
-         "<th class=n>closes [95 %]</th><th>testable here</th><th>parameters [SI]</th></tr>\n" +
-         rows + "</table>\n";
+std::string howFar(const Diagnosis& d) {
+  return heading("How far") + "<div class=pair><div>" + gapTable(d) + "</div><div>" + errorTable(d) + "</div></div>\n" +
+         "<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
+         "force, on data that took no part in the fit, after what the rig did to that very log is taken out.</p>\n";
 }
 
 std::string whereTable(const Diagnosis& d) {
-  constexpr std::size_t kMost = 12;
-  std::string rows;
+  constexpr std::size_t kMost = 6;
+  Table table({"log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong", "#share of squared gap", "#over noise"});
   for (std::size_t i = 0; i < std::min(kMost, d.where.size()); ++i) {
     const gap::GapCell& cell = d.where[i];
-    rows += fmt::format(
-        "<tr><td>{}</td><td class=n>{:.3g} to {:.3g}</td><td class=n>{:.3g} to {:.3g}</td><td>{}</td><td "
-        "class=n>{:.1f} %</td>"
-        "<td class=n>{}</td></tr>\n",
-        escape(cell.log), cell.frequency[0], cell.frequency[1], 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1],
-        gap::toString(cell.quantity), 100.0 * cell.share,
-        cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : "");  // the mean has no noise of its own
+    table.add({escape(cell.log), fmt::format("{:.3g} to {:.3g}", cell.frequency[0], cell.frequency[1]),
+               fmt::format("{:.3g} to {:.3g}", 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1]),
+               gap::toString(cell.quantity), percent(cell.share),
+               cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : ""});  // the mean has no noise
   }
-  return "<table><tr><th>log</th><th class=n>frequency [Hz]</th><th class=n>amplitude [mm]</th><th>what is wrong</th>"
-         "<th class=n>share of squared gap</th><th class=n>over noise</th></tr>\n" +
-         rows + "</table>\n";
+  return table.html();
+}
+
+// The figures of the page by their names: one <svg> per panel.
+class DrawnFigures {
+ public:
+  explicit DrawnFigures(const Diagnosis& d) : figures_(reportFigures(d)) {
+    std::vector<io::Figure> panels;
+    for (const ReportFigure& figure : figures_) {
+      for (const io::Axes& axes : figure.figure.axes) {
+        panels.push_back({"", {axes}, 1});
+      }
+    }
+    try {
+      drawings_ = io::drawSvg(panels);
+    } catch (const io::FigureError& error) {
+      problem_ = error.what();
+    }
+  }
+
+  /// Without a caption, for a place that has one.
+  std::string panel(std::size_t figure, std::size_t panel) const {
+    const std::size_t i = indexOf(figure) + panel;
+    return i < drawings_.size() && panel < figures_[figure].figure.axes.size() ? drawings_[i] : "";
+  }
+
+  /// All panels from `first` on, with caption and numbers.
+  std::string html(std::size_t figure, std::size_t first) const {
+    std::string panels;
+    for (std::size_t p = first; p < figures_[figure].figure.axes.size(); ++p) {
+      panels += "<figure>" + panel(figure, p) + "</figure>\n";
+    }
+    const ReportFigure& drawn = figures_[figure];
+    return panels.empty() ? ""
+                          : fmt::format("<h3>{}</h3>\n<div class=figures>{}</div>\n<p class=note>{}{}</p>\n",
+                                        escape(drawn.figure.title), panels, escape(drawn.caption), numbers(figure));
+  }
+
+  std::string numbers(std::size_t figure) const {
+    return fmt::format(" <a class=screen href=\"{0}\">{0}</a>", figureDataFile(figures_[figure].name));
+  }
+
+  std::size_t size() const { return figures_.size(); }
+
+  /// Why nothing is drawn, HTML; empty where it is.
+  std::string problem() const {
+    return problem_.empty() ? "" : "<p class=note>No figures: " + escape(problem_) + "</p>\n";
+  }
+
+ private:
+  std::size_t indexOf(std::size_t figure) const {
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < figure; ++i) {
+      index += figures_[i].figure.axes.size();
+    }
+    return index;
+  }
+
+  std::vector<ReportFigure> figures_;
+  std::vector<std::string> drawings_;
+  std::string problem_;
+};
+
+constexpr std::size_t kLoops = 0;  // of reportFigures()
+constexpr std::size_t kMap = 1;
+
+std::string firstLoop(const DrawnFigures& figures) {
+  const std::string loop = figures.size() > kLoops ? figures.panel(kLoops, 0) : "";
+  return loop.empty() ? figures.problem()
+                      : "<figure>" + loop +
+                            "<figcaption>Where the gap is largest: measured (broad), and simulated before and after." +
+                            figures.numbers(kLoops) + "</figcaption></figure>\n";
+}
+
+std::string where(const Diagnosis& d, const DrawnFigures& figures) {
+  const std::string map = figures.panel(kMap, 0);
+  return heading("Where") + "<div class=pair><div>" + whereTable(d) + "</div>" +
+         (map.empty() ? ""
+                      : "<figure>" + map + "<figcaption>Over the frequencies that the logs excite." +
+                            figures.numbers(kMap) + "</figcaption></figure>") +
+         "</div>\n";
+}
+
+std::string furtherFigures(const DrawnFigures& figures) {
+  std::string html = figures.html(kLoops, 1);
+  for (std::size_t i = kMap + 1; i < figures.size(); ++i) {
+    html += figures.html(i, 0);
+  }
+  return html.empty() ? "" : heading("Figures") + html;
 }
 
 std::string ratiosText(const ParameterRatios& ratios) {
   std::string text;
   for (const auto& [name, ratio] : ratios) {
-    text += fmt::format("{}{} &times; {:.3f}", text.empty() ? "" : ", ", escape(name), ratio);
+    text += fmt::format("{}{} &times; {:.3f}", text.empty() ? "" : ", ", escape(symbolOf(name)), ratio);
   }
   return text;
 }
 
 std::string parameterTable(const Diagnosis& d) {
-  std::string rows =
-      fmt::format("<tr><td><b>all logs</b></td><td></td><td></td><td>{}</td></tr>\n", ratiosText(d.parameter_ratios));
+  Table table({"log", "#amplitude [mm]", "#mean frequency [Hz]", "best value over configured value"});
+  table.add({"<b>all logs</b>", "", "", ratiosText(d.parameter_ratios)});
   for (const ParameterByLog& row : d.by_log) {
-    rows += fmt::format("<tr><td>{}</td><td class=n>{:.3g}</td><td class=n>{:.3g}</td><td>{}</td></tr>\n",
-                        escape(row.log), 1e3 * row.amplitude, row.frequency, ratiosText(row.ratios));
+    table.add({escape(row.log), fmt::format("{:.3g}", 1e3 * row.amplitude), fmt::format("{:.3g}", row.frequency),
+               ratiosText(row.ratios)});
   }
-  return "<table><tr><th>log</th><th class=n>amplitude [mm]</th><th class=n>mean frequency [Hz]</th>"
-         "<th>best value over configured value</th></tr>\n" +
-         rows + "</table>\n";
+  return table.html();
 }
 
-std::string errorTable(const Diagnosis& d) {
-  const auto row = [](const std::string& name, const CharacteristicErrors& e) {
-    return fmt::format("<tr><td>{}</td><td class=n>{}</td><td class=n>{:.2f}&deg;</td><td class=n>{}</td></tr>\n", name,
-                       percent(e.stiffness), e.loss_angle * 57.29577951308232, percent(e.energy));
-  };
-  return "<table><tr><th>model</th><th class=n>stiffness</th><th class=n>loss angle</th><th class=n>energy per "
-         "cycle</th></tr>\n" +
-         row("re-estimated", d.errors_re_estimated) + row("augmented", d.errors_augmented) + "</table>\n";
+std::string componentFile(const Diagnosis& d) {
+  return heading("Component file before and after") + componentChanges(d) +
+         "<p class=screen>All digits are in <a href=\"augmented.yaml\">augmented.yaml</a>, which node and "
+         "<code>replay</code> run as it is.</p>\n" +
+         folded("augmented.yaml", "<pre>" + escape(io::toYaml({d.augmented})) + "</pre>\n") +
+         folded("Which value each log alone would want", parameterTable(d));
 }
 
-std::string admissionTable(const Diagnosis& d) {
-  std::string rows;
-  for (const Admission& log : d.admission) {
-    rows += fmt::format(
-        "<tr><td>{}{}</td><td class=n>{:.1f}</td><td class=n>{:.4g}</td><td class=n>{:.3g}</td><td class=n>{:.3g}</td>"
-        "<td class=n>{}</td><td class=n>{:.0f} %</td><td class=note>{}</td></tr>\n",
-        escape(log.log), log.hold_out ? " (held out)" : "", log.duration, 1.0 / log.dt, 1e3 * log.largest_displacement,
-        log.highest_frequency, percent(log.noise), 100.0 * log.repeats, escape(join(log.notes)));
-  }
-  return "<table><tr><th>log</th><th class=n>length [s]</th><th class=n>rate [Hz]</th><th class=n>largest |z| [mm]</th>"
-         "<th class=n>excited up to [Hz]</th><th class=n>noise floor</th><th "
-         "class=n>repeats</th><th>notes</th></tr>\n" +
-         rows + "</table>\n";
-}
-
-std::string figuresHtml(const Diagnosis& d) {
-  std::vector<io::Figure> figures = reportFigures(d);
-  figures.erase(std::remove_if(figures.begin(), figures.end(), [](const io::Figure& f) { return f.axes.empty(); }),
-                figures.end());
-  std::string html;
-  try {
-    for (const std::string& svg : io::drawSvg(figures)) {
-      html += "<figure>" + svg + "</figure>\n";
-    }
-  } catch (const io::FigureError& error) {
-    html = "<p class=note>No figures: " + escape(error.what()) + "</p>\n";
-  }
-  return html;
-}
-
-std::string findingsTable(const Diagnosis& d) {
+std::string findings(const Diagnosis& d) {
+  std::string html = heading("What the rig did to the logs");
   if (d.rig_findings.empty()) {
-    return "<p>Nothing beyond chance.</p>\n";
+    return html + "<p>Nothing beyond chance.</p>\n";
   }
-  std::string rows;
+  Table table({"log", "finding", "#value", "#95 % interval", "what it means", "at the bench"});
   for (const measurement::RigFinding& finding : d.rig_findings) {
-    const std::string unit = finding.unit == "1" ? "" : " " + finding.unit;
-    rows += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td class=n>{:.4g}{}</td><td class=n>{:.4g} to {:.4g}{}</td>"
-        "<td class=note>{}{}</td></tr>\n",
-        escape(finding.log), escape(finding.finding), finding.value, escape(unit), finding.interval_95[0],
-        finding.interval_95[1], escape(unit), escape(finding.text),
-        finding.beyond_tolerance ? "; beyond the rig's tolerance" : "");
+    const FindingAdvice& advice = adviceOn(finding.finding);
+    table.add({escape(finding.log), escape(spoken(finding.finding)), quantity(finding.value, finding.unit),
+               quantity(finding.interval_95[0], finding.unit) + " to " + quantity(finding.interval_95[1], finding.unit),
+               escape(advice.meaning.empty() ? finding.text : advice.meaning) +
+                   (finding.beyond_tolerance ? " <b>Beyond the rig's tolerance.</b>" : "") +
+                   (finding.fatal ? " " + escape(finding.text) + "." : ""),
+               escape(advice.remedy)});
   }
-  return "<table><tr><th>log</th><th>finding</th><th class=n>value</th><th class=n>95 % interval</th><th>what it "
-         "means</th></tr>\n" +
-         rows + "</table>\n";
+  return html + table.html();
 }
 
-std::string notTestable(const Diagnosis& d) {
-  std::vector<std::string> names;
-  for (const CandidateResult& c : d.candidates) {
-    if (!c.testable) {
-      names.push_back(c.effect);
-    }
+std::string admission(const Diagnosis& d) {
+  Table table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
+               "#repeats", "notes"});
+  for (const Admission& log : d.admission) {
+    table.add({escape(log.log) + (log.hold_out ? " (held out)" : ""), fmt::format("{:.1f}", log.duration),
+               fmt::format("{:.4g}", 1.0 / log.dt), fmt::format("{:.3g}", 1e3 * log.largest_displacement),
+               fmt::format("{:.3g}", log.highest_frequency), percent(log.noise), wholePercent(log.repeats) + " %",
+               escape(enumerated(log.notes))});
   }
-  return names.empty() ? "Every candidate would show in these logs."
-                       : "These logs would not show a typical " + join(names) + ": not absent, but not testable.";
+  return heading("The logs") + table.html();
 }
 
-}  // namespace
+std::string runRecord(const Diagnosis& d) {
+  if (d.run.version.empty()) {
+    return "";
+  }
+  Table table({"option", "file", "SHA-256"});
+  for (const InputFile& file : d.run.files) {
+    table.add({escape(file.option), escape(file.name), "<code>" + escape(file.sha256) + "</code>"});
+  }
+  return heading("Record of this run") +
+         fmt::format("<p>rubber_suspension {}, {}. Again by:</p>\n<pre>{}</pre>\n", escape(d.run.version),
+                     escape(d.run.date), escape(d.run.command_line)) +
+         table.html();
+}
 
-namespace {
+std::string nextExperiment(const Diagnosis& d) {
+  if (d.proposed.displacement.empty()) {
+    return "";
+  }
+  return heading("Next experiment") + "<p>" + escape(d.next_experiment) + "</p>\n<p class=note>It stays within the " +
+         "strokes, speeds and frequencies of the logs of the fit. To " + howToPlay(d) +
+         " on the bench, or through the node:</p>\n<pre>" +
+         escape(fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml component:={} "
+                            "log:=$PWD/next_experiment.csv output:=$PWD/next_run",
+                            d.component)) +
+         "</pre>\n";
+}
 
-std::string beginningOf(const Diagnosis& d) {
+std::string page(const Diagnosis& d, const std::string& body) {
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
-             "content=\"width=device-width\"><title>Gap report: {0}</title><style>{1}</style></head><body>\n<h1>Gap "
-             "between simulation and measurement: {0}</h1>\n",
-             escape(d.component), kStyle) +
-         "<p class=verdict>" + escape(d.sentence) + "</p>\n";
+             "content=\"width=device-width\"><title>Gap report: {}</title><style>{}</style></head><body>\n",
+             escape(d.component), kPageStyle) +
+         body + "</body></html>\n";
 }
 
 // Of logs that cannot be what they say.
-std::string benchHtml(const Diagnosis& d) {
-  return beginningOf(d) + "<h2>What the rig did to the logs</h2>\n" + findingsTable(d) +
-         "<h2>Next experiment</h2>\n<p>" + escape(d.next_experiment) +
-         "</p>\n<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
-         "bench.</p>\n</body></html>\n";
+std::string benchPage(const Diagnosis& d) {
+  return page(d,
+              firstScreen(d, "") + findings(d) +
+                  "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
+                  "bench.</p>\n" +
+                  runRecord(d));
 }
 
 }  // namespace
 
 std::string toHtml(const Diagnosis& d) {
   if (!d.workings) {
-    return benchHtml(d);
+    return benchPage(d);
   }
-  std::string sets;
-  for (const auto& set : d.confounded) {
-    if (set.size() > 1) {
-      sets += "<li>" + join(set) + "</li>\n";
-    }
-  }
-  std::string html = beginningOf(d);
-  html +=
-      "<h2>How far</h2>\n<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation "
-      "of "
-      "the measured force, on data that took no part in the fit, after what the rig did to that very log is taken "
-      "out.</p>\n" +
-      gapTable(d);
-  html += fmt::format("<p>Closed: {} % of the closable gap, 95 % interval {} to {} %.</p>\n", wholePercent(d.closed),
-                      wholePercent(d.closed_interval[0]), wholePercent(d.closed_interval[1]));
-  html += "<p class=note>Errors of the characteristics on the same data:</p>\n" + errorTable(d);
-  html += "<h2>Which</h2>\n" + candidateTable(d) +
-          fmt::format(
-              "<p>Probability that it is none of these: {:.0f} %. All candidates at once, as a flexible fit without "
-              "claim to a cause, would leave a gap of {} on blocks of these logs held out.</p>\n",
-              100.0 * d.probability_none, percent(d.workings->search.surrogate_gap));
-  if (!sets.empty()) {
-    html += "<p>These logs cannot tell apart:</p><ul>\n" + sets + "</ul>\n";
-  }
-  html += "<p>" + notTestable(d) + "</p>\n<h2>Next experiment</h2>\n<p>" + escape(d.next_experiment) + "</p>\n";
-  html += "<h2>Where</h2>\n" + whereTable(d) + "<h2>Figures</h2>\n" + figuresHtml(d);
-  html += "<h2>Which parameter would have to change</h2>\n" + parameterTable(d);
-  html += "<h2>What the rig did to the logs</h2>\n" + findingsTable(d);
-  html += "<h2>The logs</h2>\n" + admissionTable(d);
-  html += "<h2>Component file with the effects found</h2>\n<pre>" + escape(io::toYaml({d.augmented})) +
-          "</pre>\n</body></html>\n";
-  return html;
+  const DrawnFigures figures(d);
+  return page(d, firstScreen(d, firstLoop(figures)) + howFar(d) + heading("Which") + candidateSection(d) +
+                     where(d, figures) + furtherFigures(figures) + componentFile(d) + nextExperiment(d) + findings(d) +
+                     admission(d) + runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

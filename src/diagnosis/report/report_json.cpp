@@ -118,6 +118,21 @@ ordered_json parametersJson(const Diagnosis& diagnosis) {
   return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
+ordered_json sizeJson(const SizedValue& size) {
+  return {{"owner", size.owner},         {"name", size.name},
+          {"unit", size.unit},           {"configured", number(size.configured)},
+          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)}};
+}
+
+// What made the report; nothing where it was made by a program that says nothing of itself.
+ordered_json metaJson(const RunRecord& run) {
+  ordered_json files = ordered_json::array();
+  for (const InputFile& file : run.files) {
+    files.push_back({{"option", file.option}, {"name", file.name}, {"sha256", file.sha256}});
+  }
+  return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}, {"files", files}};
+}
+
 template <class T, class Function>
 ordered_json list(const std::vector<T>& values, Function convert) {
   ordered_json result = ordered_json::array();
@@ -153,11 +168,19 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"probability_none_of_these", number(diagnosis.probability_none)},
       {"where", list(diagnosis.where, cellJson)},
       {"next_experiment", diagnosis.next_experiment},
+      {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
+      {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
         {"augmented", errorsJson(diagnosis.errors_augmented)}}},
       {"own_parameters", parametersJson(diagnosis)},
       {"admission", list(diagnosis.admission, admissionJson)}};
+  if (!diagnosis.proposed.displacement.empty()) {
+    report["next_experiment_log"] = "next_experiment.csv";
+  }
+  if (!diagnosis.run.version.empty()) {
+    report["meta"] = metaJson(diagnosis.run);
+  }
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);

@@ -8,6 +8,8 @@
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/report/experiment.h"
+#include "diagnosis/report/model_values.h"
+#include "diagnosis/report/text.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -48,6 +50,42 @@ const FittedHypothesis* rivalOf(const Search& search, const FittedHypothesis& ju
 
 std::string gapText(double gap) { return fmt::format("{:.1f} %", 100.0 * gap); }
 
+// "friction (maximum force 199 N)" and the like, each with its first number.
+std::string effectsText(const Diagnosis& diagnosis) {
+  std::vector<std::string> texts;
+  for (const std::string& effect : diagnosis.effects) {
+    const auto size = std::find_if(diagnosis.effect_sizes.begin(), diagnosis.effect_sizes.end(),
+                                   [&](const SizedValue& value) { return value.owner == effect; });
+    texts.push_back(size == diagnosis.effect_sizes.end()
+                        ? effect
+                        : fmt::format("{} ({} {})", effect, spoken(size->name), quantity(size->value, size->unit)));
+  }
+  return enumerated(texts);
+}
+
+std::string ownValuesText(const Diagnosis& diagnosis) {
+  const auto changed = changedValues(diagnosis);
+  return changed.empty() ? "The model's parameters are off" : offText(*changed.front());
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
+// The largest fact first: the model's own values or the effects, whichever alone would leave less.
+std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
+  const auto changed = changedValues(diagnosis);
+  if (changed.empty()) {
+    return capitalised(effects);
+  }
+  return diagnosis.gap_of_values < diagnosis.gap_of_effects
+             ? offText(*changed.front()) + "; besides, " + effects
+             : capitalised(effects) + "; besides, " + offText(*changed.front());
+}
+
 std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
   if (judgement.only_unseen_logs_differ) {
     return fmt::format(
@@ -65,47 +103,52 @@ std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
 
 std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gap;
-  const std::string names = fmt::format("{}", fmt::join(diagnosis.effects, " and "));
-  const std::string closes = fmt::format(
-      "adding {} closes {:.0f} % of what re-estimation leaves (gap {} to {}, noise floor {})", names,
-      100.0 * diagnosis.closed, gapText(gap.re_estimated), gapText(gap.augmented), gapText(gap.noise_floor));
+  const std::string lacks = "the model lacks " + effectsText(diagnosis);
+  const std::string closes =
+      fmt::format("adding {} closes {} % of what re-estimation leaves (gap {} to {}, noise floor {})",
+                  diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed),
+                  gapText(gap.re_estimated), gapText(gap.augmented), gapText(gap.noise_floor));
   switch (judgement.verdict) {
     case Verdict::none:
       return fmt::format("The model agrees with the measurement: the gap of {} is at the noise floor of {}.",
                          gapText(gap.as_configured), gapText(gap.noise_floor));
     case Verdict::parameter_error:
-      return fmt::format("The model's parameters are off: re-estimating them reduces the gap from {} to {}.",
-                         gapText(gap.as_configured), gapText(gap.re_estimated));
+      return fmt::format("{}: re-estimating reduces the gap from {} to {} (noise floor {}).", ownValuesText(diagnosis),
+                         gapText(gap.as_configured), gapText(gap.re_estimated), gapText(gap.noise_floor));
     case Verdict::named:
-      return fmt::format("The model lacks {}: {}.", names, closes);
+      return withOwnValues(diagnosis, fmt::format("{}: {}", lacks, closes)) + ".";
     case Verdict::confounded:
-      return fmt::format("The model most probably lacks {}: {}. These logs cannot tell apart: {}.", names, closes,
-                         setsText(diagnosis.confounded));
+      return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) +
+             ". These logs cannot tell apart: " + setsText(diagnosis.confounded) + ".";
     case Verdict::partly:
-      return fmt::format(
-          "The model lacks {}, and something else: {}; a significant part of the gap remains unexplained.", names,
-          closes);
+      return withOwnValues(diagnosis, fmt::format("{}, and something else: {}; a significant part of the gap remains "
+                                                  "unexplained",
+                                                  lacks, closes)) +
+             ".";
     default:
       return unknownSentence(judgement, gap);
   }
 }
 
-std::string nextExperiment(const Search& search, const Judgement& judgement, const fit::ModelParameters& model) {
+NextExperiment nextExperiment(const Search& search, const Judgement& judgement, const fit::ModelParameters& model,
+                              const Stroke& stroke) {
   constexpr double kLeastNoise = 1e-4;  // of the force
   const FittedHypothesis& judged = search.at(judgement.model);
   const FittedHypothesis* rival = rivalOf(search, judged);
   if (rival == nullptr) {
-    return "None of the menu: no second explanation was fitted.";
+    return {"None of the menu: no second explanation was fitted.", {}};
   }
-  const auto menu = experimentMenu(search.excitation);
+  const auto menu = experimentMenu(search.excitation, stroke);
   const double noise = std::max(search.noise, kLeastNoise) * search.excitation.force;
   const auto best = mostTelling(menu, augmentedDescription(model, judged).allElements(),
                                 augmentedDescription(model, *rival).allElements(), noise);
   if (best.experiment == nullptr) {
-    return "None of the menu would tell the explanations apart.";
+    return {"None of the menu would tell the explanations apart.", {}};
   }
-  return fmt::format("{}: there {} and {} differ by {:.1f} times the noise floor.", best.experiment->description,
-                     membersText(search, judged), membersText(search, *rival), best.difference);
+  const Experiment& chosen = *best.experiment;
+  return {fmt::format("{}: there {} and {} differ by {:.1f} times the noise floor.", chosen.description,
+                      membersText(search, judged), membersText(search, *rival), best.difference),
+          {chosen.description, chosen.dt, {chosen.displacement.begin(), chosen.displacement.end()}}};
 }
 
 }  // namespace rubber_suspension::diagnosis

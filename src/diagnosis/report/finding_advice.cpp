@@ -1,0 +1,63 @@
+// What each finding about the rig means, and how to mend it at the bench.
+#include "diagnosis/report/finding_advice.h"
+
+#include <map>
+
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::diagnosis {
+
+const FindingAdvice& adviceOn(const std::string& finding) {
+  namespace f = measurement::finding;
+  static const std::map<std::string, FindingAdvice> table = {
+      {f::kForceZero,
+       {"The force does not read 0 where the component is free of load.",
+        "Zero the load cell with the component unclamped and warm; note the zero before and after each log."}},
+      {f::kDisplacementZero,
+       {"The displacement does not read 0 at the position that the model starts from.",
+        "Zero the displacement sensor at the clamped rest position, before every log."}},
+      {f::kRunningStart,
+       {"The recording starts while the component still answers to motion before it.",
+        "Start the recording at rest, some relaxation times before the machine moves."}},
+      {f::kSensorGain,
+       {"The force is larger or smaller than it should be by one factor.",
+        "Calibrate the load cell and its amplifier in the range of this test; compare with a dead weight."}},
+      {f::kDelay,
+       {"One channel arrives later than the other.",
+        "Use the same filter and the same converter for both channels, or correct by the filters' group delay."}},
+      {f::kClock,
+       {"The two channels run on clocks of different speed.",
+        "Record both channels on one clock, or distribute a trigger to both recorders."}},
+      {f::kSpikes,
+       {"Single samples stand far out of the signal.",
+        "Check plugs, shield and earth of the channel; look for switching drives beside its cable."}},
+      {f::kHeldValues,
+       {"The channel repeats its last value: samples were lost.",
+        "Record at the rate that the channel delivers; check the bus load and the buffer of the recorder."}},
+      {f::kSaturation,
+       {"The channel stands at the end of its range.",
+        "Choose a larger range of the amplifier or a larger load cell, and record again."}},
+      {f::kColouredNoise,
+       {"The noise of the force is not white: slow parts are larger than fast ones.",
+        "Let the amplifier warm up; keep the load cell's temperature steady; check for vibration of the frame."}},
+      {f::kSign,
+       {"Force and displacement have opposite signs.",
+        "Swap the sign of one channel: a positive displacement has to need a positive force."}},
+      {f::kUnitFactor,
+       {"The numbers are off by the factor between two units.",
+        "Write the right unit into the column's name, or give it with --unit."}},
+      {f::kSwappedColumns,
+       {"Displacement and force stand in each other's columns.", "Name the columns, or give them with --columns."}},
+      {f::kOtherComponent,
+       {"The log's stiffness is not that of this component file, by more than any effect of rubber.",
+        "Check which component was clamped, how many in parallel, and which entry of the component file is meant."}},
+      {f::kTooShort,
+       {"The log is too short, or has too few samples in a cycle, to say anything.",
+        "Record several cycles with at least some twenty samples in each."}},
+  };
+  static const FindingAdvice nothing;
+  const auto found = table.find(finding);
+  return found == table.end() ? nothing : found->second;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,152 @@
+// What a reader of the report sees first.
+#include "diagnosis/report/first_screen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "diagnosis/report/finding_advice.h"
+#include "diagnosis/report/model_values.h"
+#include "diagnosis/report/text.h"
+#include "diagnosis/workings.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+std::string meaningOf(const std::string& verdict) {
+  static const std::map<std::string, std::string> meanings = {
+      {"none", "no gap beyond the noise"},
+      {"parameter_error", "the model's own values are off; nothing is missing"},
+      {"named", "the model lacks what is named here"},
+      {"partly", "the model lacks what is named here, and something else"},
+      {"confounded", "these logs cannot tell the effects of a set apart"},
+      {"unknown", "no effect of the list explains the gap"},
+      {"check_bench", "a log cannot be what it says"}};
+  const auto found = meanings.find(verdict);
+  return found == meanings.end() ? "" : found->second;
+}
+
+std::string fact(const std::string& title, const std::string& html) {
+  return html.empty() ? "" : "<dt>" + title + "</dt><dd>" + html + "</dd>\n";
+}
+
+const CandidateResult* candidateOf(const Diagnosis& d, const std::string& effect) {
+  const auto found = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                  [&](const CandidateResult& c) { return c.effect == effect; });
+  return found == d.candidates.end() ? nullptr : &*found;
+}
+
+std::string effectsHtml(const Diagnosis& d) {
+  std::string html;
+  for (const std::string& effect : d.effects) {
+    const CandidateResult* const candidate = candidateOf(d, effect);
+    html +=
+        fmt::format("{}<b>{}</b>{}", html.empty() ? "" : "<br>", escape(spoken(effect)),
+                    candidate == nullptr ? "" : " <span class=note>" + escape(candidate->documentation) + "</span>");
+  }
+  return html.empty() && d.workings ? "none of the list is named" : html;
+}
+
+std::string sizesHtml(const Diagnosis& d) {
+  std::string html;
+  for (const SizedValue& size : d.effect_sizes) {
+    const std::string name =
+        size.owner == "friction" && size.name == "displacement" ? "half of the force at" : escape(spoken(size.name));
+    html += fmt::format("{}{}{} {}", html.empty() ? "" : "<br>",
+                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", name, quantity(size));
+  }
+  for (const SizedValue* size : changedValues(d)) {
+    html += (html.empty() ? "" : "<br>") + escape(offText(*size)) + "; 95 %: " + intervalText(*size);
+  }
+  return html;
+}
+
+std::string sureHtml(const Diagnosis& d) {
+  if (!d.workings) {
+    return "";
+  }
+  if (d.effects.empty()) {
+    return fmt::format("{} % that no effect of the list is at work", wholePercent(d.probability_none));
+  }
+  std::string html;
+  for (const std::string& effect : d.effects) {
+    const CandidateResult* const candidate = candidateOf(d, effect);
+    if (candidate != nullptr && effect == d.effects.front()) {
+      html = fmt::format("{} % that {} is the most important effect", wholePercent(candidate->probability),
+                         escape(spoken(effect)));
+    }
+  }
+  for (const auto& set : d.confounded) {
+    if (set.size() > 1) {
+      html += "<br>not to be told apart here: " + escape(enumerated(set));
+    }
+  }
+  return html;
+}
+
+std::string leftHtml(const Diagnosis& d) {
+  if (!d.workings) {
+    return "";
+  }
+  std::string html = fmt::format("gap {} as configured, {} re-estimated, <b>{} after</b>; noise floor {}",
+                                 percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
+                                 percent(d.gap.noise_floor));
+  if (!d.effects.empty()) {
+    html += fmt::format("<br>closes {} % (95 %: {} to {} %) of what re-estimation leaves above the noise",
+                        wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
+                        wholePercent(std::min(1.0, d.closed_interval[1])));
+  }
+  return html;
+}
+
+std::string whereHtml(const Diagnosis& d) {
+  if (d.where.empty()) {
+    return "";
+  }
+  const gap::GapCell& cell = d.where.front();
+  const std::string band =
+      cell.frequency[0] > 0.0 ? fmt::format(", {:.3g} to {:.3g} Hz", cell.frequency[0], cell.frequency[1]) : "";
+  return fmt::format("log <b>{}</b>{}, {:.3g} to {:.3g} mm: <b>{}</b>, {} % of the squared gap as configured",
+                     escape(cell.log), band, 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1],
+                     gap::toString(cell.quantity), wholePercent(cell.share));
+}
+
+std::string benchHtml(const Diagnosis& d) {
+  std::string html;
+  for (const measurement::RigFinding& finding : d.rig_findings) {
+    if (finding.fatal) {
+      html += fmt::format("{}<b>{}</b>, log {}: {} <b>At the bench:</b> {}", html.empty() ? "" : "<br>",
+                          escape(spoken(finding.finding)), escape(finding.log),
+                          escape(adviceOn(finding.finding).meaning), escape(adviceOn(finding.finding).remedy));
+    }
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string howToPlay(const Diagnosis& d) {
+  if (d.proposed.displacement.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "play <a href=\"next_experiment.csv\">next_experiment.csv</a> ({:.3g} s at {:.4g} Hz; from rest at 0 to rest at "
+      "0)",
+      static_cast<double>(d.proposed.displacement.size() - 1) * d.proposed.dt, 1.0 / d.proposed.dt);
+}
+
+std::string firstScreen(const Diagnosis& d, const std::string& loop) {
+  const std::string play = howToPlay(d);
+  const std::string facts =
+      fact("Verdict", fmt::format("<b>{}</b>: {}", escape(d.verdict), meaningOf(d.verdict))) +
+      fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
+      fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) + fact("Where", whereHtml(d)) +
+      fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
+  return fmt::format("<p class=kicker>Gap report: {}{}</p>\n<h1>{}</h1>\n<div class=first>\n<dl>\n{}</dl>\n{}</div>\n",
+                     escape(d.component), d.run.date.empty() ? "" : ", " + escape(d.run.date), escape(d.sentence),
+                     facts, loop);
+}
+
+}  // namespace rubber_suspension::diagnosis

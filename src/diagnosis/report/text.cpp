@@ -1,0 +1,128 @@
+// Numbers and text as the report's page has them.
+#include "diagnosis/report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// A unit for display, worth `factor` of the SI unit, for values from `least` on.
+struct Display {
+  double least;
+  double factor;
+  const char* name;
+};
+
+const Display& displayOf(const std::string& unit, double size) {
+  static const std::map<std::string, std::vector<Display>> table = {
+      {"N", {{1e3, 1e3, "kN"}, {0.0, 1.0, "N"}}},
+      {"m", {{1.0, 1.0, "m"}, {1e-5, 1e-3, "mm"}, {0.0, 1e-6, "µm"}}},
+      {"N/m", {{1e5, 1e6, "kN/mm"}, {0.0, 1e3, "N/mm"}}},
+      {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
+      {"J", {{1e3, 1e3, "kJ"}, {0.0, 1.0, "J"}}},
+  };
+  static const Display as_it_is{0.0, 1.0, ""};
+  const auto found = table.find(unit);
+  if (found == table.end()) {
+    return as_it_is;
+  }
+  return *std::find_if(found->second.begin(), found->second.end(),
+                       [&](const Display& display) { return size >= display.least || display.least == 0.0; });
+}
+
+std::string unitText(const Display& display, const std::string& unit) {
+  if (*display.name != '\0') {
+    return std::string(" ") + display.name;
+  }
+  return unit == "1" ? "" : " " + unit;
+}
+
+std::string titleOf(const std::string& title) { return title.front() == '#' ? title.substr(1) : title; }
+
+}  // namespace
+
+std::string escape(const std::string& text) {
+  static const std::map<char, const char*> entities = {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
+  std::string result;
+  for (const char c : text) {
+    const auto found = entities.find(c);
+    result += found == entities.end() ? std::string(1, c) : found->second;
+  }
+  return result;
+}
+
+std::string percent(double value) { return fmt::format("{:.1f} %", 100.0 * value); }
+
+std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
+
+std::string enumerated(const std::vector<std::string>& parts) {
+  std::string result;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    result += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return result;
+}
+
+std::string quantity(double value, const std::string& unit) {
+  const Display& display = displayOf(unit, std::abs(value));
+  return fmt::format("{:.3g}{}", value / display.factor, unitText(display, unit));
+}
+
+std::string intervalText(const SizedValue& size) {
+  const Display& display = displayOf(size.unit, std::abs(size.value));
+  return fmt::format("{:.3g} to {:.3g}{}", size.interval_95[0] / display.factor, size.interval_95[1] / display.factor,
+                     unitText(display, size.unit));
+}
+
+std::string quantity(const SizedValue& size) {
+  return quantity(size.value, size.unit) + " (" + intervalText(size) + ")";
+}
+
+std::string spoken(const std::string& name) {
+  std::string result = name;
+  std::replace(result.begin(), result.end(), '_', ' ');
+  return result;
+}
+
+std::string symbolOf(const std::string& name) {
+  static const std::map<std::string, std::string> symbols = {
+      {"static_stiffness", "K_st"}, {"dynamic_stiffness", "K_n"}, {"maximum_stiffness", "K_max"},
+      {"nominal_frequency", "f_n"}, {"high_frequency", "f_h"},    {"low_frequency", "f_l"},
+      {"nominal_amplitude", "A_n"}, {"break_frequency", "f_b"}};
+  const auto found = symbols.find(name);
+  return found == symbols.end() ? spoken(name) : found->second;
+}
+
+Table::Table(std::vector<std::string> titles) : titles_(std::move(titles)) {}
+
+void Table::add(const std::vector<std::string>& fields) {
+  if (fields.size() != titles_.size()) {
+    throw std::logic_error(fmt::format("a table of {} columns got a row of {}", titles_.size(), fields.size()));
+  }
+  rows_ += "<tr>";
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    rows_ += fmt::format("<td{} data-title=\"{}\">{}</td>", titles_[i].front() == '#' ? " class=n" : "",
+                         titleOf(titles_[i]), fields[i]);
+  }
+  rows_ += "</tr>\n";
+}
+
+std::string Table::html() const {
+  std::string head;
+  for (const std::string& title : titles_) {
+    head += fmt::format("<th{}>{}</th>", title.front() == '#' ? " class=n" : "", titleOf(title));
+  }
+  return "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + rows_ + "</tbody></table>\n";
+}
+
+std::string folded(const std::string& title, const std::string& html) {
+  return "<details><summary>" + title + "</summary>\n" + html + "</details>\n";
+}
+
+}  // namespace rubber_suspension::diagnosis

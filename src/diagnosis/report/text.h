@@ -1,0 +1,60 @@
+// Numbers and text as the report's page has them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Text for HTML.
+std::string escape(const std::string& text);
+
+/// "7.9 %" of 0.079.
+std::string percent(double value);
+
+/// "8" of 0.079, without a minus before 0.
+std::string wholePercent(double value);
+
+/// "a", "a and b", "a, b and c".
+std::string enumerated(const std::vector<std::string>& parts);
+
+/// A value in SI with the prefix that an engineer reads: "6 kN", "0.35 mm", "4.2 kN/mm".
+std::string quantity(double value, const std::string& unit);
+
+/// The same with its interval in the same unit: "6 kN (5.7 to 6.4 kN)".
+std::string quantity(const SizedValue& size);
+
+/// Its interval alone, in the unit of its value: "5.7 to 6.4 kN".
+std::string intervalText(const SizedValue& size);
+
+/// "dynamic stiffness" of dynamic_stiffness.
+std::string spoken(const std::string& name);
+
+/// What a specification calls the value, where it has a symbol: "K_n" of dynamic_stiffness, else spoken().
+std::string symbolOf(const std::string& name);
+
+/// A table whose rows become blocks with the titles before each field where the page is narrow.
+class Table {
+ public:
+  /// Titles (HTML); those that begin with '#' are of columns of numbers.
+  explicit Table(std::vector<std::string> titles);
+
+  /// A row of HTML, one text per title. Throws std::logic_error for another number of them.
+  void add(const std::vector<std::string>& fields);
+
+  bool empty() const { return rows_.empty(); }
+
+  std::string html() const;
+
+ private:
+  std::vector<std::string> titles_;
+  std::string rows_;
+};
+
+/// A part that is closed until it is clicked at, and not printed.
+std::string folded(const std::string& title, const std::string& html);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,278 @@
+// The report's page, its record of the run, and the numbers behind its figures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "diagnosis/augmented.h"
+#include "diagnosis/report/candidate_section.h"
+#include "diagnosis/report/figure_data.h"
+#include "diagnosis/report/finding_advice.h"
+#include "diagnosis/report/first_screen.h"
+#include "diagnosis/report/model_values.h"
+#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/run_record.h"
+#include "diagnosis/report/text.h"
+#include "diagnosis/workings.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/iwan.h"
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Colours of the style sheet's variables, by block: light, dark, print.
+std::vector<std::map<std::string, std::array<double, 3>>> palettes(const std::string& style) {
+  std::vector<std::map<std::string, std::array<double, 3>>> result;
+  const std::regex block(R"(:root\s*\{([^}]*)\})");
+  const std::regex variable(R"(--(\w+):\s*#([0-9a-f]{6}))");
+  for (std::sregex_iterator b(style.begin(), style.end(), block); b != std::sregex_iterator(); ++b) {
+    const std::string body = (*b)[1];
+    std::map<std::string, std::array<double, 3>> palette;
+    for (std::sregex_iterator v(body.begin(), body.end(), variable); v != std::sregex_iterator(); ++v) {
+      const unsigned long rgb = std::stoul((*v)[2], nullptr, 16);
+      palette[(*v)[1]] = {static_cast<double>(rgb >> 16U) / 255.0, static_cast<double>((rgb >> 8U) & 255U) / 255.0,
+                          static_cast<double>(rgb & 255U) / 255.0};
+    }
+    result.push_back(palette);
+  }
+  return result;
+}
+
+// WCAG 2.1, relative luminance and contrast ratio.
+double luminance(const std::array<double, 3>& rgb) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
+}
+
+double contrast(const std::array<double, 3>& one, const std::array<double, 3>& other) {
+  const double a = luminance(one);
+  const double b = luminance(other);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+TEST(ReportPage, HasTheContrastOfLevelAA) {
+  const auto schemes = palettes(diagnosis::kPageStyle);
+  ASSERT_EQ(schemes.size(), 3U) << "light, dark, print";
+  for (const auto& scheme : schemes) {
+    for (const char* text : {"ink", "note", "link", "added", "removed"}) {
+      for (const char* background : {"paper", "soft"}) {
+        EXPECT_GE(contrast(scheme.at(text), scheme.at(background)), 4.5) << text << " on " << background;
+      }
+    }
+    EXPECT_GE(contrast(scheme.at("mark"), scheme.at("paper")), 3.0) << "bars and the line beside the verdict";
+  }
+}
+
+// No measure of the style sheet is wider than a page of 400 px; what depends on the screen's width is.
+TEST(ReportPage, AsksForNoWidthBeyond400Pixels) {
+  const std::string style = diagnosis::kPageStyle;
+  const std::regex width(R"((^|[^-])\b(min-width|width|minmax\(min\(100%,):?\s*([\d.]+)(rem|px)\b)");
+  int found = 0;
+  for (std::sregex_iterator m(style.begin(), style.end(), width); m != std::sregex_iterator(); ++m) {
+    if ((*m)[2] == "width" || (*m)[2] == "min-width") {
+      EXPECT_LE(std::stod((*m)[3]) * ((*m)[4] == "rem" ? 16.0 : 1.0), 400.0 - 32.0) << (*m)[0];
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_THAT(style, HasSubstr("overflow-wrap: anywhere"));
+  EXPECT_THAT(style, HasSubstr("minmax(min(100%,"));
+}
+
+TEST(ReportTable, TellsTheTitleOfEachField) {
+  diagnosis::Table table({"log", "#gap"});
+  table.add({"sine", "7.9 %"});
+  EXPECT_THAT(table.html(), HasSubstr("<td data-title=\"log\">sine</td><td class=n data-title=\"gap\">7.9 %</td>"));
+  EXPECT_THROW(table.add({"sine"}), std::logic_error);
+}
+
+TEST(ReportText, HasUnitsThatEngineersRead) {
+  EXPECT_EQ(diagnosis::quantity(6000.0, "N"), "6 kN");
+  EXPECT_EQ(diagnosis::quantity(-31.0, "N"), "-31 N");
+  EXPECT_EQ(diagnosis::quantity(3.5e-4, "m"), "0.35 mm");
+  EXPECT_EQ(diagnosis::quantity(4.2e6, "N/m"), "4.2 kN/mm");
+  EXPECT_EQ(diagnosis::quantity(2.1e-4, "s"), "0.21 ms");
+  EXPECT_EQ(diagnosis::quantity(0.0, "m"), "0 µm");
+  EXPECT_EQ(diagnosis::quantity(1.5, "1"), "1.5");
+  EXPECT_EQ(diagnosis::quantity({"friction", "maximum_force", "N", 0.0, 6000.0, {950.0, 6400.0}}),
+            "6 kN (0.95 to 6.4 kN)");
+}
+
+TEST(ReportText, NeverLeavesHtmlOfAName) {
+  EXPECT_EQ(diagnosis::escape("<b a=\"1\">&"), "&lt;b a=&quot;1&quot;&gt;&amp;");
+}
+
+std::string outputOf(const std::string& command) {
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  std::string text;
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
+    text += buffer.data();
+  }
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return text;
+}
+
+TEST(RunRecord, NamesFilesByTheirSha256) {
+  const std::string path = testing::TempDir() + "run record's file";
+  std::string content(200000, 'x');  // more than one portion
+  content += '\0';
+  std::ofstream(path, std::ios::binary) << content;
+  setenv("SOURCE_DATE_EPOCH", "86399", 1);
+  const auto record = diagnosis::makeRunRecord("1.2", {"diagnose", "--log", path}, {{"--log", path}});
+  unsetenv("SOURCE_DATE_EPOCH");
+  ASSERT_EQ(record.files.size(), 1U);
+  EXPECT_EQ(record.files[0].name, "run record's file");
+  EXPECT_EQ(record.files[0].sha256, outputOf("sha256sum < \"" + path + "\" | cut -d' ' -f1 | tr -d '\\n'"));
+  EXPECT_EQ(record.date, "1970-01-01T23:59:59Z");
+  EXPECT_EQ(outputOf("printf %s " + record.command_line.substr(std::string("diagnose --log ").size())), path)
+      << "the shell reads the quoted path back";
+  std::remove(path.c_str());
+  EXPECT_THROW(diagnosis::makeRunRecord("1", {}, {{"--log", path}}), std::runtime_error) << "the file is gone";
+}
+
+TEST(RunRecord, RefusesADateThatIsNone) {
+  for (const char* bad : {"yesterday", "-1", "1e9", "99999999999999999999", "12 "}) {
+    setenv("SOURCE_DATE_EPOCH", bad, 1);
+    EXPECT_THROW(diagnosis::makeRunRecord("1", {}, {}), std::runtime_error) << bad;
+  }
+  unsetenv("SOURCE_DATE_EPOCH");
+}
+
+TEST(FigureData, HoldsEveryPointAndNoHoles) {
+  io::Axes axes;
+  axes.title = "a \"b\"";
+  axes.x_label = "displacement [mm]";
+  axes.y_label = "force [kN]";
+  axes.curves.push_back({"measured", {1.0, 2.0, 3.0}, {0.5, std::numeric_limits<double>::quiet_NaN(), 1.5}});
+  EXPECT_EQ(diagnosis::figureCsv({"t", {axes}, 1}),
+            "curve,panel,displacement_mm,force_kN\n\"measured\",\"a \"\"b\"\"\",1,0.5\n"
+            "\"measured\",\"a \"\"b\"\"\",3,1.5\n");
+}
+
+TEST(FigureData, HoldsTheCellsOfAMap) {
+  io::Axes axes;
+  axes.x_label = "frequency [Hz]";
+  axes.y_label = "amplitude [mm]";
+  axes.maps.push_back({{1.0, 2.0, 4.0}, {0.1, 1.0}, {std::numeric_limits<double>::quiet_NaN(), 7.0}, "share [%]"});
+  EXPECT_EQ(diagnosis::figureCsv({"t", {axes}, 1}),
+            "curve,panel,frequency_Hz_low,frequency_Hz_high,amplitude_mm_low,amplitude_mm_high,value\n"
+            "\"share [%]\",\"\",2,4,0.1,1,7\n");
+}
+
+double named(const std::vector<diagnosis::HeadlineValue>& values, const std::string& name) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.name == name; });
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+// Sliders that realise a friction of 6 kN, half of it at 0.35 mm, are told as just that.
+TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
+  element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
+  for (const element::JenkinsSlider& slider : element::iwanSliders(6000.0, 3.5e-4, 64)) {
+    table.values["yield_displacement"].push_back(slider.yield_displacement);
+    table.values["stiffness"].push_back(slider.stiffness);
+  }
+  std::reverse(table.values["yield_displacement"].begin(), table.values["yield_displacement"].end());
+  std::reverse(table.values["stiffness"].begin(), table.values["stiffness"].end());
+  const auto values = diagnosis::headlineValuesOf({table});
+  EXPECT_NEAR(named(values, "maximum_force"), 6000.0, 1e-6);
+  EXPECT_NEAR(named(values, "displacement"), 3.5e-4, 0.02 * 3.5e-4) << "chords of the hyperbola cut its corner";
+  // One slider: half of its force at half of its way.
+  const auto one =
+      diagnosis::headlineValuesOf({{"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}}});
+  EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
+}
+
+diagnosis::Diagnosis withSizes(std::vector<diagnosis::SizedValue> sizes) {
+  diagnosis::Diagnosis d;
+  d.model_sizes = std::move(sizes);
+  return d;
+}
+
+TEST(ModelValues, AreTheFactWhereTheLogsContradictThem) {
+  const auto d = withSizes({{"specification", "static_stiffness", "N/m", 3.0e6, 3.05e6, {2.9e6, 3.2e6}},
+                            {"specification", "dynamic_stiffness", "N/m", 3.4e6, 4.2e6, {4.1e6, 4.3e6}},
+                            {"specification", "break_frequency", "Hz", 1.0, 1.1, {1.05, 1.2}}});
+  const auto changed = diagnosis::changedValues(d);
+  ASSERT_EQ(changed.size(), 2U) << "the first one's interval holds the configured value";
+  EXPECT_EQ(diagnosis::offText(*changed[0]),
+            "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)");
+}
+
+TEST(Candidates, AreOutForAReason) {
+  diagnosis::Diagnosis d;
+  d.effects = {"friction"};
+  d.gap = {0.14, 0.12, 0.02, 0.015};
+  diagnosis::CandidateResult creep;
+  creep.effect = "creep";
+  creep.gap = 0.11;
+  creep.interval = {0.05, 0.1};
+  creep.testable = true;
+  EXPECT_EQ(diagnosis::whyOut(d, creep), "leaves 11.0 %, where what is named leaves 2.0 %");
+  creep.interval = {-0.1, 0.1};
+  EXPECT_THAT(diagnosis::whyOut(d, creep), HasSubstr("holds 0"));
+  creep.testable = false;
+  creep.visible_share = 0.03;
+  EXPECT_THAT(diagnosis::whyOut(d, creep), HasSubstr("all but 3 %"));
+  creep.effect = "friction";
+  EXPECT_EQ(diagnosis::whyOut(d, creep), "");
+}
+
+TEST(Findings, AllHaveAMeaningAndARemedy) {
+  std::ifstream header(std::string(TEST_DIR) + "/../include/rubber_suspension/measurement/rig_finding.h");
+  const std::string text((std::istreambuf_iterator<char>(header)), {});
+  const std::regex name(R"re(inline constexpr const char\* \w+ = "(\w+)")re");
+  int count = 0;
+  for (std::sregex_iterator m(text.begin(), text.end(), name); m != std::sregex_iterator(); ++m, ++count) {
+    EXPECT_FALSE(diagnosis::adviceOn((*m)[1]).meaning.empty()) << (*m)[1];
+    EXPECT_FALSE(diagnosis::adviceOn((*m)[1]).remedy.empty()) << (*m)[1];
+  }
+  EXPECT_GE(count, 15);
+}
+
+// Whoever sees the first screen alone can say where, which, how far, how sure, and what next.
+TEST(FirstScreen, AnswersTheFiveQuestions) {
+  diagnosis::Diagnosis d;
+  d.component = "bush <1>";
+  d.verdict = "named";
+  d.sentence = "The model lacks friction.";
+  d.effects = {"friction"};
+  d.gap = {0.14, 0.12, 0.02, 0.015};
+  d.closed = 0.94;
+  d.closed_interval = {0.92, 1.1};
+  diagnosis::CandidateResult friction;
+  friction.effect = "friction";
+  friction.probability = 0.97;
+  d.candidates = {friction};
+  d.effect_sizes = {{"friction", "maximum_force", "N", 0.0, 6000.0, {5700.0, 6400.0}},
+                    {"friction", "displacement", "m", 0.0, 3.5e-4, {3e-4, 4e-4}}};
+  d.where = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.31, 10.0}};
+  d.next_experiment = "sine at 4 Hz";
+  d.proposed = {"sine", 0.01, std::vector<double>(201, 0.0)};
+  d.workings = std::make_shared<diagnosis::Workings>();
+  const std::string html = diagnosis::firstScreen(d, "<figure>LOOP</figure>");
+  for (const char* answer :
+       {"bush &lt;1&gt;", "<h1>The model lacks friction.</h1>", "maximum force 6 kN (5.7 to 6.4 kN)",
+        "half of the force at 0.35 mm (0.3 to 0.4 mm)", "97 % that friction", "gap 14.0 % as configured", "2.0 % after",
+        "94 % (95 %: 92 to 100 %)", "sines", "2 to 4 Hz", "stiffness", "31 %", "sine at 4 Hz", "next_experiment.csv",
+        "(2 s at 100 Hz", "LOOP"}) {
+    EXPECT_THAT(html, HasSubstr(answer));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace rubber_suspension
