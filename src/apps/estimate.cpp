@@ -2,6 +2,7 @@
 // and loss angle over frequency and amplitude; turns data sheets into component files.
 #include "command/estimate.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "apps/command.h"
@@ -136,6 +137,19 @@ int identifyComponent(const Options& options) {
   return kSuccess;
 }
 
+// For a figure: as many points as a curve without kinks takes.
+std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
+                                                   command::SweepOptions sweeps) {
+  constexpr int kSmooth = 61;
+  sweeps.points = std::max(sweeps.points, kSmooth);
+  std::vector<command::EstimateReport> reports;
+  reports.reserve(components.size());
+  for (const io::ComponentDescription& component : components) {
+    reports.push_back(command::makeEstimateReport(component, sweeps));
+  }
+  return reports;
+}
+
 int estimateComponents(const Options& options) {
   const command::SweepOptions sweeps = sweepOptions(options);
   std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
@@ -147,7 +161,7 @@ int estimateComponents(const Options& options) {
     reports.push_back(command::makeEstimateReport(component, sweeps));
   }
   if (!options.plot.empty()) {
-    io::drawFigure(command::toFigure(reports), options.plot);
+    io::drawFigure(command::toFigure(smoothReports(components, sweeps)), options.plot);
   }
   if (options.json) {
     std::cout << command::toJson(reports);

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "io/progress.h"
@@ -167,21 +170,107 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
 
 using Quantity = double (*)(const response::SweepPoint&);
 
-io::Curve curveOf(const EstimateReport& report, const std::vector<response::SweepPoint>& points, Quantity x,
-                  Quantity y) {
+double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
+double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
+double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
+double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+
+// A column of the figure: what is constant in it, and what varies.
+struct Column {
+  std::string title;
+  const char* x_label;
+  const std::vector<response::SweepPoint> EstimateReport::*points;
+  Quantity x;
+};
+
+io::Curve curveOf(const EstimateReport& report, const Column& column, Quantity y, int colour) {
   io::Curve curve;
   curve.label = report.description.name;
-  for (const response::SweepPoint& point : points) {
-    curve.x.push_back(x(point));
+  curve.colour = colour;
+  for (const response::SweepPoint& point : report.*column.points) {
+    curve.x.push_back(column.x(point));
     curve.y.push_back(y(point));
   }
   return curve;
 }
 
-double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
-double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
-double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+// "constant amplitude 2 mm"; without the value where that is another one for each component.
+std::string constantTitle(const std::string& what, const std::string& unit, const std::vector<EstimateReport>& reports,
+                          const std::function<double(const EstimateReport&)>& value) {
+  for (const EstimateReport& report : reports) {
+    if (std::abs(value(report) / value(reports.front()) - 1.0) > 1e-9) {
+      return fmt::format("constant {} of each", what);
+    }
+  }
+  return fmt::format("constant {} {:.4g} {}", what, value(reports.front()), unit);
+}
+
+// The specification's points, where they lie on what is drawn: markers, and K_st and K_max as levels.
+class SpecificationMarks {
+ public:
+  SpecificationMarks(const EstimateReport& report, int colour)
+      : report_(report), specification_(report.description.specification()), colour_(colour) {}
+
+  void add(io::Axes& axes, const Column& column, bool stiffness) const {
+    const bool over_amplitude = column.points == &EstimateReport::over_amplitude;
+    const auto& points = report_.*column.points;
+    if (points.empty()) {
+      return;
+    }
+    const double low = column.x(points.front());
+    const double high = column.x(points.back());
+    if (!stiffness) {
+      if (const auto angle = lossAngle(); angle && !over_amplitude) {
+        point(axes, "specified at f_n", "o", "nominal_frequency", *angle * kDegrees, low, high);
+      }
+      return;
+    }
+    level(axes, "K_st", ":", "static_stiffness", low, high);
+    if (over_amplitude) {
+      point(axes, "K_n at A_n", "o", "nominal_amplitude", specified("dynamic_stiffness"), low, high);
+      return;
+    }
+    level(axes, "K_max", "-.", "maximum_stiffness", low, high);
+    point(axes, "K_n at f_n", "o", "nominal_frequency", specified("dynamic_stiffness"), low, high);
+    point(axes, "K_max at f_h", "s", "high_frequency", specified("maximum_stiffness"), low, high);
+  }
+
+ private:
+  // [kN/mm]; not a number where the specification has none.
+  double specified(const char* name) const {
+    return specification_.valueOr(name, std::numeric_limits<double>::quiet_NaN()) * 1e-6;
+  }
+
+  std::optional<double> lossAngle() const {
+    if (const auto angle = specification_.find("loss_angle")) {
+      return angle;
+    }
+    const auto damping = specification_.find("relative_damping");
+    return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
+  }
+
+  void level(io::Axes& axes, const char* label, const char* style, const char* name, double low, double high) const {
+    if (specification_.has(name)) {
+      axes.curves.push_back({label, {low, high}, {specified(name), specified(name)}, style, colour_, kThin});
+    }
+  }
+
+  void point(io::Axes& axes, const char* label, const char* style, const char* place, double y, double low,
+             double high) const {
+    const auto at = specification_.find(place);
+    const double x = at.value_or(0.0) * (std::string(place) == "nominal_amplitude" ? 1e3 : 1.0);
+    if (at && std::isfinite(y) && x >= low * (1.0 - kRounding) && x <= high * (1.0 + kRounding)) {
+      axes.curves.push_back({label, {x}, {y}, style, colour_});
+    }
+  }
+
+  static constexpr double kThin = 0.9;
+  static constexpr double kRounding = 1e-9;
+
+  const EstimateReport& report_;
+  const estimation::Specification& specification_;
+  int colour_;
+};
 
 }  // namespace
 
@@ -257,29 +346,32 @@ std::string toJson(const std::vector<EstimateReport>& reports) {
 
 io::Figure toFigure(const std::vector<EstimateReport>& reports) {
   io::Figure figure;
-  figure.title = "Stiffness and loss angle";
-  const struct {
-    const char* title;
-    const char* x_label;
-    const std::vector<response::SweepPoint> EstimateReport::*points;
-    Quantity x;
-  } columns[] = {{"constant amplitude", "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
-                 {"constant frequency", "amplitude [mm]", &EstimateReport::over_amplitude, amplitudeOf},
-                 {"constant product", "frequency [Hz]", &EstimateReport::over_product, frequencyOf}};
-  const struct {
-    const char* y_label;
-    Quantity y;
-  } rows[] = {{"stiffness [kN/mm]", stiffnessOf}, {"loss angle [deg]", angleOf}};
+  figure.title = reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
+                                     : "Stiffness and loss angle";
+  const std::vector<Column> columns = {
+      {constantTitle("amplitude", "mm", reports, [](const auto& r) { return r.working_point.amplitude * 1e3; }),
+       "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
+      {constantTitle("frequency", "Hz", reports, [](const auto& r) { return r.working_point.frequency; }),
+       "amplitude [mm]", &EstimateReport::over_amplitude, amplitudeOf},
+      {constantTitle("product", "mm Hz", reports, [](const auto& r) { return r.product * 1e3; }), "frequency [Hz]",
+       &EstimateReport::over_product, frequencyOf}};
   figure.columns = 3;
-  for (const auto& row : rows) {
-    for (const auto& column : columns) {
+  for (const bool stiffness : {true, false}) {
+    for (const Column& column : columns) {
       io::Axes axes;
       axes.title = column.title;
       axes.x_label = column.x_label;
-      axes.y_label = row.y_label;
+      axes.y_label = stiffness ? "stiffness [kN/mm]" : "loss angle [deg]";
       axes.log_x = true;
-      for (const EstimateReport& report : reports) {
-        axes.curves.push_back(curveOf(report, report.*column.points, column.x, row.y));
+      for (std::size_t i = 0; i < reports.size(); ++i) {
+        axes.curves.push_back(curveOf(reports[i], column, stiffness ? stiffnessOf : angleOf, static_cast<int>(i)));
+      }
+      for (std::size_t i = 0; i < reports.size(); ++i) {
+        const std::size_t first = axes.curves.size();
+        SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
+        for (std::size_t mark = first; mark < axes.curves.size() && reports.size() > 1; ++mark) {
+          axes.curves[mark].label = i == 0 ? axes.curves[mark].label : "";  // one entry in the legend for all
+        }
       }
       figure.axes.push_back(axes);
     }

@@ -6,21 +6,60 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::gap {
 namespace {
 
-constexpr std::size_t kLargestCurve = 50000;  // points; more than anyone can see
+constexpr std::size_t kMostPoints = 4000;  // of a curve; more than anyone can see
+constexpr double kCycles = 5.0;            // drawn: more run into one area
+constexpr double kBroad = 2.8;             // line width of what lies below another [pt]
+constexpr double kThin = 1.0;
 
-// Every n-th value times a factor, n such that the curve is no longer than it may be.
-std::vector<double> thinned(const std::vector<double>& values, double factor) {
-  const std::size_t stride = 1 + values.size() / kLargestCurve;
+double secondsBetween(const log::Log& log, std::size_t first, std::size_t last) {
+  return static_cast<double>(log.stamp[last] - log.stamp[first]) * 1e-9;
+}
+
+// Samples from `first` up to `last`.
+struct Stretch {
+  std::size_t first;
+  std::size_t last;
+};
+
+// Mean frequency of the motion: RMS speed over RMS displacement about its mean, by 2 pi; 0 where nothing moves.
+double meanFrequency(const log::Log& log) {
+  const auto size = static_cast<double>(log.size());
+  const double mean = std::accumulate(log.displacement.begin(), log.displacement.end(), 0.0) / size;
+  double displacement = 0.0;
+  double speed = 0.0;
+  for (std::size_t i = 1; i < log.size(); ++i) {
+    const double step = secondsBetween(log, i - 1, i);
+    displacement += std::pow(log.displacement[i] - mean, 2) * step;
+    speed += std::pow(log.displacement[i] - log.displacement[i - 1], 2) / step;
+  }
+  return displacement > 0.0 ? std::sqrt(speed / displacement) / (2.0 * element::kPi) : 0.0;
+}
+
+Stretch lastCycles(const log::Log& log, double frequency) {
+  const std::size_t end = log.size();
+  std::size_t first = 0;
+  while (frequency > 0.0 && first + 2 < end && secondsBetween(log, first, end - 1) > kCycles / frequency) {
+    ++first;
+  }
+  return {first, end};
+}
+
+// Every n-th value of a stretch times a factor, n such that the curve is no longer than it may be.
+std::vector<double> thinned(const std::vector<double>& values, const Stretch& stretch, double factor) {
+  const std::size_t stride = 1 + (stretch.last - stretch.first) / kMostPoints;
   std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); i += stride) {
+  for (std::size_t i = stretch.first; i < stretch.last; i += stride) {
     result.push_back(values[i] * factor);
   }
   return result;
@@ -29,53 +68,62 @@ std::vector<double> thinned(const std::vector<double>& values, double factor) {
 std::vector<double> secondsOf(const log::Log& log) {
   std::vector<double> seconds(log.size());
   for (std::size_t i = 0; i < log.size(); ++i) {
-    seconds[i] = static_cast<double>(log.stamp[i] - log.stamp[0]) * 1e-9;
+    seconds[i] = secondsBetween(log, 0, i);
   }
   return seconds;
 }
 
+// What was measured broad and below, what was simulated thin and above: both are to be seen.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
-                   const std::vector<double>& force, const ForceLabels& labels) {
+                   const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
   io::Axes axes;
   axes.x_label = x_label;
   axes.y_label = "force [kN]";
   if (!log.force.empty()) {
-    axes.curves.push_back({labels.log, x, thinned(log.force, 1e-3), "-", 0});
+    axes.curves.push_back({labels.log, x, thinned(log.force, stretch, 1e-3), "-", 0, kBroad});
   }
-  axes.curves.push_back({labels.force, x, thinned(force, 1e-3), "-", 1});
+  axes.curves.push_back({labels.force, x, thinned(force, stretch, 1e-3), "-", log.force.empty() ? 1 : io::kInk, kThin});
   return axes;
 }
 
-io::Axes gapAxes(const std::vector<double>& seconds, const log::Log& log, const std::vector<double>& force,
-                 const ForceLabels& labels) {
-  std::vector<double> gap(log.size());
-  std::transform(log.force.begin(), log.force.end(), force.begin(), gap.begin(), std::minus<>());
+io::Axes residualAxes(const std::vector<double>& seconds, const log::Log& log, const std::vector<double>& force,
+                      const Stretch& stretch, const ForceLabels& labels) {
+  std::vector<double> residual(log.size());
+  std::transform(log.force.begin(), log.force.end(), force.begin(), residual.begin(), std::minus<>());
   io::Axes axes;
   axes.x_label = "time [s]";
   axes.y_label = labels.log + " - " + labels.force + " [kN]";
-  axes.curves.push_back({"", seconds, thinned(gap, 1e-3), "-", 4});
+  axes.curves.push_back({"", thinned(seconds, stretch, 1.0), thinned(residual, stretch, 1e-3), "-", 4});
   return axes;
 }
 
-// The force for a short time around its largest value, where single cycles can be told apart.
-io::Axes closeUpAxes(const log::Log& log, const std::vector<double>& force) {
-  constexpr std::int64_t kHalfWidth = 1000000000;  // [ns]
-  const auto largest =
-      std::max_element(force.begin(), force.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const std::int64_t middle = log.stamp[static_cast<std::size_t>(largest - force.begin())];
-  std::vector<double> seconds;
-  std::vector<double> close_up;
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    if (std::abs(log.stamp[i] - middle) <= kHalfWidth) {
-      seconds.push_back(static_cast<double>(log.stamp[i] - log.stamp[0]) * 1e-9);
-      close_up.push_back(force[i]);
+// The whole log: the largest and the smallest value in each of as many stretches as can be seen, of what is measured
+// less what is simulated, or of the force where nothing is measured.
+io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, const std::vector<double>& force,
+                      const ForceLabels& labels) {
+  constexpr std::size_t kStretches = 300;
+  const std::size_t count = std::min(kStretches, log.size());
+  io::Curve low{"", {}, {}, "-", 4, kThin};
+  io::Curve high = low;
+  for (std::size_t s = 0; s < count; ++s) {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = -smallest;
+    for (std::size_t i = log.size() * s / count; i < log.size() * (s + 1) / count; ++i) {
+      const double value = (log.force.empty() ? force[i] : log.force[i] - force[i]) * 1e-3;
+      smallest = std::min(smallest, value);
+      largest = std::max(largest, value);
     }
+    for (io::Curve* curve : {&low, &high}) {
+      curve->x.push_back(seconds[log.size() * s / count]);
+    }
+    low.y.push_back(smallest);
+    high.y.push_back(largest);
   }
   io::Axes axes;
-  axes.title = "around the largest force";
+  axes.title = "the whole log, smallest and largest";
   axes.x_label = "time [s]";
-  axes.y_label = "force [kN]";
-  axes.curves.push_back({"", thinned(seconds, 1.0), thinned(close_up, 1e-3), "-", 1});
+  axes.y_label = log.force.empty() ? "force [kN]" : labels.log + " - " + labels.force + " [kN]";
+  axes.curves = {low, high};
   return axes;
 }
 
@@ -129,17 +177,27 @@ std::string summary(const std::string& component, const log::Log& log, const Rep
 
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,
                         const ForceLabels& labels) {
-  const std::vector<double> seconds = thinned(secondsOf(log), 1.0);
-  const std::vector<double> millimetres = thinned(log.displacement, 1e3);
-  io::Axes displacement;
-  displacement.x_label = "time [s]";
-  displacement.y_label = "displacement [mm]";
-  displacement.curves.push_back({"", seconds, millimetres, "-", 7});
+  const double frequency = meanFrequency(log);
+  const Stretch stretch = lastCycles(log, frequency);
+  const std::vector<double> seconds = secondsOf(log);
+  const std::vector<double> shown = thinned(seconds, stretch, 1.0);
+  const std::vector<double> millimetres = thinned(log.displacement, stretch, 1e3);
   io::Figure figure;
   figure.title = fmt::format("{}, {}", component, log.name);
-  figure.axes = {displacement, forceAxes("displacement [mm]", millimetres, log, force, labels),
-                 forceAxes("time [s]", seconds, log, force, labels)};
-  figure.axes.push_back(log.force.empty() ? closeUpAxes(log, force) : gapAxes(seconds, log, force, labels));
+  if (stretch.first > 0) {
+    figure.title += fmt::format(": last {:.0f} of {:.0f} cycles", kCycles, frequency * seconds.back());
+  }
+  figure.axes = {forceAxes("displacement [mm]", millimetres, log, force, stretch, labels),
+                 forceAxes("time [s]", shown, log, force, stretch, labels), envelopeAxes(seconds, log, force, labels)};
+  if (log.force.empty()) {
+    io::Axes displacement;
+    displacement.x_label = "time [s]";
+    displacement.y_label = "displacement [mm]";
+    displacement.curves.push_back({"", shown, millimetres, "-", 7});
+    figure.axes.push_back(displacement);
+  } else {
+    figure.axes.push_back(residualAxes(seconds, log, force, stretch, labels));  // below the force over time
+  }
   return figure;
 }
 

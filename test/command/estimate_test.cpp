@@ -1,9 +1,11 @@
 // The report of `estimate`: the numbers of the sweeps, in text and JSON.
 #include "command/estimate.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -103,8 +105,29 @@ TEST(EstimateReport, FigureHasACurvePerComponent) {
   const io::Figure figure = command::toFigure({reportOf("left"), reportOf("right")});
   ASSERT_EQ(figure.axes.size(), 6u);
   for (const io::Axes& axes : figure.axes) {
-    EXPECT_EQ(axes.curves.size(), 2u);
+    ASSERT_GE(axes.curves.size(), 2u);
+    EXPECT_EQ(axes.curves[0].label, "left");
+    EXPECT_EQ(axes.curves[1].label, "right");
   }
+}
+
+// What was specified is to be seen beside what follows from it, and the curves go through it.
+TEST(EstimateReport, FigureMarksTheSpecification) {
+  const command::EstimateReport report = reportOf("left");
+  const io::Figure figure = command::toFigure({report});
+  const io::Axes& stiffness = figure.axes.at(0);
+  EXPECT_EQ(stiffness.title, fmt::format("constant amplitude {:.4g} mm", 1e3 * report.working_point.amplitude));
+  const auto curve = [&](const std::string& label) {
+    const auto found = std::find_if(stiffness.curves.begin(), stiffness.curves.end(),
+                                    [&](const io::Curve& other) { return other.label == label; });
+    return found == stiffness.curves.end() ? io::Curve{} : *found;
+  };
+  const estimation::Specification& specified = report.description.specification();
+  EXPECT_THAT(curve("K_st").y, testing::Each(specified.at("static_stiffness") * 1e-6));
+  EXPECT_THAT(curve("K_max").y, testing::Each(specified.at("maximum_stiffness") * 1e-6));
+  EXPECT_THAT(curve("K_n at f_n").x, testing::ElementsAre(specified.at("nominal_frequency")));
+  EXPECT_THAT(curve("K_n at f_n").y, testing::ElementsAre(specified.at("dynamic_stiffness") * 1e-6));
+  EXPECT_THAT(curve("K_max at f_h").x, testing::ElementsAre(specified.at("high_frequency")));
 }
 
 }  // namespace

@@ -74,22 +74,37 @@ TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
   EXPECT_THAT(gap::summary("bush", log, result), HasSubstr("gap to the measured force 0.0000"));
 }
 
-TEST(ReplayFigure, ThinsLongLogs) {
+// A long log of many cycles would be an area: the last cycles are drawn, the residual below, and the whole log by its
+// smallest and largest residual.
+TEST(ReplayFigure, ShowsTheLastCyclesAndTheWholeLogsResidual) {
   log::Log log = sineLog(120001);
   log.force.assign(log.size(), 1.0);
+  log.force[7] = 3001.0;
   const io::Figure figure = gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
   ASSERT_EQ(figure.axes.size(), 4u);
-  EXPECT_EQ(figure.axes[1].curves.size(), 2u);
+  EXPECT_NE(figure.title.find("last 5 of"), std::string::npos) << figure.title;
+  EXPECT_EQ(figure.axes[0].curves.size(), 2u);
+  EXPECT_GT(figure.axes[0].curves[0].width, figure.axes[0].curves[1].width) << "both are to be seen";
   for (const io::Axes& axes : figure.axes) {
     for (const io::Curve& curve : axes.curves) {
-      EXPECT_EQ(curve.x.size(), 40001u);  // every third
+      EXPECT_LE(curve.x.size(), 4001u);
       EXPECT_EQ(curve.x.size(), curve.y.size());
     }
   }
-  EXPECT_EQ(figure.axes[2].curves[1].y[0], 2.0);  // [kN]
+  EXPECT_GT(figure.axes[1].curves[0].x.front(), 0.9 * log.time(log.size() - 1)) << "the end of the log";
+  EXPECT_EQ(figure.axes[1].curves[1].y[0], 2.0);  // [kN]
   EXPECT_EQ(figure.axes[3].curves[0].y[0], -1.999);
+  EXPECT_EQ(figure.axes[2].curves[0].y[0], -1.999) << "smallest";
+  EXPECT_EQ(figure.axes[2].curves[1].y[0], 1.001) << "largest: the one sample that stands out is not thinned away";
   log.force.clear();
   EXPECT_EQ(gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0)).axes.size(), 4u);
+}
+
+TEST(ReplayFigure, ShowsAllOfAShortLog) {
+  const log::Log log = sineLog(10);
+  const io::Figure figure = gap::replayFigure("bush", log, std::vector<double>(log.size(), 2000.0));
+  EXPECT_EQ(figure.title, "bush, " + log.name);
+  EXPECT_EQ(figure.axes[1].curves[0].x.size(), 10u);
 }
 
 TEST(ProgressBar, FillsWithThePercentageAndFitsTheTerminal) {

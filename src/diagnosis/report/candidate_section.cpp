@@ -32,14 +32,14 @@ std::string closedText(const CandidateResult& c) {
 }
 
 Table emptyTable() {
-  return Table({"effect", "#probability", "#gap with it alone", "#closes (95 %)", "parameters", "why out"});
+  return Table({"effect", "#probability", "#gap with it alone", "#closes (95 %)", "parameters, or why out"});
 }
 
 void addRow(Table& table, const Diagnosis& d, const CandidateResult& c) {
   table.add({fmt::format("<b>{}</b><br><span class=note>{}{}</span>", escape(c.effect), escape(c.documentation),
                          c.on_rig ? " (on the rig, not in the rubber)" : ""),
              c.probability < kShown ? "below 1 %" : wholePercent(c.probability) + " %", percent(c.gap), closedText(c),
-             escape(parametersText(c)), escape(whyOut(d, c))});
+             escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))});
 }
 
 std::string notTestable(const Diagnosis& d) {

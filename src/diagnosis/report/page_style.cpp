@@ -26,13 +26,14 @@ dd { margin: 0 0 .5rem; }
 figure { margin: 0; break-inside: avoid; min-width: 0; }
 figcaption { color: var(--note); font-size: .87rem; }
 svg { display: block; width: 100%; height: auto; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); gap: .6rem 1rem; }
+.figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: .6rem 1rem; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 28rem), 1fr)); gap: 0 1.6rem; }
 table { border-collapse: collapse; width: 100%; font-size: .88rem; margin: .4rem 0; }
 th, td { text-align: left; padding: .2rem .5rem; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--note); font-weight: 600; }
 th, td { overflow-wrap: break-word; } td code { overflow-wrap: anywhere; }
-td.n { white-space: nowrap; }
+td.n, td:first-child { white-space: nowrap; }
+td:first-child:has(.note) { white-space: normal; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 .bar { display: inline-block; height: .6rem; background: var(--mark); vertical-align: middle; }
 .track { display: inline-block; width: 6rem; max-width: 100%; }
@@ -50,7 +51,7 @@ summary { cursor: pointer; color: var(--link); }
   table, tbody, tr, td { display: block; }
   thead { display: none; }
   tr { border-bottom: 1px solid var(--line); padding: .3rem 0; }
-  td, td.n { white-space: normal; overflow-wrap: anywhere; border: 0; text-align: left; padding: .05rem 0; }
+  td, td.n, td:first-child { white-space: normal; overflow-wrap: anywhere; border: 0; text-align: left; padding: .05rem 0; }
   td:not(:empty)::before { content: attr(data-title) ": "; color: var(--note); }
   td[data-title=""]::before { content: ""; }
 }

@@ -251,7 +251,7 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
 
 io::Figure residualOverTime(const Diagnosis& diagnosis) {
   io::Figure figure;
-  figure.title = "Gap over time, the logs one after the other";
+  figure.title = "Gap over time";
   figure.columns = 1;
   io::Axes axes;
   axes.x_label = "time [s]";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnosis/report/candidate_section.h"
 #include "diagnosis/report/finding_advice.h"
@@ -89,17 +90,17 @@ class DrawnFigures {
     return i < drawings_.size() && panel < figures_[figure].figure.axes.size() ? drawings_[i] : "";
   }
 
-  /// All panels from `first` on, with caption and numbers.
-  std::string html(std::size_t figure, std::size_t first) const {
-    std::string panels;
-    for (std::size_t p = first; p < figures_[figure].figure.axes.size(); ++p) {
-      panels += "<figure>" + panel(figure, p) + "</figure>\n";
+  /// All panels from `first` on, each with its kind below.
+  std::string panels(std::size_t figure, std::size_t first) const {
+    std::string html;
+    for (std::size_t p = first; p < figures_[figure].figure.axes.size() && !drawings_.empty(); ++p) {
+      html += "<figure>" + panel(figure, p) + "<figcaption>" + escape(figures_[figure].figure.title) +
+              "</figcaption></figure>\n";
     }
-    const ReportFigure& drawn = figures_[figure];
-    return panels.empty() ? ""
-                          : fmt::format("<h3>{}</h3>\n<div class=figures>{}</div>\n<p class=note>{}{}</p>\n",
-                                        escape(drawn.figure.title), panels, escape(drawn.caption), numbers(figure));
+    return html;
   }
+
+  std::string caption(std::size_t figure) const { return escape(figures_[figure].caption) + numbers(figure); }
 
   std::string numbers(std::size_t figure) const {
     return fmt::format(" <a class=screen href=\"{0}\">{0}</a>", figureDataFile(figures_[figure].name));
@@ -147,11 +148,15 @@ std::string where(const Diagnosis& d, const DrawnFigures& figures) {
 }
 
 std::string furtherFigures(const DrawnFigures& figures) {
-  std::string html = figures.html(kLoops, 1);
+  std::string panels = figures.panels(kLoops, 1);
+  std::string captions = figures.caption(kLoops);
   for (std::size_t i = kMap + 1; i < figures.size(); ++i) {
-    html += figures.html(i, 0);
+    panels += figures.panels(i, 0);
+    captions += " " + figures.caption(i);
   }
-  return html.empty() ? "" : heading("Figures") + html;
+  return panels.empty()
+             ? ""
+             : heading("Figures") + "<div class=figures>" + panels + "</div>\n<p class=note>" + captions + "</p>\n";
 }
 
 std::string ratiosText(const ParameterRatios& ratios) {
@@ -180,19 +185,41 @@ std::string componentFile(const Diagnosis& d) {
          folded("Which value each log alone would want", parameterTable(d));
 }
 
+std::string findingText(const measurement::RigFinding& finding) {
+  std::string text = fmt::format("{}: {}", finding.log, quantity(finding.value, finding.unit));
+  if (finding.interval_95[0] < finding.interval_95[1]) {
+    text += fmt::format(" ({} to {})", quantity(finding.interval_95[0], finding.unit),
+                        quantity(finding.interval_95[1], finding.unit));
+  }
+  return escape(text) + (finding.beyond_tolerance && !finding.fatal ? " <b>beyond the rig's tolerance</b>" : "");
+}
+
+// One row per kind of finding: what it means and how to mend it is the same for all logs.
 std::string findings(const Diagnosis& d) {
   std::string html = heading("What the rig did to the logs");
   if (d.rig_findings.empty()) {
     return html + "<p>Nothing beyond chance.</p>\n";
   }
-  Table table({"log", "finding", "#value", "#95 % interval", "what it means", "at the bench"});
+  std::vector<std::string> kinds;
+  std::map<std::string, std::string> values;
+  std::map<std::string, std::string> texts;
   for (const measurement::RigFinding& finding : d.rig_findings) {
+    std::string& value = values[finding.finding];
+    if (value.empty()) {
+      kinds.push_back(finding.finding);
+    }
+    value += (value.empty() ? "" : "<br>") + findingText(finding);
     const FindingAdvice& advice = adviceOn(finding.finding);
-    table.add({escape(finding.log), escape(spoken(finding.finding)), quantity(finding.value, finding.unit),
-               quantity(finding.interval_95[0], finding.unit) + " to " + quantity(finding.interval_95[1], finding.unit),
-               escape(advice.meaning.empty() ? finding.text : advice.meaning) +
-                   (finding.beyond_tolerance ? " <b>Beyond the rig's tolerance.</b>" : "") +
-                   (finding.fatal ? " " + escape(finding.text) + "." : ""),
+    std::string& text = texts[finding.finding];
+    if (finding.fatal || advice.meaning.empty()) {
+      text += (text.empty() ? "" : " ") + escape(finding.text) + ".";
+    }
+  }
+  Table table({"finding", "log: value (95 %)", "what it means", "at the bench"});
+  for (const std::string& kind : kinds) {
+    const FindingAdvice& advice = adviceOn(kind);
+    table.add({escape(spoken(kind)), values[kind],
+               escape(advice.meaning) + (advice.meaning.empty() || texts[kind].empty() ? "" : " ") + texts[kind],
                escape(advice.remedy)});
   }
   return html + table.html();

@@ -1,0 +1,194 @@
+#!/usr/bin/python3
+"""Runs `diagnose` on the shipped example and looks at the page: what has to hold of any page without a browser, and in
+headless Chromium, where it is installed, at 1200 x 900, at 400 px, in the dark and on paper.
+
+Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. Pictures and print lie in OUTPUT. Exit status 77 where all
+that can be checked without a browser holds and there is none.
+"""
+import html.parser
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import browser
+
+PROGRAMS, EXAMPLE, OUTPUT = (os.path.abspath(argument) for argument in sys.argv[1:4])
+LARGEST = 400_000  # bytes of a page about six logs
+# Elements that a page of a given width has to hold: all but those within drawings, which scale as a whole.
+TOO_WIDE = """
+Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
+  const box = e.getBoundingClientRect();
+  return box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5 || e.scrollWidth > e.clientWidth + 1
+    && getComputedStyle(e).display != 'inline' && e.clientWidth > 0);
+}).map(e => e.tagName + '.' + e.className + ': ' + e.textContent.slice(0, 60))
+"""
+# Contrast of each text that is shown, by WCAG 2, with what lies behind it.
+LOW_CONTRAST = """
+(() => {
+  const rgb = text => text.match(/[\\d.]+/g).map(Number);
+  const linear = c => (c /= 255, c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  const luminance = c => 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+  const behind = e => {
+    for (; e; e = e.parentElement) {
+      const c = rgb(getComputedStyle(e).backgroundColor);
+      if (c.length < 4 || c[3] > 0) return c;
+    }
+    return [255, 255, 255];
+  };
+  const ratio = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  const low = [];
+  for (const e of document.body.querySelectorAll('*')) {
+    const own = Array.from(e.childNodes).some(n => n.nodeType == 3 && n.data.trim());
+    if (!own || !e.getClientRects().length) continue;
+    const style = getComputedStyle(e);
+    const colour = e.closest('svg') ? (style.fill == 'none' ? style.color : style.fill) : style.color;
+    const found = ratio(luminance(rgb(colour)), luminance(behind(e)));
+    if (found < 4.5) low.push(e.tagName + ' ' + e.textContent.slice(0, 40) + ': ' + found.toFixed(2));
+  }
+  return low;
+})()
+"""
+
+
+def diagnose(folder, logs, hold_out):
+    path = os.path.join(OUTPUT, folder)
+    environment = dict(os.environ, SOURCE_DATE_EPOCH="1700000000")
+    command = [os.path.join(PROGRAMS, "diagnose"), "--config", os.path.join(EXAMPLE, "component.yaml"), "--log", *logs]
+    command += ["--hold-out", *hold_out] if hold_out else []
+    subprocess.run(command + ["--output", path], check=True, env=environment, stdout=subprocess.DEVNULL)
+    return path
+
+
+def example(kind):
+    names = sorted(name for name in os.listdir(EXAMPLE) if name.startswith(kind) and name.endswith(".csv"))
+    return [os.path.join(EXAMPLE, name) for name in names]
+
+
+def reversed_log():
+    """A log of the example with the sign of the force reversed: a bench to be checked."""
+    path = os.path.join(OUTPUT, "reversed.csv")
+    with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
+        header = source.readline()
+        column = [name.split("_")[0] for name in header.strip().split(",")].index("force")
+        target.write(header)
+        for line in source:
+            fields = line.strip().split(",")
+            fields[column] = repr(-float(fields[column]))
+            target.write(",".join(fields) + "\n")
+    return path
+
+
+class Outline(html.parser.HTMLParser):
+    """What a page is made of."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.links, self.untitled = [], [], 0
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        attributes = dict(attributes)
+        self.links += [value for name, value in attributes.items() if name in ("href", "src", "xlink:href") and value]
+        self.untitled += tag == "td" and "data-title" not in attributes
+
+
+class Reports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        os.makedirs(OUTPUT, exist_ok=True)
+        cls.folder = diagnose("example", example("log_"), example("hold_out_") + example("log_")[:1])  # six logs
+        cls.bench = diagnose("check_bench", [reversed_log()], [])
+        cls.pages = [os.path.join(folder, "report.html") for folder in (cls.folder, cls.bench)]
+
+    def text(self, page):
+        with open(page, encoding="utf-8") as file:
+            return file.read()
+
+
+class WithoutBrowser(Reports):
+    def test_size_and_independence(self):
+        for page in self.pages:
+            text = self.text(page)
+            self.assertLess(len(text.encode()), LARGEST)
+            outline = Outline(text)
+            self.assertNotIn("script", outline.tags)
+            self.assertEqual(outline.untitled, 0)
+            for link in outline.links:  # within the page, or to a file of the report
+                self.assertTrue(link.startswith(("#", "data:image/")) or os.path.isfile(os.path.join(os.path.dirname(page), link)), link)
+            self.assertNotRegex(text, r"(?<![\w.])-?(nan|inf)(?![\w.])")
+
+    def test_first_figure_comes_before_the_first_section(self):
+        text = self.text(self.pages[0])
+        self.assertLess(text.index("<svg"), text.index("<h2>"))
+
+    def test_record_of_the_run(self):
+        with open(os.path.join(self.folder, "report.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        self.assertEqual(report["meta"]["date"], "2023-11-14T22:13:20Z")
+        self.assertEqual(len(report["meta"]["files"]), 7)
+        self.assertIn("diagnose --config", report["meta"]["command_line"])
+        for file in report["meta"]["files"]:
+            self.assertIn(file["sha256"], self.text(self.pages[0]))
+        for size in report["model_sizes"] + report["effect_sizes"]:
+            low, high = size["interval_95"]
+            self.assertTrue(low <= size["value"] <= high, size)
+
+    def test_next_experiment_can_be_replayed(self):
+        with open(os.path.join(self.folder, "report.json"), encoding="utf-8") as file:
+            name = json.load(file)["next_experiment_log"]
+        subprocess.run([os.path.join(PROGRAMS, "replay"), "--config", os.path.join(self.folder, "augmented.yaml"), "--log",
+                        os.path.join(self.folder, name), "--output", os.path.join(OUTPUT, "played.csv")], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def test_the_same_run_gives_the_same_files(self):
+        def files(folder):
+            return {path.name: path.read_bytes() for path in sorted(pathlib.Path(folder).iterdir())}
+
+        before = files(self.folder)
+        diagnose("example", example("log_"), example("hold_out_") + example("log_")[:1])
+        after = files(self.folder)
+        self.assertEqual(list(before), list(after))
+        for name, content in before.items():
+            self.assertEqual(content, after[name], name)
+
+
+@unittest.skipUnless(browser.chromium(), "Chromium is not installed: no page is looked at")
+class InChromium(Reports):
+    def test_screens(self):
+        for page in self.pages:
+            with browser.Page(page) as shown:
+                name = os.path.join(OUTPUT, os.path.basename(os.path.dirname(page)))
+                for width, dark in ((1200, False), (1200, True), (400, False)):
+                    shown.show(width, 900, dark)
+                    shown.picture("%s_%d%s.png" % (name, width, "_dark" if dark else ""), whole=width == 400)
+                    self.assertEqual(shown.evaluate(TOO_WIDE), [], "at %d px" % width)
+                    self.assertEqual(shown.evaluate(LOW_CONTRAST), [], "dark" if dark else "light")
+
+    def test_first_screen_holds_facts_and_figure(self):
+        with browser.Page(self.pages[0]) as page:
+            page.show(1200, 900)
+            for what in (".first figure", ".first dl"):
+                bottom = page.evaluate("document.querySelector('%s').getBoundingClientRect().bottom" % what)
+                self.assertLess(bottom, 900, what)
+
+    def test_print_is_three_pages_of_a4(self):
+        with browser.Page(self.pages[0]) as page:
+            page.show(1200, 900)
+            data = page.pdf(os.path.join(OUTPUT, "example.pdf"))
+            self.assertLessEqual(len(re.findall(rb"/Type\s*/Page\b", data)), 3)
+            boxes = re.findall(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)", data)
+            self.assertTrue(boxes)
+            for width, height in boxes:  # 210 mm x 297 mm in points
+                self.assertAlmostEqual(float(width), 595.3, delta=1.5)
+                self.assertAlmostEqual(float(height), 841.9, delta=1.5)
+
+
+if __name__ == "__main__":
+    result = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
+    sys.exit(1 if not result.wasSuccessful() else 77 if result.skipped else 0)
