@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "apps/command.h"
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
+#include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
@@ -30,6 +32,7 @@ struct Options {
   std::vector<std::string> hold_out;
   std::string output;
   std::string plot;
+  std::string compare;
   std::vector<std::string> rig;
   int threads = 2;
   LogOptions log_options;
@@ -70,6 +73,9 @@ io::FileKind kindOf(const std::string& name) {
 // Version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const Options& options) {
   std::vector<std::pair<std::string, std::string>> files = {{"--config", options.config}};
+  if (!options.compare.empty()) {
+    files.emplace_back("--compare", options.compare);
+  }
   for (const std::string& path : options.logs) {
     files.emplace_back("--log", path);
   }
@@ -81,7 +87,7 @@ diagnosis::RunRecord runRecord(const Options& options) {
 
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 void checkOutputs(const Options& options) {
-  std::vector<io::InputFile> inputs = {{"--config", options.config}};
+  std::vector<io::InputFile> inputs = {{"--config", options.config}, {"--compare", options.compare}};
   addInputs(inputs, "--log", options.logs);
   addInputs(inputs, "--hold-out", options.hold_out);
   const std::filesystem::path folder(options.output);
@@ -115,6 +121,10 @@ int run(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   io::ComponentDescription component = io::selectComponent(components, options.component);
   setTolerances(options.rig, component);
+  std::optional<diagnosis::EarlierReport> earlier;
+  if (!options.compare.empty()) {
+    earlier.emplace(options.compare);
+  }
   diagnosis::DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
@@ -123,6 +133,9 @@ int run(const Options& options) {
   const std::vector<log::Log> hold_out = readLogs(options.hold_out, component.name, options);
   diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
   diagnosis.run = runRecord(options);
+  if (earlier) {
+    diagnosis.comparison = earlier->compare(diagnosis);
+  }
   showStage("writing the report", 0.95);
   diagnosis::writeReport(diagnosis, options.output);
   if (!options.plot.empty() && diagnosis.workings) {
@@ -131,7 +144,8 @@ int run(const Options& options) {
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\nreport: {}/report.html\n", log::oneLine(diagnosis.sentence), options.output);
+  fmt::print("{}\n{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), toText(diagnosis.comparison),
+             options.output);
   return kSuccess;
 }
 
@@ -163,6 +177,9 @@ int main(int argc, char** argv) {
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()
             ->type_name("FOLDER");
+        app.add_option("--compare", options->compare,
+                       "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
+            ->type_name("FILE");
         addPlotOption(app, options->plot, "loops, residuals and the gap over frequency, amplitude and time");
         app.add_option("--threads", options->threads, "number of threads")
             ->type_name("COUNT")

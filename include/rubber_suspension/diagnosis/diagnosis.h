@@ -114,6 +114,21 @@ struct ProposedExperiment {
   std::vector<double> displacement;  ///< [m], at even steps; empty: none is proposed
 };
 
+/// One value of two reports.
+struct ReportChange {
+  std::string what;
+  std::string before;  ///< with unit and interval
+  std::string after;
+  bool differs = false;  ///< beyond noise and intervals
+};
+
+/// How a report differs from an earlier one.
+struct Comparison {
+  std::string with;  ///< the earlier report's path; empty: nothing was compared
+  std::string date;  ///< of the earlier report, where it has one
+  std::vector<ReportChange> changes;
+};
+
 struct Workings;  // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
 /// What a diagnosis found.
@@ -151,6 +166,7 @@ struct Diagnosis {
   CharacteristicErrors errors_augmented;
 
   RunRecord run;
+  Comparison comparison;
 
   std::shared_ptr<const Workings> workings;
 };

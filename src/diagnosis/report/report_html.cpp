@@ -6,6 +6,7 @@
 #include <map>
 
 #include "diagnosis/report/candidate_section.h"
+#include "diagnosis/report/compare.h"
 #include "diagnosis/report/finding_advice.h"
 #include "diagnosis/report/first_screen.h"
 #include "diagnosis/report/model_values.h"
@@ -275,7 +276,7 @@ std::string page(const Diagnosis& d, const std::string& body) {
 // Of logs that cannot be what they say.
 std::string benchPage(const Diagnosis& d) {
   return page(d,
-              firstScreen(d, "") + findings(d) +
+              firstScreen(d, "") + comparisonSection(d.comparison) + findings(d) +
                   "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
                   "bench.</p>\n" +
                   runRecord(d));
@@ -288,9 +289,9 @@ std::string toHtml(const Diagnosis& d) {
     return benchPage(d);
   }
   const DrawnFigures figures(d);
-  return page(d, firstScreen(d, firstLoop(figures)) + howFar(d) + heading("Which") + candidateSection(d) +
-                     where(d, figures) + furtherFigures(figures) + componentFile(d) + nextExperiment(d) + findings(d) +
-                     admission(d) + runRecord(d));
+  return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
+                     candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
+                     nextExperiment(d) + findings(d) + admission(d) + runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

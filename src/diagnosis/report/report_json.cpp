@@ -133,6 +133,15 @@ ordered_json metaJson(const RunRecord& run) {
   return {{"version", run.version}, {"date", run.date}, {"command_line", run.command_line}, {"files", files}};
 }
 
+ordered_json comparisonJson(const Comparison& comparison) {
+  ordered_json changes = ordered_json::array();
+  for (const ReportChange& change : comparison.changes) {
+    changes.push_back(
+        {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}});
+  }
+  return {{"with", comparison.with}, {"date", comparison.date}, {"changes", changes}};
+}
+
 template <class T, class Function>
 ordered_json list(const std::vector<T>& values, Function convert) {
   ordered_json result = ordered_json::array();
@@ -180,6 +189,9 @@ std::string toJson(const Diagnosis& diagnosis) {
   }
   if (!diagnosis.run.version.empty()) {
     report["meta"] = metaJson(diagnosis.run);
+  }
+  if (!diagnosis.comparison.with.empty()) {
+    report["comparison"] = comparisonJson(diagnosis.comparison);
   }
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);

@@ -43,7 +43,9 @@ std::string unitText(const Display& display, const std::string& unit) {
   return unit == "1" ? "" : " " + unit;
 }
 
-std::string titleOf(const std::string& title) { return title.front() == '#' ? title.substr(1) : title; }
+bool isOfNumbers(const std::string& title) { return !title.empty() && title.front() == '#'; }
+
+std::string titleOf(const std::string& title) { return isOfNumbers(title) ? title.substr(1) : title; }
 
 }  // namespace
 
@@ -107,7 +109,7 @@ void Table::add(const std::vector<std::string>& fields) {
   }
   rows_ += "<tr>";
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    rows_ += fmt::format("<td{} data-title=\"{}\">{}</td>", titles_[i].front() == '#' ? " class=n" : "",
+    rows_ += fmt::format("<td{} data-title=\"{}\">{}</td>", isOfNumbers(titles_[i]) ? " class=n" : "",
                          titleOf(titles_[i]), fields[i]);
   }
   rows_ += "</tr>\n";
@@ -116,7 +118,7 @@ void Table::add(const std::vector<std::string>& fields) {
 std::string Table::html() const {
   std::string head;
   for (const std::string& title : titles_) {
-    head += fmt::format("<th{}>{}</th>", title.front() == '#' ? " class=n" : "", titleOf(title));
+    head += fmt::format("<th{}>{}</th>", isOfNumbers(title) ? " class=n" : "", titleOf(title));
   }
   return "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + rows_ + "</tbody></table>\n";
 }

@@ -1,0 +1,269 @@
+// What changed between two reports.
+#include "diagnosis/report/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/report/text.h"
+#include "log/text.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kSchema = "rubber_suspension/gap_report/1";
+constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; one about six logs has some 0.1 MB
+
+// A value with the interval that its report gives it.
+struct Measured {
+  double value = 0.0;
+  std::array<double, 2> interval{};
+  std::string unit;
+};
+
+double numberOf(const json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
+
+Measured measuredOf(const json& entry) {
+  return {numberOf(entry.at("value")),
+          {numberOf(entry.at("interval_95").at(0)), numberOf(entry.at("interval_95").at(1))},
+          entry.at("unit").get<std::string>()};
+}
+
+std::string measuredText(const Measured& measured) {
+  const SizedValue size{"", "", measured.unit, std::nan(""), measured.value, measured.interval};
+  return measured.interval[0] < measured.interval[1] ? quantity(size) : quantity(measured.value, measured.unit);
+}
+
+bool differ(const Measured& before, const Measured& after) {
+  return before.interval[1] < after.interval[0] || after.interval[1] < before.interval[0];
+}
+
+using Values = std::map<std::string, Measured>;
+
+Values sizesIn(const json& report) {
+  Values values;
+  for (const char* list : {"model_sizes", "effect_sizes"}) {
+    if (report.contains(list)) {
+      for (const json& entry : report.at(list)) {
+        const std::string owner = entry.at("owner").get<std::string>();
+        const std::string name = entry.at("name").get<std::string>();
+        values[owner == "specification" ? symbolOf(name) : spoken(owner + " " + name)] = measuredOf(entry);
+      }
+    }
+  }
+  return values;
+}
+
+Values findingsIn(const json& report) {
+  Values values;
+  if (report.contains("rig_findings")) {
+    for (const json& entry : report.at("rig_findings")) {
+      values[spoken(entry.at("finding").get<std::string>()) + " of " + entry.at("log").get<std::string>()] =
+          measuredOf(entry);
+    }
+  }
+  return values;
+}
+
+std::string effectsIn(const json& report) {
+  const auto effects = report.at("effects").get<std::vector<std::string>>();
+  return effects.empty() ? "none" : enumerated(effects);
+}
+
+// A place of the gap, over all logs: these have other names on another day.
+using Place = std::tuple<double, double, double, double, std::string>;
+
+// The part of the gap as configured in each place, of the force's standard deviation.
+std::map<Place, double> placesIn(const json& report) {
+  std::map<Place, double> squares;
+  const double gap = numberOf(report.at("gap").at("as_configured"));
+  for (const json& cell : report.at("where")) {
+    const json& f = cell.at("frequency_hz");
+    const json& a = cell.at("amplitude_m");
+    const std::string kind = cell.at("quantity").get<std::string>();
+    // The band of mean and drift ends at half of the sampling rate, which is another one for another recorder.
+    const bool whole = numberOf(f.at(0)) <= 0.0;
+    squares[{whole ? 0.0 : numberOf(f.at(0)), whole ? 0.0 : numberOf(f.at(1)), numberOf(a.at(0)), numberOf(a.at(1)),
+             kind}] += numberOf(cell.at("share")) * gap * gap;
+  }
+  for (auto& [place, square] : squares) {
+    square = std::sqrt(std::max(0.0, square));
+  }
+  return squares;
+}
+
+std::string placeText(const Place& place) {
+  const auto& [f_low, f_high, a_low, a_high, kind] = place;
+  const std::string band = f_high > 0.0 ? fmt::format("{:.3g} to {:.3g} Hz, ", f_low, f_high) : "";
+  return fmt::format("{} at {}{:.3g} to {:.3g} mm", kind, band, 1e3 * a_low, 1e3 * a_high);
+}
+
+class Comparer {
+ public:
+  Comparer(const json& before, const json& after) : before_(before), after_(after) {}
+
+  std::vector<ReportChange> run() {
+    compareWords("component", before_.at("component"), after_.at("component"));
+    compareWords("verdict", before_.at("verdict"), after_.at("verdict"));
+    compareWords("effects", effectsIn(before_), effectsIn(after_));
+    compareGaps();
+    compareValues(sizesIn(before_), sizesIn(after_), "not given");
+    compareValues(findingsIn(before_), findingsIn(after_), "not found");
+    comparePlaces();
+    return std::move(changes_);
+  }
+
+ private:
+  void compareWords(const std::string& what, const std::string& before, const std::string& after) {
+    changes_.push_back({what, before, after, before != after});
+  }
+
+  double noise() const {
+    return numberOf(before_.at("gap").at("noise_floor")) + numberOf(after_.at("gap").at("noise_floor"));
+  }
+
+  void compareGaps() {
+    for (const char* name : {"as_configured", "re_estimated", "augmented", "noise_floor"}) {
+      const double before = numberOf(before_.at("gap").at(name));
+      const double after = numberOf(after_.at("gap").at(name));
+      const bool differs = std::string(name) != "noise_floor" && std::abs(after - before) > noise();
+      changes_.push_back({"gap " + spoken(name), percent(before), percent(after), differs});
+    }
+  }
+
+  void compareValues(const Values& before, const Values& after, const std::string& absent) {
+    std::set<std::string> names;
+    for (const Values* values : {&before, &after}) {
+      for (const auto& [name, value] : *values) {
+        names.insert(name);
+      }
+    }
+    for (const std::string& name : names) {
+      const auto old_value = before.find(name);
+      const auto new_value = after.find(name);
+      const bool both = old_value != before.end() && new_value != after.end();
+      changes_.push_back({name, old_value == before.end() ? absent : measuredText(old_value->second),
+                          new_value == after.end() ? absent : measuredText(new_value->second),
+                          !both || differ(old_value->second, new_value->second)});
+    }
+  }
+
+  // The places that changed most.
+  void comparePlaces() {
+    constexpr std::size_t kMost = 8;
+    std::map<Place, std::pair<double, double>> places;
+    for (const auto& [place, size] : placesIn(before_)) {
+      places[place].first = size;
+    }
+    for (const auto& [place, size] : placesIn(after_)) {
+      places[place].second = size;
+    }
+    std::vector<std::pair<Place, std::pair<double, double>>> sorted(places.begin(), places.end());
+    const auto change = [](const auto& entry) { return std::abs(entry.second.second - entry.second.first); };
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return change(a) > change(b); });
+    sorted.resize(std::min(sorted.size(), kMost));
+    for (const auto& entry : sorted) {
+      changes_.push_back({"gap in " + placeText(entry.first), percent(entry.second.first), percent(entry.second.second),
+                          change(entry) > noise()});
+    }
+  }
+
+  const json& before_;
+  const json& after_;
+  std::vector<ReportChange> changes_;
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+  throw std::runtime_error(
+      log::oneLine(fmt::format("{}: {}; accepted: a report.json of `diagnose`, schema {}", path, reason, kSchema)));
+}
+
+}  // namespace
+
+struct EarlierReport::Content {
+  std::string path;
+  json report;
+};
+
+EarlierReport::EarlierReport(const std::string& path) : content_(std::make_unique<Content>()) {
+  content_->path = path;
+  std::string content;
+  try {
+    content = log::readFile(path, kLargestReport);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(log::oneLine(path + ": " + error.what()));
+  }
+  content_->report = json::parse(content, nullptr, false);
+  if (!content_->report.is_object()) {
+    refuse(path, "is no JSON object");
+  }
+  const json& report = content_->report;
+  if (!report.contains("schema") || report["schema"] != kSchema) {
+    refuse(path, "schema is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
+  }
+  try {
+    Comparer(report, report).run();  // all that a comparison reads is there
+  } catch (const json::exception& error) {
+    refuse(path, error.what());
+  }
+}
+
+EarlierReport::~EarlierReport() = default;
+
+Comparison EarlierReport::compare(const Diagnosis& diagnosis) const {
+  const json& report = content_->report;
+  Comparison comparison;
+  comparison.with = content_->path;
+  if (report.contains("meta") && report["meta"].is_object()) {
+    comparison.date = report["meta"].value("date", "");
+  }
+  comparison.changes = Comparer(report, json::parse(toJson(diagnosis))).run();
+  return comparison;
+}
+
+std::string toText(const Comparison& comparison) {
+  if (comparison.with.empty()) {
+    return "";
+  }
+  std::string text = "since " + comparison.with + (comparison.date.empty() ? "" : " (" + comparison.date + ")") + ":\n";
+  std::size_t same = 0;
+  for (const ReportChange& change : comparison.changes) {
+    if (change.differs) {
+      text += "  " + log::oneLine(change.what + ": " + change.before + " -> " + change.after) + "\n";
+    } else {
+      ++same;
+    }
+  }
+  return text + fmt::format("  {} of {} values are as they were, within noise and intervals\n", same,
+                            comparison.changes.size());
+}
+
+std::string comparisonSection(const Comparison& comparison) {
+  if (comparison.with.empty()) {
+    return "";
+  }
+  Table differing({"", "before", "now"});
+  Table same({"", "before", "now"});
+  for (const ReportChange& change : comparison.changes) {
+    (change.differs ? differing : same).add({escape(change.what), escape(change.before), escape(change.after)});
+  }
+  return "<h2>What changed</h2>\n<p>Since <code>" + escape(comparison.with) + "</code>" +
+         (comparison.date.empty() ? "" : ", " + escape(comparison.date)) +
+         ". Values differ here where their 95 % intervals have nothing in common, gaps where they changed by more than "
+         "both noise floors together.</p>\n" +
+         (differing.empty() ? "<p>Nothing differs beyond noise and intervals.</p>\n" : differing.html()) +
+         (same.empty() ? "" : folded("As before, within noise and intervals", same.html()));
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,37 @@
+// What changed between two reports, of two test days, say.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// An earlier report.json.
+class EarlierReport {
+ public:
+  /// Throws std::runtime_error, one line that begins with the path, where it cannot be read or is no report of
+  /// `diagnose`.
+  explicit EarlierReport(const std::string& path);
+  ~EarlierReport();
+  EarlierReport(const EarlierReport&) = delete;
+  EarlierReport& operator=(const EarlierReport&) = delete;
+
+  /// Verdict, gaps, sizes, rig findings and the places of the gap, each as it was and as it is. A size or finding
+  /// differs where the two 95 % intervals have nothing in common; a place where its part of the gap changed by more
+  /// than both noise floors together.
+  Comparison compare(const Diagnosis& diagnosis) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+/// The differences as lines for a terminal, after one that says with what was compared.
+std::string toText(const Comparison& comparison);
+
+/// All that was compared, as a table, HTML; empty without a comparison.
+std::string comparisonSection(const Comparison& comparison);
+
+}  // namespace rubber_suspension::diagnosis
