@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gap/last_cycles.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::command {
@@ -36,15 +37,10 @@ io::Axes emptyAxes(const std::string& title, const std::string& x_label, const s
   return axes;
 }
 
-io::Curve curveOf(const std::string& label, const std::string& style) {
-  io::Curve curve;
-  curve.label = label;
-  curve.style = style;
-  return curve;
-}
+constexpr double kCycles = 5.0;  // of a loop: more run into one area
 
 // Every n-th sample, so that a figure stays small.
-std::size_t stride(std::size_t samples) { return 1 + samples / 20000; }
+std::size_t stride(std::size_t samples) { return 1 + samples / 4000; }
 
 }  // namespace
 
@@ -137,9 +133,11 @@ io::Figure identificationFigure(const io::ComponentDescription& description, con
     const std::vector<double> force = gap::replay(component, log).force;
     io::Axes loop = emptyAxes(log.name, "displacement [mm]", "force [kN]");
     io::Axes rest = emptyAxes(log.name, "time [s]", "measured less fitted [kN]");
-    loop.curves = {curveOf("measured", "-"), curveOf("fitted", "-")};
-    rest.curves = {curveOf("", "-")};
-    for (std::size_t i = 0; i < log.size(); i += stride(log.size())) {
+    // Measured broad and below, fitted thin and above: both are to be seen.
+    loop.curves = {{"measured", {}, {}, "-", 0, 2.8}, {"fitted", {}, {}, "-", io::kInk, 1.0}};
+    rest.curves = {{"", {}, {}, "-", 4}};
+    const std::size_t first = gap::firstOfLastCycles(log, gap::meanFrequency(log), kCycles);
+    for (std::size_t i = first; i < log.size(); i += stride(log.size() - first)) {
       const double fitted = (force[i] + result.force_offset) * 1e-3;
       for (io::Curve& curve : loop.curves) {
         curve.x.push_back(log.displacement[i] * 1e3);
@@ -148,6 +146,9 @@ io::Figure identificationFigure(const io::ComponentDescription& description, con
       loop.curves[1].y.push_back(fitted);
       rest.curves[0].x.push_back(log.time(i));
       rest.curves[0].y.push_back(log.force[i] * 1e-3 - fitted);
+    }
+    if (first > 0) {
+      loop.title += ", last cycles";
     }
     figure.axes.push_back(loop);
     figure.axes.push_back(rest);

@@ -7,11 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
 
+#include "gap/last_cycles.h"
 #include "io/progress.h"
-#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::gap {
@@ -31,29 +30,6 @@ struct Stretch {
   std::size_t first;
   std::size_t last;
 };
-
-// Mean frequency of the motion: RMS speed over RMS displacement about its mean, by 2 pi; 0 where nothing moves.
-double meanFrequency(const log::Log& log) {
-  const auto size = static_cast<double>(log.size());
-  const double mean = std::accumulate(log.displacement.begin(), log.displacement.end(), 0.0) / size;
-  double displacement = 0.0;
-  double speed = 0.0;
-  for (std::size_t i = 1; i < log.size(); ++i) {
-    const double step = secondsBetween(log, i - 1, i);
-    displacement += std::pow(log.displacement[i] - mean, 2) * step;
-    speed += std::pow(log.displacement[i] - log.displacement[i - 1], 2) / step;
-  }
-  return displacement > 0.0 ? std::sqrt(speed / displacement) / (2.0 * element::kPi) : 0.0;
-}
-
-Stretch lastCycles(const log::Log& log, double frequency) {
-  const std::size_t end = log.size();
-  std::size_t first = 0;
-  while (frequency > 0.0 && first + 2 < end && secondsBetween(log, first, end - 1) > kCycles / frequency) {
-    ++first;
-  }
-  return {first, end};
-}
 
 // Every n-th value of a stretch times a factor, n such that the curve is no longer than it may be.
 std::vector<double> thinned(const std::vector<double>& values, const Stretch& stretch, double factor) {
@@ -178,7 +154,7 @@ std::string summary(const std::string& component, const log::Log& log, const Rep
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,
                         const ForceLabels& labels) {
   const double frequency = meanFrequency(log);
-  const Stretch stretch = lastCycles(log, frequency);
+  const Stretch stretch{firstOfLastCycles(log, frequency, kCycles), log.size()};
   const std::vector<double> seconds = secondsOf(log);
   const std::vector<double> shown = thinned(seconds, stretch, 1.0);
   const std::vector<double> millimetres = thinned(log.displacement, stretch, 1e3);
