@@ -16,16 +16,23 @@ double secondsBetween(const log::Log& log, std::size_t first, std::size_t last) 
 }  // namespace
 
 double meanFrequency(const log::Log& log) {
+  constexpr double kHysteresis = 0.25;  // of the standard deviation, against noise of the sensor
   const auto size = static_cast<double>(log.size());
   const double mean = std::accumulate(log.displacement.begin(), log.displacement.end(), 0.0) / size;
-  double displacement = 0.0;
-  double speed = 0.0;
-  for (std::size_t i = 1; i < log.size(); ++i) {
-    const double step = secondsBetween(log, i - 1, i);
-    displacement += std::pow(log.displacement[i] - mean, 2) * step;
-    speed += std::pow(log.displacement[i] - log.displacement[i - 1], 2) / step;
+  double variance = 0.0;
+  for (const double z : log.displacement) {
+    variance += std::pow(z - mean, 2) / size;
   }
-  return displacement > 0.0 ? std::sqrt(speed / displacement) / (2.0 * element::kPi) : 0.0;
+  const double band = kHysteresis * std::sqrt(variance);
+  int side = 0;
+  int crossings = 0;
+  for (const double z : log.displacement) {
+    const int now = z > mean + band ? 1 : z < mean - band ? -1 : side;
+    crossings += side != 0 && now != side ? 1 : 0;
+    side = now;
+  }
+  const double duration = secondsBetween(log, 0, log.size() - 1);
+  return duration > 0.0 ? 0.5 * crossings / duration : 0.0;
 }
 
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles) {

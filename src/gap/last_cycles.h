@@ -7,7 +7,8 @@
 
 namespace rubber_suspension::gap {
 
-/// Mean frequency of the motion [Hz]: RMS speed over RMS displacement about its mean, by 2 pi; 0 where nothing moves.
+/// Mean frequency of the motion [Hz]: half the number of crossings of its mean, noise apart, over the duration; 0 where
+/// there are none.
 double meanFrequency(const log::Log& log);
 
 /// The first sample of the last `cycles` of that frequency; 0 where the log has no more, or the frequency is 0.
