@@ -38,7 +38,7 @@ Table emptyTable() {
 void addRow(Table& table, const Diagnosis& d, const CandidateResult& c) {
   table.add({fmt::format("<b>{}</b><br><span class=note>{}{}</span>", escape(c.effect), escape(c.documentation),
                          c.on_rig ? " (on the rig, not in the rubber)" : ""),
-             c.probability < kShown ? "below 1 %" : wholePercent(c.probability) + " %", percent(c.gap), closedText(c),
+             chance(c.probability) + " %", percent(c.gap), closedText(c),
              escape(isNamed(d, c) ? parametersText(c) : whyOut(d, c))});
 }
 
@@ -96,7 +96,7 @@ std::string candidateSection(const Diagnosis& d) {
   html += fmt::format(
       "<p>None of these: {} %. All candidates at once, as a flexible fit without claim to a cause, "
       "would leave a gap of {} on blocks of these logs held out.</p>\n",
-      wholePercent(d.probability_none), percent(d.workings->search.surrogate_gap));
+      chance(d.probability_none), percent(d.workings->search.surrogate_gap));
   html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, escape(notTestable(d)));
   return rest.empty() ? html
                       : html + folded(fmt::format("{} candidates below 1 %, and why they are out", count), rest.html());

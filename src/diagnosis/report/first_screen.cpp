@@ -68,13 +68,13 @@ std::string sureHtml(const Diagnosis& d) {
     return "";
   }
   if (d.effects.empty()) {
-    return fmt::format("{} % that no effect of the list is at work", wholePercent(d.probability_none));
+    return fmt::format("{} % that no effect of the list is at work", chance(d.probability_none));
   }
   std::string html;
   for (const std::string& effect : d.effects) {
     const CandidateResult* const candidate = candidateOf(d, effect);
     if (candidate != nullptr && effect == d.effects.front()) {
-      html = fmt::format("{} % that {} is the most important effect", wholePercent(candidate->probability),
+      html = fmt::format("{} % that {} is the most important effect", chance(candidate->probability),
                          escape(spoken(effect)));
     }
   }

@@ -17,18 +17,18 @@ h1 { font-size: 1.28rem; line-height: 1.35; margin: .2rem 0 .6rem; border-left: 
 h2 { font-size: 1.1rem; margin: 1.8rem 0 .4rem; border-bottom: 1px solid var(--line); }
 h3 { font-size: 1rem; margin: 1rem 0 .3rem; }
 p { margin: .4rem 0; }
-.note, .kicker { color: var(--note); font-size: .87rem; }
+.note, .kicker { color: var(--note); font-size: .87em; }
 .first { display: grid; grid-template-columns: 7fr 6fr; gap: 0 1.4rem; align-items: start; }
 .first figure { margin: 0; }
 dl { margin: 0; }
-dt { color: var(--note); font-size: .78rem; text-transform: uppercase; letter-spacing: .04em; }
+dt { color: var(--note); font-size: .8em; text-transform: uppercase; letter-spacing: .04em; }
 dd { margin: 0 0 .5rem; }
 figure { margin: 0; break-inside: avoid; min-width: 0; }
-figcaption { color: var(--note); font-size: .87rem; }
+figcaption { color: var(--note); font-size: .87em; }
 svg { display: block; width: 100%; height: auto; }
 .figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: .6rem 1rem; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 28rem), 1fr)); gap: 0 1.6rem; }
-table { border-collapse: collapse; width: 100%; font-size: .88rem; margin: .4rem 0; }
+table { border-collapse: collapse; width: 100%; font-size: .89em; margin: .4rem 0; }
 th, td { text-align: left; padding: .2rem .5rem; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--note); font-weight: 600; }
 th, td { overflow-wrap: break-word; } td code { overflow-wrap: anywhere; }
@@ -37,7 +37,7 @@ td:first-child:has(.note) { white-space: normal; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 .bar { display: inline-block; height: .6rem; background: var(--mark); vertical-align: middle; }
 .track { display: inline-block; width: 6rem; max-width: 100%; }
-pre, code { font: .82rem/1.4 ui-monospace, monospace; background: var(--soft); white-space: pre-wrap;
+pre, code { font: .85em/1.4 ui-monospace, monospace; background: var(--soft); white-space: pre-wrap;
   overflow-wrap: anywhere; }
 pre { padding: .6rem; margin: .4rem 0; }
 code { padding: 0 .2rem; }
@@ -45,7 +45,7 @@ ins, .added { color: var(--added); text-decoration: none; }
 del, .removed { color: var(--removed); text-decoration: none; }
 details { margin: .4rem 0; }
 summary { cursor: pointer; color: var(--link); }
-@media (max-width: 44rem) {
+@media screen and (max-width: 44rem) {
   .first { grid-template-columns: 1fr; }
   .first figure { order: -1; margin-bottom: .6rem; }
   table, tbody, tr, td { display: block; }
@@ -62,15 +62,11 @@ summary { cursor: pointer; color: var(--link); }
   body { font-size: 8.6pt; line-height: 1.3; padding: 0; max-width: none; }
   h1 { font-size: 11.5pt; } h2 { font-size: 10pt; margin: 2.6mm 0 1mm; break-after: avoid; }
   .first { grid-template-columns: 1fr 1fr; gap: 0 5mm; }
-  .first figure { order: 0; }
   .figures { grid-template-columns: repeat(3, 1fr); gap: 1mm 3mm; }
   .pair { grid-template-columns: 1fr 1fr; gap: 0 5mm; }
   table { font-size: 7.6pt; margin: 1mm 0; }
-  table { display: table; } tbody { display: table-row-group; } thead { display: table-header-group; }
-  tr { display: table-row; break-inside: avoid; padding: 0; }
-  td, td.n { display: table-cell; border-bottom: 1px solid var(--line); padding: .3mm 1mm; }
-  td.n { text-align: right; }
-  td:not(:empty)::before { content: ""; }
+  tr { break-inside: avoid; }
+  td, th { padding: .3mm 1mm; }
   p { margin: 1mm 0; }
   dd { margin-bottom: 1mm; }
   .track { width: 20mm; }

@@ -63,6 +63,10 @@ std::string percent(double value) { return fmt::format("{:.1f} %", 100.0 * value
 
 std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round(100.0 * value) + 0.0); }
 
+std::string chance(double probability) {
+  return probability < 0.01 ? "below 1" : probability > 0.99 ? "more than 99" : wholePercent(probability);
+}
+
 std::string enumerated(const std::vector<std::string>& parts) {
   std::string result;
   for (std::size_t i = 0; i < parts.size(); ++i) {

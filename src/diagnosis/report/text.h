@@ -18,6 +18,9 @@ std::string percent(double value);
 /// "8" of 0.079, without a minus before 0.
 std::string wholePercent(double value);
 
+/// The same of a probability, which is never 0 nor certain: "below 1", "more than 99".
+std::string chance(double probability);
+
 /// "a", "a and b", "a, b and c".
 std::string enumerated(const std::vector<std::string>& parts);
 
