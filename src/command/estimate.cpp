@@ -369,8 +369,9 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        for (std::size_t mark = first; mark < axes.curves.size() && reports.size() > 1; ++mark) {
-          axes.curves[mark].label = i == 0 ? axes.curves[mark].label : "";  // one entry in the legend for all
+        const bool once = i == 0 && &column == &columns.front();  // in the legend, for all components and columns
+        for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
+          axes.curves[mark].label.clear();
         }
       }
       figure.axes.push_back(axes);

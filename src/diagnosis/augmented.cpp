@@ -122,6 +122,38 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
   return result;
 }
 
+std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries) {
+  std::map<std::string, std::vector<element::ElementDescription>> by_type;
+  for (const element::ElementDescription& entry : entries) {
+    by_type[entry.type].push_back(entry);
+  }
+  std::vector<HeadlineValue> result;
+  for (const auto& [type, group] : by_type) {
+    if (type == "iwan_table") {
+      const auto friction = headlineValuesOf(group);
+      result.insert(result.end(), friction.begin(), friction.end());
+      continue;
+    }
+    for (const element::ParameterInfo& parameter : element::findElementType(type)->parameters) {
+      const bool is_scale = parameter.role == element::Role::scale;
+      if (!is_scale && (group.size() > 1 || parameter.role != element::Role::shape)) {
+        continue;
+      }
+      double sum = 0.0;
+      bool given = false;
+      for (const element::ElementDescription& entry : group) {
+        const auto found = entry.values.find(parameter.name);
+        given = given || (found != entry.values.end() && element::isFree(parameter, found->second));
+        sum += found == entry.values.end() ? 0.0 : found->second.at(0);
+      }
+      if (given) {
+        result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum, is_scale});
+      }
+    }
+  }
+  return result;
+}
+
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries) {
   std::map<std::string, double> result;
   for (const HeadlineValue& value : headlineValuesOf(entries)) {

@@ -26,7 +26,11 @@ struct HeadlineValue {
 /// displacement at which half of it is reached from rest, as of the element `friction`.
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
-/// The same by name, as report.json has them.
+/// The same in few numbers, for people: what a fit moved, without choices and references; entries of one type together
+/// by the sum of what scales them, as total_NAME.
+std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries);
+
+/// headlineValuesOf() by name, as report.json has them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
 /// The model with the parameters of a fit and its entries on top.

@@ -96,7 +96,7 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
     high.y.push_back(largest);
   }
   io::Axes axes;
-  axes.title = "the whole log, smallest and largest";
+  axes.title = "the whole log: smallest and largest";
   axes.x_label = "time [s]";
   axes.y_label = log.force.empty() ? "force [kN]" : labels.log + " - " + labels.force + " [kN]";
   axes.curves = {low, high};
@@ -161,7 +161,8 @@ io::Figure replayFigure(const std::string& component, const log::Log& log, const
   io::Figure figure;
   figure.title = fmt::format("{}, {}", component, log.name);
   if (stretch.first > 0) {
-    figure.title += fmt::format(": last {:.0f} of {:.0f} cycles", kCycles, frequency * seconds.back());
+    figure.title +=
+        fmt::format(": the last {:.3g} s of {:.5g} s", seconds.back() - seconds[stretch.first], seconds.back());
   }
   figure.axes = {forceAxes("displacement [mm]", millimetres, log, force, stretch, labels),
                  forceAxes("time [s]", shown, log, force, stretch, labels), envelopeAxes(seconds, log, force, labels)};

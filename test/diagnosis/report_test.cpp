@@ -196,6 +196,24 @@ TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
 }
 
+// What people read is few numbers: seven terms of one effect are one, and what no fit moves is left out.
+TEST(Headline, IsShortForPeople) {
+  const auto softening =
+      diagnosis::shortHeadlineOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
+                                  {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
+  ASSERT_EQ(softening.size(), 1U);
+  EXPECT_EQ(softening[0].name, "total_reduction");
+  EXPECT_DOUBLE_EQ(softening[0].value, 0.5);
+  const auto stop = diagnosis::shortHeadlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.002}}}}});
+  EXPECT_DOUBLE_EQ(named(stop, "stiffness"), 1e6);
+  EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
+}
+
+TEST(ReportText, TellsTheEndsOfAnIntervalApart) {
+  EXPECT_EQ(diagnosis::intervalText({"", "", "N/m", 0.0, 1.55e6, {1.5496e6, 1.5502e6}}), "1.5496 to 1.5502 kN/mm");
+  EXPECT_EQ(diagnosis::intervalText({"", "", "N", 0.0, 5.0, {5.0, 5.0}}), "5 to 5 N");
+}
+
 diagnosis::Diagnosis withSizes(std::vector<diagnosis::SizedValue> sizes) {
   diagnosis::Diagnosis d;
   d.model_sizes = std::move(sizes);

@@ -36,7 +36,8 @@ struct ForceLabels {
   std::string force = "simulated";
 };
 
-/// Displacement and force over time, and force over displacement; long logs are thinned for the eye.
+/// The last cycles: force over displacement and over time, measured less simulated below; and the whole log by its
+/// smallest and largest residual, or force.
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,
                         const ForceLabels& labels = {});
 

@@ -134,11 +134,15 @@ class Comparer {
   }
 
   void compareGaps() {
-    for (const char* name : {"as_configured", "re_estimated", "augmented", "noise_floor"}) {
+    static const std::vector<std::pair<std::string, std::string>> gaps = {{"as_configured", "gap as configured"},
+                                                                          {"re_estimated", "gap re-estimated"},
+                                                                          {"augmented", "gap augmented"},
+                                                                          {"noise_floor", "noise floor"}};
+    for (const auto& [name, title] : gaps) {
       const double before = numberOf(before_.at("gap").at(name));
       const double after = numberOf(after_.at("gap").at(name));
-      const bool differs = std::string(name) != "noise_floor" && std::abs(after - before) > noise();
-      changes_.push_back({"gap " + spoken(name), percent(before), percent(after), differs});
+      const bool differs = name != "noise_floor" && std::abs(after - before) > noise();
+      changes_.push_back({title, percent(before), percent(after), differs});
     }
   }
 

@@ -67,8 +67,15 @@ std::string sureHtml(const Diagnosis& d) {
   if (!d.workings) {
     return "";
   }
+  if (d.verdict == "unknown") {
+    return fmt::format("{} % that it is no effect of the list", chance(d.probability_none));
+  }
   if (d.effects.empty()) {
-    return fmt::format("{} % that no effect of the list is at work", chance(d.probability_none));
+    const double above = d.gap.as_configured - d.gap.noise_floor;
+    return d.verdict != "parameter_error" || !(above > 0.0)
+               ? ""
+               : fmt::format("the values alone close {} % of the gap above the noise",
+                             wholePercent(std::min(1.0, (d.gap.as_configured - d.gap.re_estimated) / above)));
   }
   std::string html;
   for (const std::string& effect : d.effects) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/report/text.h"
@@ -24,15 +25,16 @@ std::string nameOf(const SizedValue& size) {
   return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
 }
 
-std::string addedText(const element::ElementDescription& entry) {
-  std::string text = "add: " + entry.type;
+// Entries of one type, which stand in the file one by one.
+std::string addedText(const std::vector<element::ElementDescription>& entries) {
   std::string values;
-  for (const HeadlineValue& value : headlineValuesOf({entry})) {
-    const bool half = entry.type == "iwan_table" && value.name == "displacement";
+  for (const HeadlineValue& value : shortHeadlineOf(entries)) {
+    const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : spoken(value.name),
                           quantity(value.value, value.unit));
   }
-  return text + (values.empty() ? "" : " (" + values + ")");
+  return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + entries.front().type +
+         (values.empty() ? "" : " (" + values + ")");
 }
 
 }  // namespace
@@ -67,8 +69,12 @@ std::string componentChanges(const Diagnosis& d) {
                fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
   }
   std::string html = table.empty() ? "<p>The model's own values stay.</p>\n" : table.html();
+  std::map<std::string, std::vector<element::ElementDescription>> added;
   for (std::size_t i = d.configured.add.size(); i < d.augmented.add.size(); ++i) {
-    html += "<p><ins>+ " + escape(addedText(d.augmented.add[i])) + "</ins></p>\n";
+    added[d.augmented.add[i].type].push_back(d.augmented.add[i]);
+  }
+  for (const auto& [type, entries] : added) {
+    html += "<p><ins>+ " + escape(addedText(entries)) + "</ins></p>\n";
   }
   return html;
 }

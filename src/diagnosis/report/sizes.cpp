@@ -121,7 +121,7 @@ class Resampling {
       alone.hypothesis.terms.assign(fitted_.hypothesis.terms.begin() + first,
                                     fitted_.hypothesis.terms.begin() + first + count);
       alone.fit.parameters.scales = parameters.scales.segment(first, count);
-      for (const HeadlineValue& value : headlineValuesOf(entriesOf(alone))) {
+      for (const HeadlineValue& value : shortHeadlineOf(entriesOf(alone))) {
         point.effects.push_back({{candidate.effect, value.name}, value.unit, value.value, value.is_scale});
       }
       first += count;

@@ -25,6 +25,7 @@ const Display& displayOf(const std::string& unit, double size) {
       {"m", {{1.0, 1.0, "m"}, {1e-5, 1e-3, "mm"}, {0.0, 1e-6, "µm"}}},
       {"N/m", {{1e5, 1e6, "kN/mm"}, {0.0, 1e3, "N/mm"}}},
       {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
+      {"N s/m", {{1e3, 1e3, "kN s/m"}, {0.0, 1.0, "N s/m"}}},
       {"J", {{1e3, 1e3, "kJ"}, {0.0, 1.0, "J"}}},
   };
   static const Display as_it_is{0.0, 1.0, ""};
@@ -82,8 +83,13 @@ std::string quantity(double value, const std::string& unit) {
 
 std::string intervalText(const SizedValue& size) {
   const Display& display = displayOf(size.unit, std::abs(size.value));
-  return fmt::format("{:.3g} to {:.3g}{}", size.interval_95[0] / display.factor, size.interval_95[1] / display.factor,
-                     unitText(display, size.unit));
+  const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
+  int digits = 3;  // and as many more as tell the ends apart
+  while (digits < 6 && size.interval_95[0] < size.interval_95[1] &&
+         text(size.interval_95[0], digits) == text(size.interval_95[1], digits)) {
+    ++digits;
+  }
+  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit);
 }
 
 std::string quantity(const SizedValue& size) {
