@@ -134,9 +134,11 @@ std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDes
       result.insert(result.end(), friction.begin(), friction.end());
       continue;
     }
-    for (const element::ParameterInfo& parameter : element::findElementType(type)->parameters) {
-      const bool is_scale = parameter.role == element::Role::scale;
-      if (!is_scale && (group.size() > 1 || parameter.role != element::Role::shape)) {
+    const std::vector<element::ParameterInfo>& table = element::findElementType(type)->parameters;
+    for (const element::ParameterInfo& parameter : table) {
+      const bool is_size = &parameter == &table.front();  // the first of a table is how much there is of the law
+      const bool is_moved = parameter.role == element::Role::scale || parameter.role == element::Role::shape;
+      if (!is_moved || (group.size() > 1 && !is_size)) {
         continue;
       }
       double sum = 0.0;
@@ -147,7 +149,8 @@ std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDes
         sum += found == entry.values.end() ? 0.0 : found->second.at(0);
       }
       if (given) {
-        result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum, is_scale});
+        result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum,
+                          is_size || parameter.role == element::Role::scale});
       }
     }
   }

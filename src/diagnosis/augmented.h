@@ -27,7 +27,7 @@ struct HeadlineValue {
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
 /// The same in few numbers, for people: what a fit moved, without choices and references; entries of one type together
-/// by the sum of what scales them, as total_NAME.
+/// by the sum of the first parameter of their law, as total_NAME.
 std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries);
 
 /// headlineValuesOf() by name, as report.json has them.
