@@ -129,9 +129,9 @@ std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDes
   }
   std::vector<HeadlineValue> result;
   for (const auto& [type, group] : by_type) {
-    if (type == "iwan_table") {
-      const auto friction = headlineValuesOf(group);
-      result.insert(result.end(), friction.begin(), friction.end());
+    if (type == "iwan_table" || type == "series_compliance") {  // stiffnesses in series do not add up
+      const auto values = headlineValuesOf(group);
+      result.insert(result.end(), values.begin(), values.end());
       continue;
     }
     const std::vector<element::ParameterInfo>& table = element::findElementType(type)->parameters;
