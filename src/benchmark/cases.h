@@ -16,7 +16,7 @@ struct BenchmarkSize {
 };
 
 /// One component sample by sample: constant and varying steps, by Component and by SampleStream; growth with the number
-/// of Maxwell elements.
+/// of Maxwell elements; a surrogate.
 std::vector<Case> stepCases(const BenchmarkSize& size);
 
 /// Estimation from five inputs; the table of stiffness and loss angle of Berg's model.

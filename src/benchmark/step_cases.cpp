@@ -1,12 +1,14 @@
-// One component sample by sample, against the plain loop.
+// One component sample by sample, against the plain loop; a surrogate against ten Maxwell elements.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/element/residual.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -75,6 +77,93 @@ Case makeCase(const std::shared_ptr<Bench>& bench, const std::string& name, void
   return result;
 }
 
+// A surrogate as a diagnosis writes it, and ten Maxwell elements as the yardstick.
+struct SurrogateBench {
+  element::ResidualBasis basis;
+  Eigen::VectorXd weights;
+  component::Component surrogate;
+  component::Component maxwells;
+  std::vector<double> displacement;
+  std::vector<double> steps;
+  std::vector<double> expected;
+  std::vector<double> force;
+
+  SurrogateBench(std::size_t samples, bool even, bool resonant)
+      : basis(layoutOf(resonant)),
+        weights(weightsOf(basis)),
+        surrogate({element::residualDescription(basis, weights, -1e6, 1e6)}),
+        maxwells(tenMaxwells()),
+        displacement(benchmarkDisplacement(samples)),
+        steps(stepsOf(even ? evenStamps(samples) : unevenStamps(samples))),
+        expected(samples),
+        force(samples) {}
+
+  static element::ResidualBasis::Layout layoutOf(bool resonant) {
+    element::ResidualBasis::Layout layout;
+    layout.stroke = layout.highest = 2e-3;
+    layout.lowest = -2e-3;
+    layout.stops = {0.02, 0.04, 0.08, 0.17, 0.34, 0.7};
+    layout.times = {8e-3, 0.02, 0.05, 0.13, 0.32, 0.8};
+    layout.resonant = resonant;
+    layout.frequencies = {4.0, 5.2, 6.8, 8.9, 11.7, 15.3, 20.0, 26.0};
+    layout.points = 32;
+    return layout;
+  }
+
+  static Eigen::VectorXd weightsOf(const element::ResidualBasis& basis) {
+    return 100.0 * Eigen::ArrayXd::LinSpaced(basis.size(), 1.0, 2.0 * static_cast<double>(basis.size())).cos();
+  }
+
+  static std::vector<element::ElementDescription> tenMaxwells() {
+    std::vector<element::ElementDescription> elements;
+    for (const element::ElementDescription& element : elementsOf(bareParameters(10))) {
+      if (element.type == "maxwell") {
+        elements.push_back(element);
+      }
+    }
+    return elements;
+  }
+
+  void stepThroughAll(const component::Component& component) {
+    component::ComponentState state = component.makeState();
+    force[0] = component.initialise(state, displacement[0]).total;
+    for (std::size_t i = 1; i < displacement.size(); ++i) {
+      force[i] = component.step(state, steps[i], displacement[i]).total;
+    }
+  }
+
+  // The sum over all functions, one by one.
+  double error() {
+    stepThroughAll(surrogate);
+    std::vector<double> memory(element::ResidualBasis::kMemorySize);
+    Eigen::VectorXd values(basis.size());
+    basis.initialise(displacement[0], memory.data());
+    for (std::size_t i = 1; i < displacement.size(); ++i) {
+      basis.advance({steps[i], displacement[i], displacement[i] - displacement[i - 1]}, memory.data());
+      basis.evaluate(memory.data(), values);
+      expected[i] = weights.dot(values);
+    }
+    expected[0] = force[0];
+    return relativeDifference(expected, force);
+  }
+};
+
+Case surrogateCase(std::size_t samples, bool even, bool resonant) {
+  const auto bench = std::make_shared<SurrogateBench>(samples, even, resonant);
+  Case result;
+  result.name = fmt::format("`Component::step`, {}, a surrogate{}", even ? "constant dt" : "every dt another",
+                            resonant ? " with resonators" : "");
+  result.yardstick = "`Component::step`, ten Maxwell elements alone";
+  result.unit = "step";
+  result.count = result.yardstick_count = static_cast<double>(samples);
+  result.library = [bench] { bench->stepThroughAll(bench->surrogate); };
+  result.bare = [bench] { bench->stepThroughAll(bench->maxwells); };
+  result.error = [bench] { return bench->error(); };
+  result.error_meaning = "of the largest force, against its functions one by one";
+  result.tolerance = kRounding;
+  return result;
+}
+
 }  // namespace
 
 std::vector<Case> stepCases(const BenchmarkSize& size) {
@@ -90,6 +179,11 @@ std::vector<Case> stepCases(const BenchmarkSize& size) {
     const auto bench = std::make_shared<Bench>(count, size.samples, true);
     cases.push_back(makeCase(bench, fmt::format("`Component::step`, constant dt, {} Maxwell", count), stepThrough,
                              Yardstick::constant_step));
+  }
+  for (const bool evenly : {true, false}) {
+    for (const bool resonant : {false, true}) {
+      cases.push_back(surrogateCase(size.samples, evenly, resonant));
+    }
   }
   return cases;
 }

@@ -212,7 +212,19 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
 
 element::ComponentForce Component::stepAlongPath(ComponentState& state, double dt, double displacement) const {
   element::ComponentForce force;
-  stepsAlongPath(state, dt, &displacement, 1, &force);
+  if (!displacement_effects_.empty() || !series_.empty()) {
+    stepsAlongPath(state, dt, &displacement, 1, &force);
+    return force;
+  }
+  if (dt != state.prepared_.dt) {
+    kernel_.prepare(dt, state.prepared_);
+  }
+  const element::Motion motion{dt, displacement, displacement - state.displacement_};
+  state.displacement_ = displacement;
+  stepTestPiece(state.prepared_, &motion, 1, state.memory_.data(), &force);
+  for (const auto& element : rig_) {
+    addSteps(*element.law, &motion, 1, state.memory_.data() + element.offset, &force);
+  }
   return force;
 }
 

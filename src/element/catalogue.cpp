@@ -24,6 +24,7 @@
 #include "rubber_suspension/element/nonlinear_maxwell.h"
 #include "rubber_suspension/element/power_dashpot.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
+#include "rubber_suspension/element/residual.h"
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/series_compliance.h"
 #include "rubber_suspension/element/sliding_maxwell.h"
@@ -102,6 +103,7 @@ const std::vector<ElementType>& elementTypes() {
       inertiaType(),
       forceOffsetType(),
       forceDriftType(),
+      residualType(),
   };
   return types;
 }

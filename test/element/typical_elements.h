@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -9,6 +11,32 @@
 #include "rubber_suspension/component/component.h"
 
 namespace rubber_suspension::test {
+
+/// A surrogate of some kN over a range that the tests' motions stay within, with forces that differ from function to
+/// function.
+inline element::ElementDescription typicalResidual() {
+  std::vector<double> weights(52);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = 500.0 * std::cos(1.0 + static_cast<double>(i * i));
+  }
+  std::vector<double> resonance_weights(16);
+  for (std::size_t i = 0; i < resonance_weights.size(); ++i) {
+    resonance_weights[i] = 300.0 * std::sin(1.0 + static_cast<double>(i * i));
+  }
+  return {"residual",
+          {{"stroke", {4e-3}},
+           {"lowest", {-4e-3}},
+           {"highest", {4e-3}},
+           {"lowest_force", {-1e5}},
+           {"highest_force", {1e5}},
+           {"stops", {0.02, 0.05, 0.1, 0.2, 0.4, 0.7}},
+           {"relaxation_times", {4e-3, 0.02, 0.1, 0.5, 2.0, 8.0}},
+           {"amplitude_time", {0.3}},
+           {"weights", weights},
+           {"characteristic", {-900.0, -200.0, 40.0, 0.0, 300.0, -500.0, 800.0}},
+           {"resonances", {1.0, 1.6, 2.5, 4.0, 6.0, 10.0, 16.0, 25.0}},
+           {"resonance_weights", resonance_weights}}};
+}
 
 /// A law with parameters as on a component of 3 kN/mm that moves by some millimetres.
 inline std::vector<element::ElementDescription> typicalElements() {
@@ -68,6 +96,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"inertia", {{"mass", {12.0}}, {"bandwidth", {30.0}}}},
       {"force_offset", {{"offset", {-150.0}}}},
       {"force_drift", {{"rate", {20.0}}}},
+      typicalResidual(),
   };
 }
 
@@ -118,7 +147,7 @@ inline bool isElastic(const element::ElementDescription& description) {
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
-                            "nonlinear_maxwell", "variable_friction"});
+                            "nonlinear_maxwell", "variable_friction", "residual"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;

@@ -1,0 +1,262 @@
+// Numbers of the surrogate: each operator against its closed form, the bounds, what is refused.
+#include "rubber_suspension/element/residual.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "element/typical_elements.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+using element::Residual;
+using element::ResidualBasis;
+using testing::HasSubstr;
+
+constexpr double kDt = 1e-3;      // [s]
+constexpr double kStroke = 4e-3;  // [m]
+constexpr auto kProducts = static_cast<Eigen::Index>(ResidualBasis::kStates * ResidualBasis::kFactors);
+
+ResidualBasis::Layout typicalLayout() {
+  ResidualBasis::Layout layout;
+  layout.stroke = kStroke;
+  layout.lowest = -kStroke;
+  layout.highest = kStroke;
+  layout.stops = {0.02, 0.05, 0.1, 0.2, 0.4, 0.7};
+  layout.times = {4e-3, 0.02, 0.1, 0.5, 2.0, 8.0};
+  layout.amplitude_time = 0.3;
+  layout.resonant = true;
+  layout.frequencies = {1.0, 1.6, 2.5, 4.0, 6.0, 10.0, 16.0, 25.0};
+  layout.points = 9;
+  return layout;
+}
+
+/// A basis that is moved along straight lines from rest at zero.
+class Moving {
+ public:
+  explicit Moving(const ResidualBasis::Layout& layout) : basis_(layout), memory_(ResidualBasis::kMemorySize) {
+    basis_.initialise(0.0, memory_.data());
+  }
+
+  void moveTo(double displacement, double duration, int steps) {
+    const double start = displacement_;
+    for (int i = 1; i <= steps; ++i) {
+      const double next = start + (displacement - start) * i / steps;
+      basis_.advance({duration / steps, next, next - displacement_}, memory_.data());
+      displacement_ = next;
+    }
+  }
+
+  double operator[](std::size_t slot) const { return memory_[slot]; }
+
+  Eigen::VectorXd values() const {
+    Eigen::VectorXd result(basis_.size());
+    basis_.evaluate(memory_.data(), result);
+    return result;
+  }
+
+ private:
+  ResidualBasis basis_;
+  std::vector<double> memory_;
+  double displacement_ = 0.0;
+};
+
+TEST(ResidualBasis, AStopFollowsUpToItsWidthAndBackAtOnce) {
+  Moving moving(typicalLayout());
+  moving.moveTo(0.5 * kStroke, 0.1, 100);
+  EXPECT_DOUBLE_EQ(moving[ResidualBasis::kStop + 3], 0.2);
+  EXPECT_NEAR(moving[ResidualBasis::kStop + 5], 0.5, 1e-14);
+  moving.moveTo(0.4 * kStroke, 0.1, 100);
+  EXPECT_NEAR(moving[ResidualBasis::kStop + 3], 0.1, 1e-14);
+  EXPECT_DOUBLE_EQ(moving[ResidualBasis::kStop], -0.02);
+}
+
+// A ramp of speed v leaves v tau (1 - exp(-t/tau)) of a relaxing share. Steps of x = dt/tau err by x^2/6 of what
+// decays, here by 1e-4 of the fastest at most.
+TEST(ResidualBasis, ARelaxingShareIsThatOfAMaxwellElement) {
+  Moving moving(typicalLayout());
+  moving.moveTo(kStroke, 0.2, 2000);
+  const auto layout = typicalLayout();
+  for (std::size_t j = 0; j < ResidualBasis::kRelaxing; ++j) {
+    const double tau = layout.times[j];
+    EXPECT_NEAR(moving[ResidualBasis::kRelaxed + j], 5.0 * tau * (1.0 - std::exp(-0.2 / tau)), 1e-4 * 5.0 * tau) << tau;
+  }
+}
+
+// The mean of |sin| is 2/pi; over 60 time constants of 0.3 s nothing of the start is left, and at 10 Hz the leaky
+// integrator lets 1/(2 pi 20 Hz 0.3 s) = 2.7 % of the first harmonic pass, which is two thirds of the mean.
+TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
+  const ResidualBasis basis(typicalLayout());
+  std::vector<double> memory(ResidualBasis::kMemorySize);
+  basis.initialise(0.0, memory.data());
+  double before = 0.0;
+  for (int i = 1; i <= 18000; ++i) {
+    const double z = 0.5 * kStroke * std::sin(2.0 * element::kPi * 10.0 * i * kDt);
+    basis.advance({kDt, z, z - before}, memory.data());
+    before = z;
+  }
+  EXPECT_NEAR(memory[ResidualBasis::kAmplitude], 1.0 / element::kPi, 0.03 / element::kPi);
+}
+
+// A step of displacement in one sample lets a resonator ring: x = exp(-D w t) (cos w_d t + D/sqrt(1-D^2) sin w_d t)
+// with D = 0.15. The trapezoidal rule is 1e-3 off after three of the 40 ms periods at 0.1 ms, the step itself half a
+// sample.
+TEST(ResidualBasis, AResonatorRingsAtItsFrequency) {
+  Moving moving(typicalLayout());
+  moving.moveTo(kStroke, 1e-4, 1);
+  constexpr double kDamping = 0.15;
+  const double omega = 2.0 * element::kPi * 25.0;
+  const double damped = omega * std::sqrt(1.0 - kDamping * kDamping);
+  for (int i = 1; i <= 1200; ++i) {
+    moving.moveTo(kStroke, 1e-4, 1);
+    const double t = 1e-4 * (i + 0.5);
+    const double decay = std::exp(-kDamping * omega * t);
+    const double velocity = decay * omega / damped * std::sin(damped * t);
+    ASSERT_NEAR(moving[ResidualBasis::kVelocity + 7], velocity, 2e-3) << t;
+    // x = q - (displacement of the mass): v' = w x - 2 D w v.
+    const double position = decay * (std::cos(damped * t) + kDamping * omega / damped * std::sin(damped * t));
+    ASSERT_NEAR(moving[ResidualBasis::kPosition + 7], position, 2e-3 + 0.008) << t;
+  }
+}
+
+TEST(ResidualBasis, EvaluatesProductsHatsAndResonators) {
+  Moving moving(typicalLayout());
+  moving.moveTo(0.3 * kStroke, 0.05, 50);
+  const Eigen::VectorXd values = moving.values();
+  ASSERT_EQ(values.size(), kProducts + 9 + 16);
+  EXPECT_NEAR(values[12 * 4 + 1], 0.09, 1e-14);       // q times q
+  EXPECT_NEAR(values[3 * 4 + 2], 0.2 * 0.09, 1e-14);  // the fourth stop times q^2
+  EXPECT_NEAR(values[12 * 4 + 3], 0.3 * moving[ResidualBasis::kAmplitude], 1e-14);
+  // 0.3 is between the points 0.25 and 0.5; less the hat at zero.
+  EXPECT_NEAR(values[kProducts + 5], 0.8, 1e-12);
+  EXPECT_NEAR(values[kProducts + 6], 0.2, 1e-12);
+  EXPECT_NEAR(values[kProducts + 4], -1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(values[kProducts + 9], moving[ResidualBasis::kPosition]);
+}
+
+// The entry that a fit writes gives the sum of weights times functions: each function is there, none twice.
+TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
+  const ResidualBasis basis(typicalLayout());
+  Eigen::VectorXd weights(basis.size());
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    weights[i] = 100.0 * std::cos(1.0 + static_cast<double>(i * i));
+  }
+  const component::Component component({element::residualDescription(basis, weights, -1e6, 1e6)});
+  component::ComponentState state = component.makeState();
+  Moving moving(typicalLayout());
+  for (int i = 1; i <= 500; ++i) {
+    const double z = kStroke * std::sin(0.02 * i) * std::cos(0.11 * i);
+    moving.moveTo(z, kDt, 1);
+    // Sums of 77 products of some 100 N.
+    ASSERT_NEAR(component.step(state, kDt, z).total, weights.dot(moving.values()), 1e-10) << i;
+  }
+}
+
+TEST(Residual, StaysWithinItsForcesWhateverTheMotion) {
+  element::ElementDescription law = typicalResidual();
+  law.values["lowest_force"] = {-700.0};
+  law.values["highest_force"] = {300.0};
+  const component::Component component({law});
+  component::ComponentState state = component.makeState();
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (int i = 1; i <= 4000; ++i) {
+    const double force = component.step(state, kDt, 0.5 * std::sin(0.3 * i) * std::sin(0.001 * i)).total;
+    lowest = std::min(lowest, force);
+    highest = std::max(highest, force);
+  }
+  EXPECT_EQ(lowest, -700.0);
+  EXPECT_EQ(highest, 300.0);
+}
+
+TEST(Residual, BeyondTheRangeItIsAsAtItsEnd) {
+  const component::Component component({typicalResidual()});
+  component::ComponentState at_end = component.makeState();
+  component::ComponentState beyond = component.makeState();
+  for (int i = 1; i <= 300; ++i) {
+    const double force = component.step(at_end, kDt, kStroke).total;
+    ASSERT_EQ(component.step(beyond, kDt, kStroke * (1.0 + 0.01 * i)).total, force);
+  }
+}
+
+// A diagnosis may leave out the resonators.
+TEST(Residual, RunsWithoutResonators) {
+  element::ElementDescription law = typicalResidual();
+  const component::Component with({law});
+  law.values.erase("resonances");
+  law.values.erase("resonance_weights");
+  const component::Component without({law});
+  component::ComponentState state = with.makeState();
+  component::ComponentState other = without.makeState();
+  EXPECT_NE(with.step(state, kDt, kStroke).total, without.step(other, kDt, kStroke).total);
+  for (auto& weight : (law = typicalResidual()).values["resonance_weights"]) {
+    weight = 0.0;
+  }
+  const component::Component silent({law});
+  component::ComponentState third = silent.makeState();
+  component::ComponentState fourth = without.makeState();
+  for (int i = 1; i <= 100; ++i) {
+    const double z = kStroke * std::sin(0.1 * i);
+    // The order of sums.
+    ASSERT_NEAR(silent.step(third, kDt, z).total, without.step(fourth, kDt, z).total, 1e-9);
+  }
+}
+
+std::string refusalOf(const std::string& parameter, const std::vector<double>& values) {
+  element::ElementDescription law = typicalResidual();
+  law.values[parameter] = values;
+  try {
+    element::makeElement(law);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Residual, RefusesWhatDoesNotFit) {
+  EXPECT_THAT(refusalOf("stops", {0.1, 0.2}), HasSubstr("residual.stops: 2 values; accepted: 6"));
+  EXPECT_THAT(refusalOf("weights", {1.0}), HasSubstr("residual.weights: 1 values; accepted: 52"));
+  EXPECT_THAT(refusalOf("characteristic", {1.0}), HasSubstr("residual.characteristic: 1 values; accepted: at least 2"));
+  EXPECT_THAT(refusalOf("resonances", {1.0}), HasSubstr("residual.resonances: 1 values; accepted: 8"));
+  EXPECT_THAT(refusalOf("resonances", {0.0}), HasSubstr("residual.resonance_weights: 16 values; accepted: 0 alone"));
+  EXPECT_THAT(refusalOf("resonances", {1, 2, 3, 4, 5, 6, 7, 0}),
+              HasSubstr("residual.resonances: 0 Hz is out of range"));
+  EXPECT_THAT(refusalOf("lowest", {1e-3}), HasSubstr("residual.lowest: 0.001 m is out of range; accepted: at most 0"));
+  EXPECT_THAT(refusalOf("lowest", {-1.0}),
+              HasSubstr("residual.lowest: -1 m is out of range; accepted: in [-0.004, 0]"));
+  EXPECT_THAT(refusalOf("highest", {1.0}), HasSubstr("residual.highest: 1 m is out of range; accepted: in ["));
+  EXPECT_THAT(refusalOf("highest_force", {-1.0}), HasSubstr("residual.highest_force: -1 N is out of range"));
+}
+
+// Nothing that a file may hold leads to numbers that are not finite.
+TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
+  element::ElementDescription law = typicalResidual();
+  law.values["relaxation_times"] = {1e-9, 1e-9, 1e300, 1.0, 1.0, 1e300};
+  law.values["amplitude_time"] = {1e-9};
+  law.values["resonances"] = {1e9, 1e-300, 1.0, 1.0, 1.0, 1.0, 1.0, 1e9};
+  law.values["stops"] = {1e-300, 1e300, 1.0, 1.0, 1.0, 1.0};
+  law.values["weights"] = std::vector<double>(52, 1e308);
+  const component::Component component({law});
+  component::ComponentState state = component.makeState();
+  for (const double dt : {1e-9, 1e-3, 1e9}) {
+    for (const double z : {1e300, -1e300, 0.0, 1e-3}) {
+      const double force = component.step(state, dt, z).total;
+      EXPECT_GE(force, -1e5);
+      EXPECT_LE(force, 1e5);
+    }
+  }
+  for (const double value : state.memory()) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(Residual, RefusesARangeOfNothing) {
+  element::ElementDescription law = typicalResidual();
+  law.values["lowest"] = law.values["highest"] = {0.0};
+  EXPECT_THROW(element::makeElement(law), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test
