@@ -67,6 +67,9 @@ io::FileKind kindOf(const std::string& name) {
   if (extension == ".yaml") {
     return io::FileKind::component_file;
   }
+  if (name == "missing_force.csv") {
+    return io::FileKind::force_map_csv;
+  }
   return name == "next_experiment.csv" ? io::FileKind::force_csv : io::FileKind::figure_csv;
 }
 
@@ -95,7 +98,6 @@ void checkOutputs(const Options& options) {
   for (const std::string& name : diagnosis::reportFiles()) {
     outputs.push_back({"--output", (folder / name).string(), kindOf(name)});
   }
-  outputs.push_back({"--output", (folder / "surrogate.yaml").string(), io::FileKind::component_file});
   options.outputs.check(inputs, outputs);
 }
 

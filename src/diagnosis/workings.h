@@ -46,6 +46,7 @@ struct Workings {
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
+  gap::Forces force_surrogate;  ///< empty without a surrogate
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -45,6 +45,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::campaign_csv, "a table of a campaign", {"id,group,type,"}, {}},
       {FileKind::campaign_json, "a table of a campaign", {"{"}, {"rubber_suspension/campaign_table/"}},
       {FileKind::fleet_report, "a fleet report", {"<!DOCTYPE html>", "<!doctype html>"}, {"Fleet report"}},
+      {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

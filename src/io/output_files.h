@@ -23,6 +23,7 @@ enum class FileKind {
   campaign_csv,       ///< the results of a campaign
   campaign_json,      ///< the same as JSON
   fleet_report,       ///< what a campaign says of a fleet
+  force_map_csv,      ///< missing_force.csv of a diagnosis
 };
 
 /// A file that a command reads, with the option that names it.

@@ -91,6 +91,7 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
       {FileKind::gap_csv, "time_s,level,window_s,samples\n"},
       {FileKind::vehicle_csv, "time_s,frame_m,pitch_rad\n"},
       {FileKind::figure_csv, "curve,frequency_hz\n"},
+      {FileKind::force_map_csv, "displacement_m,velocity_m_per_s,missing_force_N\n"},
       {FileKind::component_file, "# found by estimate\ncomponents:\n  a: {}\n"},
       {FileKind::report_json, "{\n \"schema\": \"rubber_suspension/gap_report/1\"}"},
       {FileKind::report_html, "<!DOCTYPE html>\n<title>Gap report</title> the gap"},

@@ -16,7 +16,7 @@ FOREIGN = {
     "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
     "bear out": "confirm", "goes on": "continues",
 }
-WRITTEN = {"augmented.yaml", "components.yaml"}  # by a diagnosis, by a user
+WRITTEN = {"augmented.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,17 @@ struct Gap {
   double re_estimated = 0.0;
   double augmented = 0.0;
   double noise_floor = 0.0;
+};
+
+/// What closes a rest that no effect explains, without a claim to its cause.
+struct Surrogate {
+  io::ComponentDescription component;  ///< the augmented one with a `residual` on top
+  double gap = 0.0;                    ///< of the logs as they are, which `replay` of the component gives
+  double unseen_before = 0.0;  ///< gap of the augmented component on logs or blocks that took no part in the fit
+  double unseen_after = 0.0;   ///< the same with surrogates that were fitted without them
+  double share = 0.0;          ///< of the squared rest beyond the noise, that these predict
+  double chance = 1.0;         ///< that they would seem to predict some of it if they could not
+  bool function_of_the_motion = false;  ///< the larger part of the rest is predicted, beyond chance
 };
 
 /// Errors of the characteristics on held-out data, relative RMS over windows.
@@ -155,6 +167,8 @@ struct Diagnosis {
   io::ComponentDescription re_estimated;
   io::ComponentDescription augmented;  ///< re-estimated, with the effects named
 
+  std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
+
   std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
 
   std::vector<Admission> admission;
@@ -186,9 +200,10 @@ std::string toHtml(const Diagnosis& diagnosis);
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, the numbers of its
-/// figures, and report.html last. Nothing takes its name before all are written; what an earlier report left there and
-/// this one lacks is removed. Throws std::runtime_error.
+/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, surrogate.yaml and
+/// missing_force.csv where there is a surrogate, the numbers of its figures, and report.html last. Nothing takes its
+/// name before all are written; what an earlier report left there and this one lacks is removed. Throws
+/// std::runtime_error.
 void writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

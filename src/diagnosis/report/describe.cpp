@@ -15,6 +15,7 @@
 #include "diagnosis/report/sentence.h"
 #include "diagnosis/report/sizes.h"
 #include "diagnosis/rig.h"
+#include "diagnosis/surrogate.h"
 #include "diagnosis/unseen_logs.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
@@ -51,6 +52,7 @@ class Describer {
     describeCandidates();
     describeParameters();
     describeJudgement();
+    describeSurrogate();
     result_.workings = std::move(workings_);
     return std::move(result_);
   }
@@ -58,24 +60,26 @@ class Describer {
  private:
   bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
 
+  // The logs of the fit, then those held out.
+  gap::Forces simulate(const io::ComponentDescription& description) const {
+    const auto elements = description.allElements();
+    gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
+    const gap::Forces unseen = gap::simulateEach(elements, prepared_.held_out);
+    forces.insert(forces.end(), unseen.begin(), unseen.end());
+    return forces;
+  }
+
   void simulateAll() {
     Workings& w = *workings_;
     w.records = prepared_.training;
     w.records.insert(w.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
     w.training = prepared_.training.size();
-    const auto all = [&](const io::ComponentDescription& description) {
-      const auto elements = description.allElements();
-      gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
-      const gap::Forces unseen = gap::simulateEach(elements, prepared_.held_out);
-      forces.insert(forces.end(), unseen.begin(), unseen.end());
-      return forces;
-    };
     const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
         {{&prepared_.component, &w.force_configured},
          {&result_.re_estimated, &w.force_re_estimated},
          {&result_.augmented, &w.force_augmented}}};
     fit::parallelFor(models.size(), options_.threads,
-                     [&](std::size_t i) { *models[i].second = all(*models[i].first); });
+                     [&](std::size_t i) { *models[i].second = simulate(*models[i].first); });
   }
 
   // The forces of the logs that took no part in the fit.
@@ -239,6 +243,22 @@ class Describer {
       high = std::max(high, record.displacement.maxCoeff());
     }
     return strokeOf(low, high);
+  }
+
+  // What no effect explains is closed all the same.
+  void describeSurrogate() {
+    if (!needsSurrogate(judgement_.verdict)) {
+      return;
+    }
+    Workings& w = *workings_;
+    const gap::Forces of_training(w.force_augmented.begin(),
+                                  w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
+    Surrogate surrogate = makeSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
+                                        result_.gap.noise_floor, options_.threads);
+    surrogate.gap = asRecorded(surrogate.component);
+    w.force_surrogate = simulate(surrogate.component);
+    result_.sentence += " " + describeRest(surrogate);
+    result_.surrogate = std::move(surrogate);
   }
 
   std::vector<std::string> names(const std::vector<int>& effects) const {

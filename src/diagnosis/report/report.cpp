@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "diagnosis/report/figure_data.h"
+#include "diagnosis/report/missing_force.h"
 #include "diagnosis/report/report_figures.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr const char* kExperiment = "next_experiment.csv";
 constexpr const char* kComponent = "augmented.yaml";
+constexpr const char* kSurrogate = "surrogate.yaml";
+constexpr const char* kMissingForce = "missing_force.csv";
 constexpr const char* kPage = "report.html";
 
 // Files that are written, not yet in place: the report is complete or the older one stays. A signal removes them.
@@ -80,7 +83,7 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
 }  // namespace
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent, kExperiment};
+  std::vector<std::string> names = {"report.json", kComponent, kExperiment, kSurrogate, kMissingForce};
   const std::vector<std::string> figures = figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
@@ -97,6 +100,10 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   report.write("report.json", toJson(diagnosis));
   if (diagnosis.workings) {
     report.write(kComponent, io::toYaml({diagnosis.augmented}));
+  }
+  if (diagnosis.surrogate) {
+    report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
+    report.write(kMissingForce, toCsv(missingForce(diagnosis)));
   }
   if (!diagnosis.proposed.displacement.empty()) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "diagnosis/report/missing_force.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -22,6 +23,7 @@ constexpr const char* kLoops = "loops";
 constexpr const char* kWhere = "where";
 constexpr const char* kResidual = "residual_over_displacement";
 constexpr const char* kTime = "gap_over_time";
+constexpr const char* kMissing = "missing_force";
 constexpr std::size_t kMostLoops = 4;
 
 std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count, double factor) {
@@ -275,18 +277,25 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
   if (!diagnosis.workings) {
     return {};
   }
-  return {{kLoops, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
-          {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
-          {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
-           residualOverDisplacement(diagnosis)},
-          {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
+  std::vector<ReportFigure> figures = {
+      {kLoops, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
+      {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
+      {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
+       residualOverDisplacement(diagnosis)},
+      {kTime, "Gap over time, the logs one after the other.", residualOverTime(diagnosis)}};
+  if (diagnosis.surrogate) {
+    figures.push_back({kMissing,
+                       "Force that the model lacks, over displacement and velocity, and what a surrogate adds.",
+                       missingForceFigure(missingForce(diagnosis))});
+  }
+  return figures;
 }
 
 std::string figureDataFile(const std::string& name) { return "figure_" + name + ".csv"; }
 
 std::vector<std::string> figureDataFiles() {
   std::vector<std::string> files;
-  for (const char* name : {kLoops, kWhere, kResidual, kTime}) {
+  for (const char* name : {kLoops, kWhere, kResidual, kTime, kMissing}) {
     files.push_back(figureDataFile(name));
   }
   return files;

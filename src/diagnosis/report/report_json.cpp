@@ -78,6 +78,16 @@ ordered_json errorsJson(const CharacteristicErrors& errors) {
           {"energy_per_cycle", number(errors.energy)}};
 }
 
+ordered_json surrogateJson(const Surrogate& surrogate) {
+  return {{"file", "surrogate.yaml"},
+          {"gap", number(surrogate.gap)},
+          {"function_of_the_motion", surrogate.function_of_the_motion},
+          {"share_of_the_rest", number(surrogate.share)},
+          {"gap_unseen", {{"before", number(surrogate.unseen_before)}, {"after", number(surrogate.unseen_after)}}},
+          {"chance", number(surrogate.chance)},
+          {"missing_force", "missing_force.csv"}};
+}
+
 // Every hypothesis that was fitted, with its held-out error.
 ordered_json hypothesesJson(const Search& search) {
   ordered_json result = ordered_json::array();
@@ -197,6 +207,9 @@ std::string toJson(const Diagnosis& diagnosis) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
     report["element_level_gap"] = number(diagnosis.workings->search.element_level.held_out);
+  }
+  if (diagnosis.surrogate) {
+    report["surrogate"] = surrogateJson(*diagnosis.surrogate);
   }
   return report.dump(2) + "\n";
 }

@@ -1,0 +1,310 @@
+// Ridge regression on the functions of a residual element.
+#include "fit/surrogate.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "fit/normal_equations.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+using element::ResidualBasis;
+
+constexpr double kMostRows = 40000.0;           // equations: neighbouring samples tell the same
+constexpr std::size_t kPoints = 32;             // of the characteristic
+constexpr double kWidestStop = 0.7;             // strokes: wider ones hardly turn
+constexpr double kNarrowestStop = 0.02;         // strokes
+constexpr double kNoiseInStop = 6.0;            // standard deviations of the sensor's noise, as a dead band
+constexpr double kLowestResonance = 0.2;        // of the highest frequency of the motion
+constexpr double kHighestResonance = 1.3;       // of that; what lies further above is not excited
+constexpr double kFewerFunctionsBetter = 0.95;  // of the error: more functions have to gain at least that
+constexpr std::size_t kFewestLogs = 3;          // of which each is left out in turn
+constexpr std::array<double, 8> kRidges = {1e-7, 1e-6, 1e-5, 1e-4,
+                                           1e-3, 1e-2, 1e-1, 1.0};  // of a function's mean square
+
+template <std::size_t Size>
+std::array<double, Size> geometric(double first, double last) {
+  std::array<double, Size> values{};
+  for (std::size_t i = 0; i < Size; ++i) {
+    values[i] = first * std::pow(last / first, static_cast<double>(i) / static_cast<double>(Size - 1));
+  }
+  return values;
+}
+
+Eigen::Index strideOf(const std::vector<log::Record>& records) {
+  double samples = 0.0;
+  for (const log::Record& record : records) {
+    samples += static_cast<double>(record.size());
+  }
+  return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(samples / kMostRows)));
+}
+
+Eigen::VectorXd thin(const Eigen::VectorXd& values, Eigen::Index stride) {
+  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(
+      values.data(), (values.size() + stride - 1) / stride, Eigen::InnerStride<>(stride));
+}
+
+// Every so many samples of a record; its nuisances stay orthonormal.
+log::Record thinned(const log::Record& record, Eigen::Index stride) {
+  log::Record result = record;
+  if (stride == 1) {
+    return result;
+  }
+  result.dt *= static_cast<double>(stride);
+  result.displacement = thin(record.displacement, stride);
+  result.raw_displacement = thin(record.raw_displacement, stride);
+  result.force = thin(record.force, stride);
+  if (record.counts.size() > 0) {
+    result.counts = thin(record.counts, stride);
+  }
+  if (record.nuisances.cols() > 0) {
+    Eigen::MatrixXd columns(result.size(), record.nuisances.cols());
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+      columns.col(j) = thin(record.nuisances.col(j), stride);
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+    result.nuisances = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  }
+  return result;
+}
+
+// Values of the functions at every so many samples of a record.
+Eigen::MatrixXd functionsOver(const ResidualBasis& basis, const log::Record& record, Eigen::Index stride) {
+  const Eigen::VectorXd& z = record.raw_displacement;
+  Eigen::MatrixXd by_sample(basis.size(), (z.size() + stride - 1) / stride);
+  std::vector<double> memory(ResidualBasis::kMemorySize);
+  basis.initialise(z[0], memory.data());
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    if (i > 0) {
+      basis.advance({record.dt, z[i], z[i] - z[i - 1]}, memory.data());
+    }
+    if (i % stride == 0) {
+      basis.evaluate(memory.data(), by_sample.col(i / stride));
+    }
+  }
+  return by_sample.transpose();
+}
+
+std::vector<ForceColumn> columnsOf(const std::vector<Eigen::MatrixXd>& functions) {
+  std::vector<ForceColumn> columns;
+  for (Eigen::Index j = 0; j < functions[0].cols(); ++j) {
+    auto column = std::make_shared<std::vector<Eigen::VectorXd>>();
+    for (const Eigen::MatrixXd& of_record : functions) {
+      column->emplace_back(of_record.col(j));
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+// A choice of functions and of the ridge, with the weights of the functions in units of their scales.
+struct Choice {
+  std::vector<Eigen::Index> functions;
+  double ridge = 0.0;
+  double error = std::numeric_limits<double>::infinity();  // mean square, of what is left out
+};
+
+/// Normal equations with each function scaled to a mean square of 1, from which any ridge regression follows.
+class RidgeRegression {
+ public:
+  RidgeRegression(BlockGrams blocks, std::size_t records) : blocks_(std::move(blocks)) {
+    const Eigen::Index last = blocks_.gram[0].rows() - 1;
+    total_ = Eigen::MatrixXd::Zero(last + 1, last + 1);
+    for (const Eigen::MatrixXd& gram : blocks_.gram) {
+      total_ += gram;
+    }
+    scale_ = Eigen::VectorXd::Ones(last + 1);
+    for (Eigen::Index j = 0; j < last; ++j) {  // a function that never moves is left at nothing
+      scale_[j] = total_(j, j) > 0.0 ? 1.0 / std::sqrt(total_(j, j)) : 0.0;
+    }
+    const auto rescale = [&](Eigen::MatrixXd& gram) { gram = scale_.asDiagonal() * gram * scale_.asDiagonal(); };
+    rescale(total_);
+    std::for_each(blocks_.gram.begin(), blocks_.gram.end(), rescale);
+    group_ = records >= kFewestLogs ? blocks_.record : blocks_.fold;
+    groups_ = 1 + *std::max_element(group_.begin(), group_.end());
+    for (int g = 0; g < groups_; ++g) {
+      without_.push_back(total_);
+      for (std::size_t b = 0; b < group_.size(); ++b) {
+        if (group_[b] == g) {
+          without_.back() -= blocks_.gram[b];
+        }
+      }
+    }
+  }
+
+  /// The ridge that predicts best with these functions.
+  Choice bestRidge(const std::vector<Eigen::Index>& functions) const {
+    Choice best;
+    for (const double ridge : kRidges) {
+      const Choice choice{functions, ridge, std::numeric_limits<double>::infinity()};
+      double error = 0.0;
+      for (const UnseenBlock& block : predict(choice)) {
+        error += block.weight * block.after;
+      }
+      if (error < best.error) {
+        best = {functions, ridge, error};
+      }
+    }
+    return best;
+  }
+
+  std::vector<UnseenBlock> predict(const Choice& choice) const {
+    std::vector<UnseenBlock> unseen(group_.size());
+    for (int g = 0; g < groups_; ++g) {
+      const Eigen::VectorXd x = solve(without_[static_cast<std::size_t>(g)], choice);
+      for (std::size_t b = 0; b < group_.size(); ++b) {
+        if (group_[b] == g) {
+          unseen[b] = errorOf(b, choice.functions, x);
+        }
+      }
+    }
+    return unseen;
+  }
+
+  /// What is left without any surrogate.
+  double errorBefore() const { return total_(total_.rows() - 1, total_.rows() - 1); }
+
+  /// Weight of each function [N].
+  Eigen::VectorXd weights(const Choice& choice) const {
+    const Eigen::VectorXd x = solve(total_, choice);
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(total_.rows() - 1);
+    for (std::size_t i = 0; i < choice.functions.size(); ++i) {
+      result[choice.functions[i]] = x[static_cast<Eigen::Index>(i)] * scale_[choice.functions[i]];
+    }
+    return result;
+  }
+
+ private:
+  static Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Choice& choice) {
+    Eigen::MatrixXd small = gram(choice.functions, choice.functions);
+    small.diagonal().array() += choice.ridge;
+    return small.llt().solve(gram(choice.functions, gram.rows() - 1));
+  }
+
+  UnseenBlock errorOf(std::size_t block, const std::vector<Eigen::Index>& functions, const Eigen::VectorXd& x) const {
+    const Eigen::MatrixXd& gram = blocks_.gram[block];
+    const Eigen::Index last = gram.rows() - 1;
+    const Eigen::VectorXd moment = gram(functions, last);
+    const double after =
+        gram(last, last) - 2.0 * x.dot(moment) + x.dot(Eigen::MatrixXd(gram(functions, functions)) * x);
+    UnseenBlock result;
+    result.record = blocks_.record[block];
+    result.weight = blocks_.weight[block];
+    if (result.weight > 0.0) {  // without a sample that counts there is no error
+      result.before = gram(last, last) / result.weight;
+      result.after =
+          std::isfinite(after) ? std::max(after, 0.0) / result.weight : std::numeric_limits<double>::infinity();
+    }
+    return result;
+  }
+
+  BlockGrams blocks_;
+  Eigen::MatrixXd total_;
+  Eigen::VectorXd scale_;
+  std::vector<int> group_;  // of each block: what is left out at once
+  int groups_ = 0;
+  std::vector<Eigen::MatrixXd> without_;
+};
+
+// Products alone, with the characteristic, with the resonators, with both: more only where it predicts better.
+Choice chooseFunctions(const RidgeRegression& regression, const ResidualBasis& basis) {
+  constexpr auto kProducts = static_cast<Eigen::Index>(ResidualBasis::kStates * ResidualBasis::kFactors);
+  const Eigen::Index resonators = kProducts + static_cast<Eigen::Index>(basis.layout().points);
+  Choice best;
+  for (const bool resonant : {false, true}) {
+    for (const bool characteristic : {false, true}) {
+      std::vector<Eigen::Index> functions;
+      for (Eigen::Index j = 0; j < basis.size(); ++j) {
+        if (j < kProducts || (j < resonators ? characteristic : resonant)) {
+          functions.push_back(j);
+        }
+      }
+      const Choice choice = regression.bestRidge(functions);
+      if (choice.error < std::pow(kFewerFunctionsBetter, 2) * best.error) {
+        best = choice;
+      }
+    }
+  }
+  return best;
+}
+
+// The same functions without the resonators, where these have no weight.
+element::ElementDescription describeElement(const ResidualBasis& basis, const Eigen::VectorXd& weights,
+                                            const std::vector<Eigen::MatrixXd>& functions) {
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const Eigen::MatrixXd& of_record : functions) {
+    const Eigen::VectorXd force = of_record * weights;
+    lowest = std::min(lowest, force.minCoeff());
+    highest = std::max(highest, force.maxCoeff());
+  }
+  ResidualBasis::Layout layout = basis.layout();
+  layout.resonant = !weights.tail(2 * static_cast<Eigen::Index>(ResidualBasis::kResonators)).isZero(0.0);
+  const ResidualBasis needed(layout);
+  return element::residualDescription(needed, weights.head(needed.size()), lowest, highest);
+}
+
+}  // namespace
+
+ResidualBasis::Layout surrogateLayout(const std::vector<log::Record>& records) {
+  ResidualBasis::Layout layout;
+  double noise = 0.0;
+  double highest_frequency = 0.0;
+  double lowest_frequency = std::numeric_limits<double>::infinity();
+  double mean_logarithm = 0.0;
+  for (const log::Record& record : records) {
+    layout.lowest = std::min(layout.lowest, record.raw_displacement.minCoeff());
+    layout.highest = std::max(layout.highest, record.raw_displacement.maxCoeff());
+    noise = std::max(noise, record.displacement_noise);
+    highest_frequency = std::max(highest_frequency, record.highest_frequency);
+    lowest_frequency = std::min(lowest_frequency, record.mean_frequency);
+    mean_logarithm += std::log(record.mean_frequency) / static_cast<double>(records.size());
+  }
+  layout.stroke = std::max(layout.highest, -layout.lowest);
+  const double narrowest = std::clamp(kNoiseInStop * noise / layout.stroke, kNarrowestStop, 0.5 * kWidestStop);
+  layout.stops = geometric<ResidualBasis::kStops>(narrowest, kWidestStop);
+  highest_frequency = std::max(highest_frequency, 2.0 * lowest_frequency);
+  layout.times = geometric<ResidualBasis::kRelaxing>(0.5 / (element::kPi * highest_frequency), 1.0 / lowest_frequency);
+  layout.amplitude_time = std::exp(-mean_logarithm);
+  layout.resonant = true;
+  layout.frequencies = geometric<ResidualBasis::kResonators>(kLowestResonance * highest_frequency,
+                                                             kHighestResonance * highest_frequency);
+  layout.points = kPoints;
+  return layout;
+}
+
+SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& simulated,
+                          int threads) {
+  const ResidualBasis basis(surrogateLayout(records));
+  const Eigen::Index stride = strideOf(records);
+  const std::size_t count = records.size();
+  std::vector<log::Record> thin_records(count);
+  std::vector<Eigen::VectorXd> base(count);
+  std::vector<Eigen::MatrixXd> functions(count);
+  std::vector<double> weights(count);
+  parallelFor(count, threads, [&](std::size_t r) {
+    thin_records[r] = thinned(records[r], stride);
+    base[r] = thin(simulated[r], stride);
+    functions[r] = functionsOver(basis, records[r], stride);
+    weights[r] = 1.0 / (records[r].force_deviation * std::sqrt(thin_records[r].counted() * static_cast<double>(count)));
+  });
+  const RidgeRegression regression(normalEquations(thin_records, weights, base, columnsOf(functions), false, threads),
+                                   count);
+  const Choice choice = chooseFunctions(regression, basis);
+  SurrogateFit fit;
+  fit.unseen = regression.predict(choice);
+  fit.predicts = choice.error < regression.errorBefore();
+  const Eigen::VectorXd found = fit.predicts ? regression.weights(choice) : Eigen::VectorXd::Zero(basis.size());
+  fit.element = describeElement(basis, found, functions);
+  return fit;
+}
+
+}  // namespace rubber_suspension::fit

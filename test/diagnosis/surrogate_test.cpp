@@ -1,0 +1,188 @@
+// What is said of a rest that no effect explains, and the surrogate that a diagnosis writes.
+#include "diagnosis/surrogate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "diagnosis/report/missing_force.h"
+#include "rig.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/gap/replay.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kFloor = 0.01;
+
+/// Six blocks of each of three logs whose gap falls from 0.1 to what is given for each log.
+Surrogate judged(const std::vector<double>& after) {
+  std::vector<fit::UnseenBlock> unseen;
+  for (std::size_t log = 0; log < after.size(); ++log) {
+    for (int block = 0; block < 6; ++block) {
+      const double scatter = 1.0 + 0.02 * (block - 2.5);
+      unseen.push_back({static_cast<int>(log), 1.0 / 6.0, 0.01 * scatter, std::pow(after[log], 2) * scatter});
+    }
+  }
+  Surrogate surrogate;
+  judgeRest(unseen, kFloor, true, surrogate);
+  return surrogate;
+}
+
+TEST(JudgeRest, WhatIsPredictedInEachLogIsAFunctionOfTheMotion) {
+  const Surrogate surrogate = judged({0.02, 0.025, 0.03});
+  EXPECT_TRUE(surrogate.function_of_the_motion);
+  // 1 - (mean of 4, 6.25 and 9 e-4, less 1e-4)/(1e-2 - 1e-4)
+  EXPECT_NEAR(surrogate.share, 1.0 - 5.4167e-4 / 99e-4, 1e-4);
+  EXPECT_THAT(describeRest(surrogate), HasSubstr("is a function of the motion that is not in the list"));
+  EXPECT_THAT(describeRest(surrogate), HasSubstr("predicts 95 %"));
+}
+
+TEST(JudgeRest, ASmallPartOfItIsCalledThat) {
+  const Surrogate surrogate = judged({0.085, 0.09, 0.088});
+  EXPECT_FALSE(surrogate.function_of_the_motion);
+  EXPECT_LT(surrogate.chance, 0.05);
+  EXPECT_THAT(describeRest(surrogate), HasSubstr("Only part of the rest"));
+}
+
+TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
+  const Surrogate surrogate = judged({0.1, 0.101, 0.0999});
+  EXPECT_FALSE(surrogate.function_of_the_motion);
+  EXPECT_THAT(describeRest(surrogate), HasSubstr("not seen to be a function of the motion"));
+}
+
+// A noise floor that is higher than what is left cannot be right; it must not make all of the rest predicted.
+TEST(JudgeRest, AFloorAboveWhatIsLeftDoesNotCount) {
+  const Surrogate surrogate = judged({0.0099, 0.0099, 0.0099});
+  EXPECT_NEAR(surrogate.share, 1.0 - 0.0099 * 0.0099 / 0.01, 1e-6);
+}
+
+// One log of three that gains, and much, shows nothing of the others.
+TEST(JudgeRest, OneLogOfThreeIsNotEnough) {
+  const Surrogate surrogate = judged({0.005, 0.1, 0.1});
+  EXPECT_FALSE(surrogate.function_of_the_motion);
+  EXPECT_GT(surrogate.chance, 0.05);
+}
+
+// An oscillator of 5 Hz with a damping ratio of 0.15 that hangs on the component: in no list. Called along the log.
+class Oscillator {
+ public:
+  double operator()(double time, double z, double /*rate*/) {
+    constexpr double kOmega = 2.0 * element::kPi * 5.0;
+    constexpr int kParts = 20;
+    if (time == 0.0) {
+      *this = {};
+      position_ = last_ = z;
+    }
+    const double dt = (time - last_time_) / kParts;
+    for (int part = 1; part <= kParts; ++part) {
+      const double driven = last_ + (z - last_) * part / kParts;
+      velocity_ += dt * (kOmega * kOmega * (driven - position_) - 2.0 * 0.15 * kOmega * velocity_);
+      position_ += dt * velocity_;
+    }
+    last_time_ = time;
+    last_ = z;
+    return 2e5 * (z - position_);
+  }
+
+ private:
+  double last_time_ = 0.0;
+  double last_ = 0.0;
+  double position_ = 0.0;
+  double velocity_ = 0.0;
+};
+
+double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
+
+Diagnosis diagnoseRig(const RigEffect& effect) {
+  return diagnose(rigComponent(), {runRig("one", 1, effect), runRig("two", 2, effect), runRig("four", 4, effect)},
+                  {runRig("unseen", 3, effect)});
+}
+
+double replayedGap(const io::ComponentDescription& component, const log::Log& log) {
+  return gap::relativeGap(log.force, gap::replay(component.makeComponent(), log).force);
+}
+
+class UnlistedEffect : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { result() = std::make_unique<Diagnosis>(diagnoseRig(Oscillator())); }
+  static void TearDownTestSuite() { result().reset(); }
+  static std::unique_ptr<Diagnosis>& result() {
+    static std::unique_ptr<Diagnosis> diagnosis;
+    return diagnosis;
+  }
+};
+
+TEST_F(UnlistedEffect, IsSeenToBeAFunctionOfTheMotion) {
+  ASSERT_TRUE(result()->surrogate) << result()->sentence;
+  EXPECT_TRUE(result()->surrogate->function_of_the_motion) << result()->sentence;
+  EXPECT_THAT(result()->sentence, HasSubstr("The rest is a function of the motion"));
+}
+
+// Closed on the log that took no part in anything: the goal of surrogates, 60 % of the gap beyond the noise.
+TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
+  ASSERT_TRUE(result()->surrogate);
+  const log::Log unseen = runRig("unseen", 3, Oscillator());
+  const double before = replayedGap(result()->augmented, unseen);
+  const double after = replayedGap(result()->surrogate->component, unseen);
+  const double floor = result()->gap.noise_floor;
+  EXPECT_LT(after - floor, 0.4 * (before - floor)) << before << " to " << after << ", floor " << floor;
+}
+
+// The agreed accuracy of the claim.
+TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
+  ASSERT_TRUE(result()->surrogate);
+  const auto folder = std::filesystem::temp_directory_path() / "rubber_suspension_surrogate_test";
+  writeReport(*result(), folder.string());
+  const auto components = io::loadComponentFile((folder / "surrogate.yaml").string());
+  const auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
+  const auto& claim = report.at("surrogate");
+  EXPECT_EQ(claim.at("file"), "surrogate.yaml");
+  EXPECT_EQ(claim.at("function_of_the_motion"), true);
+  EXPECT_NEAR(replayedGap(components.front(), runRig("unseen", 3, Oscillator())), claim.at("gap").get<double>(), 1e-3);
+  std::ifstream map(folder / "missing_force.csv");
+  std::string header;
+  std::getline(map, header);
+  EXPECT_EQ(header, "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples");
+  std::filesystem::remove_all(folder);
+}
+
+// On the map, too: what the surrogate adds is what is missing.
+TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
+  ASSERT_TRUE(result()->surrogate);
+  const MissingForce map = missingForce(*result());
+  double missing = 0.0;
+  double left = 0.0;
+  for (std::size_t cell = 0; cell < map.measured.size(); ++cell) {
+    if (!std::isnan(map.measured[cell])) {
+      missing += map.samples[cell] * std::pow(map.measured[cell], 2);
+      left += map.samples[cell] * std::pow(map.measured[cell] - map.surrogate[cell], 2);
+    }
+  }
+  EXPECT_GT(missing, 0.0);
+  EXPECT_LT(left, 0.1 * missing);
+}
+
+TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
+  const Diagnosis result = diagnoseRig(hum);
+  ASSERT_EQ(result.verdict, "unknown");
+  ASSERT_TRUE(result.surrogate);
+  EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
+  EXPECT_THAT(result.sentence, HasSubstr("not seen to be a function of the motion"));
+  // It may not harm: as the augmented component, within a hundredth.
+  EXPECT_LT(result.surrogate->gap, 1.01 * result.gap_as_recorded.augmented);
+}
+
+TEST(SurrogateOfNothing, IsNotWritten) {
+  const Diagnosis result = diagnoseRig([](double, double, double) { return 0.0; });
+  EXPECT_FALSE(result.surrogate);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis
