@@ -103,7 +103,7 @@ struct SurrogateBench {
     layout.stroke = layout.highest = 2e-3;
     layout.lowest = -2e-3;
     layout.stops = {0.02, 0.04, 0.08, 0.17, 0.34, 0.7};
-    layout.times = {8e-3, 0.02, 0.05, 0.13, 0.32, 0.8};
+    layout.times = {8e-3, 0.04, 0.2, 0.8};
     layout.resonant = resonant;
     layout.frequencies = {4.0, 5.2, 6.8, 8.9, 11.7, 15.3, 20.0, 26.0};
     layout.points = 32;

@@ -221,9 +221,16 @@ element::ComponentForce Component::stepAlongPath(ComponentState& state, double d
   }
   const element::Motion motion{dt, displacement, displacement - state.displacement_};
   state.displacement_ = displacement;
-  stepTestPiece(state.prepared_, &motion, 1, state.memory_.data(), &force);
+  double* memory = state.memory_.data();
+  force = kernel_.stepWithoutBranch(motion, memory, state.prepared_);
+  for (const auto& element : elements_) {
+    add(force, element.law->part(), element.law->step(motion, memory + element.offset));
+  }
+  for (const auto& effect : force_effects_) {
+    scale(force, effect.law->step(motion, force, memory + effect.offset));
+  }
   for (const auto& element : rig_) {
-    addSteps(*element.law, &motion, 1, state.memory_.data() + element.offset, &force);
+    add(force, element.law->part(), element.law->step(motion, memory + element.offset));
   }
   return force;
 }

@@ -20,7 +20,7 @@ namespace rubber_suspension::element {
 class ResidualBasis {
  public:
   static constexpr std::size_t kStops = 6;
-  static constexpr std::size_t kRelaxing = 6;
+  static constexpr std::size_t kRelaxing = 4;
   static constexpr std::size_t kResonators = 8;
   static constexpr std::size_t kStates = kStops + kRelaxing + 1;  ///< s_i, m_j, q
   static constexpr std::size_t kFactors = 4;                      ///< 1, q, q^2, a
