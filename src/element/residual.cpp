@@ -205,7 +205,7 @@ Eigen::Index ResidualBasis::size() const {
 
 ResidualBasis::Place ResidualBasis::placeOf(double share_of_stroke) const {
   const double place = std::min(std::max(0.0, (share_of_stroke - lowest_share_) * spacing_), last_point_);
-  const std::size_t point = std::min(static_cast<std::size_t>(place), layout_.points - 2);
+  const Eigen::Index point = std::min(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(layout_.points) - 2);
   return {point, place - static_cast<double>(point)};
 }
 
@@ -220,9 +220,8 @@ void ResidualBasis::evaluate(const double* memory, Eigen::Ref<Eigen::VectorXd> v
   characteristic.setZero();
   const auto addHats = [&](double share_of_stroke, double sign) {
     const Place place = placeOf(share_of_stroke);
-    const auto point = static_cast<Eigen::Index>(place.point);
-    characteristic[point] += sign * (1.0 - place.share);
-    characteristic[point + 1] += sign * place.share;
+    characteristic[place.point] += sign * (1.0 - place.share);
+    characteristic[place.point + 1] += sign * place.share;
   };
   addHats(memory[kShare], 1.0);
   addHats(0.0, -1.0);
@@ -246,8 +245,8 @@ Residual::Residual(const ResidualBasis::Layout& layout, const Weights& weights)
   products_ = Eigen::Map<const Eigen::Array<double, kFactors, kStates - 1>>(weights.products.data()).transpose();
   std::copy(weights.products.end() - kFactors, weights.products.end(), of_share_.begin());
   const ResidualBasis::Place zero = basis_.placeOf(0.0);
-  const double at_zero =
-      characteristic_[zero.point] + zero.share * (characteristic_[zero.point + 1] - characteristic_[zero.point]);
+  const double* point = characteristic_.data() + zero.point;
+  const double at_zero = point[0] + zero.share * (point[1] - point[0]);
   for (double& force : characteristic_) {
     force -= at_zero;
   }

@@ -74,7 +74,7 @@ class ResidualBasis {
 
   /// Point of the characteristic at or below a share of the stroke, and how far from it to the next one [0, 1].
   struct Place {
-    std::size_t point;
+    Eigen::Index point;
     double share;
   };
   Place placeOf(double share_of_stroke) const;
