@@ -369,7 +369,8 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        const bool once = i == 0 && &column == &columns.front();  // in the legend, for all components and columns
+        // Once in the legend, for all components and columns.
+        const bool once = i == 0 && &column == &columns.front();
         for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
           axes.curves[mark].label.clear();
         }

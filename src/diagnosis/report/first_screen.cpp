@@ -58,7 +58,8 @@ std::string sizesHtml(const Diagnosis& d) {
                         d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", name, quantity(size));
   }
   for (const SizedValue* size : changedValues(d)) {
-    html += (html.empty() ? "" : "<br>") + escape(offText(*size)) + "; 95 %: " + intervalText(*size);
+    html += (html.empty() ? "" : "<br>") + escape(d.effects.empty() ? offText(*size) : besideText(*size)) +
+            "; 95 %: " + intervalText(*size);
   }
   return html;
 }

@@ -58,6 +58,11 @@ std::string offText(const SizedValue& size) {
                      quantity(size.value, size.unit));
 }
 
+std::string besideText(const SizedValue& size) {
+  return fmt::format("{} becomes {} ({} in the component file)", nameOf(size), quantity(size.value, size.unit),
+                     quantity(size.configured, size.unit));
+}
+
 std::string componentChanges(const Diagnosis& d) {
   Table table({"value", "#before", "#after", "#95 % interval", "#change"});
   for (const SizedValue& size : d.model_sizes) {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/report/experiment.h"
@@ -75,15 +76,18 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-// The largest fact first: the model's own values or the effects, whichever alone would leave less.
+// The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
+// more than the effects alone do; else the effects. Otherwise they only make room for the effects.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
   const auto changed = changedValues(diagnosis);
   if (changed.empty()) {
     return capitalised(effects);
   }
-  return diagnosis.gap_of_values < diagnosis.gap_of_effects
-             ? offText(*changed.front()) + "; besides, " + effects
-             : capitalised(effects) + "; besides, " + offText(*changed.front());
+  const auto closes = [&](double gap) { return std::pow(diagnosis.gap.as_configured, 2) - std::pow(gap, 2); };
+  const bool values_first = closes(diagnosis.gap_of_values) > 0.5 * closes(diagnosis.gap.augmented) &&
+                            closes(diagnosis.gap_of_values) > closes(diagnosis.gap_of_effects);
+  return values_first ? offText(*changed.front()) + "; besides, " + effects
+                      : capitalised(effects) + "; with that, " + besideText(*changed.front());
 }
 
 std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
