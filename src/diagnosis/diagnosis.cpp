@@ -1,6 +1,7 @@
 // The diagnosis from logs to a result: the bench, search, judgement, description.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -75,11 +76,44 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
   return judged;
 }
 
+// The model that is judged, the one without an effect, and the best with effects: zeros of the displacement keep a law
+// that is not linear from its best fit, so that the right one need not be the best yet.
+std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
+  constexpr std::size_t kSingles = 4;
+  constexpr std::size_t kPairs = 2;
+  const Search& search = judged.workings->search;
+  std::vector<const FittedHypothesis*> singles;
+  for (const FittedHypothesis& single : search.singles) {
+    singles.push_back(&single);
+  }
+  std::stable_sort(singles.begin(), singles.end(), [](const FittedHypothesis* x, const FittedHypothesis* y) {
+    return x->fit.score() < y->fit.score();
+  });
+  std::vector<const FittedHypothesis*> chosen = {&search.at(judged.workings->judgement.model), &search.re_estimated};
+  chosen.insert(chosen.end(), singles.begin(), singles.begin() + std::min(kSingles, singles.size()));
+  for (std::size_t i = 0; i < std::min(kPairs, search.pairs.size()); ++i) {
+    chosen.push_back(&search.pairs[i]);
+  }
+  return chosen;
+}
+
+// Elements of the model that leaves least once both zeros of each log are free.
+std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, const io::RigTolerances& tolerances,
+                                                          int threads) {
+  const std::vector<const FittedHypothesis*> models = likeliest(judged);
+  std::vector<std::vector<element::ElementDescription>> elements(models.size());
+  std::vector<double> left(models.size());
+  fit::parallelFor(models.size(), threads, [&](std::size_t i) {
+    elements[i] = augmentedDescription(judged.prepared->model, *models[i]).allElements();
+    left[i] = leftWithoutZeros(elements[i], tolerances, judged.prepared->training);
+  });
+  return elements[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
+}
+
 // Zeros of the displacement show through laws that are not linear: they are known once these are, and taken out.
 void takeOutDisplacementZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                               const DiagnosisOptions& options, Judged& judged) {
-  const FittedHypothesis& model = judged.workings->search.at(judged.workings->judgement.model);
-  const auto elements = augmentedDescription(judged.prepared->model, model).allElements();
+  const auto elements = bestWithoutZeros(judged, tolerances, options.threads);
   std::vector<log::Record> training = judged.prepared->training;
   std::vector<log::Record> held_out = judged.prepared->held_out;
   const bool any = correctDisplacementZeros(elements, tolerances, training);

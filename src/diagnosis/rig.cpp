@@ -25,6 +25,10 @@ std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) 
   return masks;
 }
 
+double absolute(const io::RigTolerance& tolerance, double whole) {
+  return tolerance.is_share ? tolerance.value * whole : tolerance.value;
+}
+
 gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
                        const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
   std::vector<log::Record> moved = records;
@@ -77,17 +81,21 @@ bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log:
                         const io::RigTolerance& tolerance) {
   for (std::size_t r = 0; r < zeros.size(); ++r) {
     const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
-    const double allowed = tolerance.is_share ? tolerance.value * range : tolerance.value;
-    if (std::abs(zeros[r]) <= kTolerated * allowed) {
+    if (std::abs(zeros[r]) <= kTolerated * absolute(tolerance, range)) {
       return false;
     }
   }
   return true;
 }
 
-void setNuisances(std::vector<log::Record>& records, const io::RigTolerances& tolerances, bool zero_counts) {
-  for (log::Record& record : records) {
-    record.nuisances = measurement::freeNuisances(record, tolerances, zero_counts);
+void setNuisances(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
+                  bool zero_counts, std::vector<log::Record>& records) {
+  const auto nuisances = measurement::freeNuisances(
+      records, tolerances, zero_counts, gap::simulate(elements, records),
+      [&](const std::vector<Eigen::VectorXd>& displacements) { return simulateAt(elements, records, displacements); });
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].nuisances = nuisances[r];
+    records[r].slow_noise = kTolerated * absolute(tolerances.slow_noise, records[r].force_deviation);
   }
 }
 
@@ -95,13 +103,40 @@ void setNuisances(std::vector<log::Record>& records, const io::RigTolerances& to
 
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
-  setNuisances(training, tolerances, false);
+  const auto elements = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
+  setNuisances(elements, tolerances, false, training);
   const std::vector<double> zeros = meansLeft(model, training);
   const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
   if (cause) {
-    setNuisances(training, tolerances, true);
+    setNuisances(elements, tolerances, true, training);
   }
-  setNuisances(held_out, tolerances, cause);
+  setNuisances(elements, tolerances, cause, held_out);
+}
+
+double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
+                        const std::vector<log::Record>& records) {
+  constexpr double kShift = 0.01;  // of the displacement's range, for the derivative by its zero
+  const gap::Forces forces = gap::simulate(elements, records);
+  std::vector<Eigen::VectorXd> shifted;
+  std::vector<double> ranges;
+  for (const log::Record& record : records) {
+    ranges.push_back(record.displacement.maxCoeff() - record.displacement.minCoeff());
+    shifted.emplace_back(record.displacement.array() + kShift * ranges.back());
+  }
+  const gap::Forces moved = simulateAt(elements, records, shifted);
+  double sum = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const log::Record& record = records[r];
+    const double tolerance = absolute(tolerances.displacement_zero, ranges[r]);
+    const Eigen::VectorXd left = record.withoutRig(record.force - forces[r]);
+    const Eigen::VectorXd column = record.withoutRig(moved[r] - forces[r]) / (kShift * ranges[r]);
+    // The zero of least squares, with the tolerance as prior against what is left.
+    const double prior = tolerance > 0.0 ? left.squaredNorm() / record.counted() / (tolerance * tolerance) : HUGE_VAL;
+    const double square = column.squaredNorm() + prior;
+    const double explained = square > 0.0 ? std::pow(column.dot(left), 2) / square : 0.0;
+    sum += (left.squaredNorm() - explained) / record.counted() / std::pow(record.force_deviation, 2);
+  }
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(records.size()));
 }
 
 bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,

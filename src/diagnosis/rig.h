@@ -13,9 +13,13 @@ namespace rubber_suspension::diagnosis {
 
 /// Free the nuisances of each record (Record::nuisances). The zero of the force is one of them unless it is a cause:
 /// beyond the rig's tolerance in all logs, or common to them, which a zero that nobody set is not. The model is
-/// re-estimated for that.
+/// re-estimated for that. What a motion before a log left in the component is as configured.
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
+
+/// What a model leaves of records once both zeros of each log are free, in units of the force's standard deviation.
+double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
+                        const std::vector<log::Record>& records);
 
 /// Take the displacement's zero out of records whose force under a model shows it beyond chance; true if any does.
 bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,

@@ -47,6 +47,8 @@ const std::vector<RigToleranceInfo>& rigToleranceTable() {
        &RigTolerances::clock},
       {"initial_state", "N", "the force's range in the log",
        "force left from before the log, where it starts in motion", &RigTolerances::initial_state},
+      {"slow_noise", "N", "the force's standard deviation in the log",
+       "noise of the force that is slower than the motion, and drift of its zero", &RigTolerances::slow_noise},
   };
   return table;
 }

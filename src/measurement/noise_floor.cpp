@@ -147,6 +147,12 @@ double varianceOfLines(const log::Record& record, const VectorXd& residual, cons
   return variance;
 }
 
+// Variance of noise whose slow part counts up to what a rig may add.
+double withSlowPart(double fast_variance, double slow_variance, const log::Record& record) {
+  const double most = record.slow_noise * record.slow_noise;
+  return fast_variance + std::clamp(slow_variance, 0.0, most);
+}
+
 // Deviation of the residual where the freedom of the fits is taken off.
 double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
@@ -168,7 +174,8 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   const double deviation = robustDeviation(left, Mask::Constant(count, true)) / std::sqrt(6.0);
   const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
   const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
-  return deviation / std::sqrt(kept);
+  const double fast = deviation * deviation;
+  return std::sqrt(withSlowPart(fast, fast / kept - fast, record));
 }
 
 double noiseFromStandstill(const log::Record& record, const Mask& mask) {
@@ -207,8 +214,10 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
     return 0.0;
   }
   const double square = (residual.array() * mask.cast<double>()).square().sum() / static_cast<double>(mask.count());
-  const double noise =
-      continuesInto(motion, residual, mask) ? square : std::pow(estimateNoise(residual, mask, motion).deviation, 2);
+  const NoiseModel model = estimateNoise(residual, mask, motion);
+  const double fast = model.deviation * model.deviation - model.carried * model.carried;
+  const double slow = continuesInto(motion, residual, mask) ? square - fast : model.carried * model.carried;
+  const double noise = withSlowPart(fast, slow, record);
   return std::sqrt(std::max(0.0, noise - varianceOfLines(record, residual, motion)));
 }
 

@@ -325,11 +325,15 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
   }
   if (excluded.high > excluded.low) {
     double variance = 0.0;
+    double carried = 0.0;
     for (const SpectrumBand& band : all) {
       const bool inside = excluded.contains(band.frequency);
-      variance += band.width * (inside ? spectralDensity(model, band.frequency) : band.density);
+      const double density = spectralDensity(model, band.frequency);
+      variance += band.width * (inside ? density : band.density);
+      carried += inside ? band.width * (density - 2.0 * model.white * model.white) : 0.0;
     }
     model.deviation = std::sqrt(variance);
+    model.carried = std::sqrt(std::max(0.0, carried));
     return model;
   }
   // Near white, or white within the band that counts: the filter does the rest.

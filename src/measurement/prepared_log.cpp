@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "rubber_suspension/measurement/faults.h"
-#include "rubber_suspension/measurement/rig_model.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -29,6 +28,34 @@ double standardDeviation(const Eigen::VectorXd& values, const Eigen::VectorXd& c
   const double count = counts.sum();
   const double mean = values.dot(counts) / count;
   return std::sqrt((values.array() - mean).square().matrix().dot(counts) / count);
+}
+
+// Zero of the force, unless it counts, and initial state; each of the size that it may have.
+Eigen::MatrixXd chosenColumns(const RigColumns& rig, bool zero_counts) {
+  std::vector<Eigen::Index> chosen;
+  for (std::size_t j = 0; j < rig.nuisances.size(); ++j) {
+    const bool zero = rig.nuisances[j] == Nuisance::force_zero && !zero_counts;
+    if (zero || rig.nuisances[j] == Nuisance::initial_state) {
+      chosen.push_back(static_cast<Eigen::Index>(j));
+    }
+  }
+  Eigen::MatrixXd columns(rig.columns.rows(), static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t j = 0; j < chosen.size(); ++j) {
+    columns.col(static_cast<Eigen::Index>(j)) = rig.columns.col(chosen[j]) * rig.priors[chosen[j]];
+  }
+  return columns;
+}
+
+// Without columns that others stand for, such as exponentials that are over before the first sample that counts.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  constexpr double kIndependent = 1e-6;
+  if (columns.cols() == 0) {
+    return columns;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(columns.rows(), columns.cols());
+  factor.setThreshold(kIndependent);
+  factor.compute(columns);
+  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
 }
 
 }  // namespace
@@ -55,32 +82,19 @@ PreparedLog prepareLog(const log::Log& log) {
   return prepared;
 }
 
-Eigen::MatrixXd freeNuisances(const log::Record& record, const io::RigTolerances& tolerances, bool zero_counts) {
-  const RigModel rig({record}, {}, tolerances);
-  const RigColumns all = rig.columns({record.force}, {}).front();
-  std::vector<Eigen::Index> chosen;
-  for (std::size_t j = 0; j < all.nuisances.size(); ++j) {
-    const bool zero = all.nuisances[j] == Nuisance::force_zero && !zero_counts;
-    if (zero || all.nuisances[j] == Nuisance::initial_state) {
-      chosen.push_back(static_cast<Eigen::Index>(j));
+std::vector<Eigen::MatrixXd> freeNuisances(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+                                           bool zero_counts, const std::vector<Eigen::VectorXd>& simulated,
+                                           const Simulate& simulate) {
+  const std::vector<RigColumns> all = RigModel(records, {}, tolerances).columns(simulated, simulate);
+  std::vector<Eigen::MatrixXd> nuisances;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    Eigen::MatrixXd columns = chosenColumns(all[r], zero_counts);
+    if (records[r].counts.size() > 0) {
+      columns.array().colwise() *= records[r].counts.array();
     }
+    nuisances.push_back(orthonormal(columns));
   }
-  Eigen::MatrixXd columns(record.size(), static_cast<Eigen::Index>(chosen.size()));
-  for (std::size_t j = 0; j < chosen.size(); ++j) {
-    columns.col(static_cast<Eigen::Index>(j)) = all.columns.col(chosen[j]);
-  }
-  if (record.counts.size() > 0) {
-    columns.array().colwise() *= record.counts.array();
-  }
-  if (chosen.empty()) {
-    return columns;  // a zero that is a cause, of a log that starts at rest; a factorisation needs a column
-  }
-  // Without columns that others stand for, such as exponentials that are over before the first sample that counts.
-  constexpr double kIndependent = 1e-6;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(columns.rows(), columns.cols());
-  factor.setThreshold(kIndependent);
-  factor.compute(columns);
-  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
+  return nuisances;
 }
 
 }  // namespace rubber_suspension::measurement

@@ -23,6 +23,8 @@ using Eigen::VectorXd;
 constexpr double kShift = 0.01;  // of the stroke, for the derivative by the displacement's zero
 // Relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
 constexpr double kRelaxationRatio = 4.0;
+// Of the log: what relaxes more slowly is a drift in it, and nobody can tell from what it is left.
+constexpr double kSlowestRelaxation = 0.25;
 constexpr double kChance = 1e-3;  // of a finding where there is nothing to find, for each value of each log
 constexpr double kNormal95 = 1.96;
 // RMS over the log, in units of the noise: what is less makes a gap larger by less than half a per cent of the noise.
@@ -51,7 +53,8 @@ void addDelays(const VectorXd& simulated, double dt, std::vector<Column>& column
 }
 
 void addInitialState(Index count, std::vector<Column>& columns) {
-  for (double time = 1.0; time < static_cast<double>(count); time *= kRelaxationRatio) {
+  const double slowest = kSlowestRelaxation * static_cast<double>(count);
+  for (double time = 1.0; time < slowest; time *= kRelaxationRatio) {
     columns.push_back({Nuisance::initial_state,
                        (VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1)) / -time).array().exp()});
   }

@@ -20,6 +20,7 @@ struct RigTolerances {
   RigTolerance delay{0.5, true};              ///< of the force behind the displacement [s], or share of a sample
   RigTolerance clock{1e-4, true};             ///< by which the clocks of the channels differ, share of the time
   RigTolerance initial_state{0.1, true};      ///< [N], or share of the force's range, where a log starts in motion
+  RigTolerance slow_noise{0.01, true};        ///< [N], or share of the force's standard deviation
 };
 
 /// One row of the table that checks, options and reference page follow.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct Record {
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
   /// 1 for samples that count in residuals, 0 for those that a channel did not measure; empty: all count.
   Eigen::VectorXd counts;
+  /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
+  double slow_noise = std::numeric_limits<double>::infinity();
   /// Orthonormal columns of what the rig may have added to the force (zero, state left from before the log), 0 where
   /// samples do not count; may be empty.
   Eigen::MatrixXd nuisances;

@@ -26,6 +26,7 @@ struct NoiseModel {
   std::vector<double> reflection;  ///< coefficients of the filter's lattice, all within (-1, 1)
   double filter_innovation = 1.0;  ///< variance of the filter's first stage, 1 without a filter
   double deviation = 0.0;          ///< of the noise in all
+  double carried = 0.0;            ///< of that, what the 1/f part is taken to have in an excluded band
   Eigen::Index samples = 0;        ///< that it was estimated from
 
   bool isColoured() const { return coloured > 0.0; }

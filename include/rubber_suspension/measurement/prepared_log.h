@@ -7,6 +7,7 @@
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
 #include "rubber_suspension/measurement/rig_finding.h"
+#include "rubber_suspension/measurement/rig_model.h"
 
 namespace rubber_suspension::measurement {
 
@@ -21,9 +22,12 @@ struct PreparedLog {
 /// where fewer than half of the samples are left.
 PreparedLog prepareLog(const log::Log& log);
 
-/// What the rig may have added to the force of a record whatever the component is, as orthonormal columns for
-/// Record::nuisances: the force's zero unless `zero_counts`, and, where the log starts in motion, what decays from
-/// before it. A tolerance of 0 takes the column out.
-Eigen::MatrixXd freeNuisances(const log::Record& record, const io::RigTolerances& tolerances, bool zero_counts);
+/// What the rig may have added to the force of each record, as orthonormal columns for Record::nuisances: the force's
+/// zero unless `zero_counts`, and, where the log starts in motion, what decays from before it and what motions before
+/// it would have left in a component (its friction, above all). A tolerance of 0 takes the column out. `simulated`:
+/// force of that component over the records [N]; `simulate`: over other displacements.
+std::vector<Eigen::MatrixXd> freeNuisances(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+                                           bool zero_counts, const std::vector<Eigen::VectorXd>& simulated,
+                                           const Simulate& simulate);
 
 }  // namespace rubber_suspension::measurement
