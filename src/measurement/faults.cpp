@@ -154,6 +154,15 @@ bool cornerNear(const Channel& channel, const Hole& hole) {
   return false;
 }
 
+// As sharp a corner about a sample as a hole is deep, but for where in the corner the samples happen to lie.
+bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
+  constexpr double kAlike = 0.2;
+  const auto sharp = [&](Index at) {
+    return channel.corner(at) && std::abs(channel.curvature(at)) > kAlike * std::abs(hole.size);
+  };
+  return sharp(i - 1) || sharp(i) || sharp(i + 1);
+}
+
 // Whether other visits to the same place of the other channel have such corners, too (a bump stop that is hit each
 // cycle), or there are no visits that would tell.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
@@ -163,7 +172,7 @@ bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole&
   for (Index i = 1; i + 1 < channel.values.size(); ++i) {
     if (std::abs(other.values[i] - place) < 0.01 * other.range && std::abs(i - hole.begin) > kAround) {
       ++visits;
-      alike += channel.corner(i - 1) || channel.corner(i) || channel.corner(i + 1) ? 1 : 0;
+      alike += alikeAt(channel, i, hole) ? 1 : 0;
     }
   }
   return visits < 3 ? std::abs(hole.size) < 0.5 * channel.range : 5 * alike > visits;

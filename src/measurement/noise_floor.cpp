@@ -121,32 +121,6 @@ double keptShare(const NoiseModel& noise, double lag) {
   return kept / all;
 }
 
-// Variance of lines that stand out of their neighbourhood in the spectrum outside of the motion's band: hum and
-// resonances are no noise, whatever the motion has to do with them.
-double varianceOfLines(const log::Record& record, const VectorXd& residual, const ExcludedBand& motion) {
-  constexpr Index kSegments = 8;      // at least, so that chance stays below the limit
-  constexpr Index kNeighbours = 12;   // on either side
-  constexpr double kStandsOut = 8.0;  // times the median: chance in 1e-6 for the mean of 15 half overlapped segments
-  Index segment = 64;
-  while (2 * segment * kSegments <= residual.size()) {
-    segment *= 2;
-  }
-  const VectorXd density = log::powerSpectralDensity(residual, record.dt, segment);
-  const double width = 1.0 / (static_cast<double>(segment) * record.dt);
-  double variance = 0.0;
-  for (Index i = 1; i + 1 < density.size(); ++i) {
-    if (motion.contains(static_cast<double>(i) / static_cast<double>(segment))) {
-      continue;
-    }
-    const Index first = std::max<Index>(1, i - kNeighbours);
-    std::vector<double> about(density.data() + first, density.data() + std::min(density.size(), i + kNeighbours + 1));
-    std::nth_element(about.begin(), about.begin() + static_cast<Index>(about.size() / 2), about.end());
-    const double median = about[about.size() / 2];
-    variance += density[i] > kStandsOut * median ? (density[i] - median) * width : 0.0;
-  }
-  return variance;
-}
-
 // Variance of noise whose slow part counts up to what a rig may add.
 double withSlowPart(double fast_variance, double slow_variance, const log::Record& record) {
   const double most = record.slow_noise * record.slow_noise;
@@ -217,8 +191,7 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   const NoiseModel model = estimateNoise(residual, mask, motion);
   const double fast = model.deviation * model.deviation - model.carried * model.carried;
   const double slow = continuesInto(motion, residual, mask) ? square - fast : model.carried * model.carried;
-  const double noise = withSlowPart(fast, slow, record);
-  return std::sqrt(std::max(0.0, noise - varianceOfLines(record, residual, motion)));
+  return std::sqrt(withSlowPart(fast, slow, record));
 }
 
 NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {

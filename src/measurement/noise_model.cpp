@@ -318,7 +318,12 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
   if (mask.count() < kFewestSamples || model.deviation <= 0.0) {
     return model;
   }
-  const std::vector<SpectrumBand> all = spectrumBands(values, mask);
+  std::vector<SpectrumBand> all = spectrumBands(values, mask);
+  if (excluded.high > excluded.low) {  // hum and resonances beside the motion are no noise
+    for (SpectrumBand& band : all) {
+      band.density = excluded.contains(band.frequency) ? band.density : band.level;
+    }
+  }
   const std::vector<SpectrumBand> bands = countingBands(all, excluded);
   if (bands.size() >= 4) {
     fitSpectrum(bands, model);

@@ -5,6 +5,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "measurement/statistics.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
@@ -57,6 +58,15 @@ VectorXd periodogram(const VectorXd& signal) {
   return density;
 }
 
+// Mean of lines as its median tells it where single ones stand out: each is exponentially distributed.
+double levelOf(const Eigen::Ref<const VectorXd>& lines) {
+  constexpr Index kEnough = 8;
+  const double mean = lines.mean();
+  return lines.size() < kEnough
+             ? mean
+             : medianOf(std::vector<double>(lines.data(), lines.data() + lines.size())) / std::log(2.0);
+}
+
 }  // namespace
 
 std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask) {
@@ -73,7 +83,8 @@ std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask
     const Index end = std::min(static_cast<Index>(std::ceil(edge)), density.size() - 1);
     const auto lines = static_cast<double>(end - begin);
     bands.push_back({0.5 * static_cast<double>(begin + end - 1) / padded, lines / padded,
-                     density.segment(begin, end - begin).mean(), std::max(1.0, lines / line / kHannLines)});
+                     density.segment(begin, end - begin).mean(), levelOf(density.segment(begin, end - begin)),
+                     std::max(1.0, lines / line / kHannLines)});
     begin = end;
   }
   return bands;

@@ -13,6 +13,7 @@ struct SpectrumBand {
   double frequency;  ///< centre, in cycles per sample
   double width;      ///< cycles per sample
   double density;    ///< one-sided [unit^2 per cycle per sample]
+  double level;      ///< the same by the median, which single lines such as hum do not raise
   double lines;      ///< number of independent lines in it
 };
 

@@ -90,6 +90,26 @@ TEST(Faults, LeavesCornersAndStopsAlone) {
   EXPECT_TRUE(findFaults("stop", z, f).findings.empty());
 }
 
+// A free play gives the force a corner at the same place each cycle; a spike there is far sharper.
+TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
+  const Eigen::Index count = 4000;
+  Eigen::VectorXd z(count);
+  Eigen::VectorXd f(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    z[i] = std::sin(2.0 * element::kPi * static_cast<double>(i) / 200.0);
+    f[i] = z[i] - std::clamp(z[i], -0.3, 0.3);
+  }
+  EXPECT_TRUE(findFaults("play", z, f).findings.empty());
+  Eigen::Index corner = 1000;
+  while (z[corner] < 0.3) {
+    ++corner;
+  }
+  f[corner] -= 1.0;
+  const Faults faults = findFaults("play", z, f);
+  EXPECT_FALSE(faults.force[corner]);
+  EXPECT_LE(count - faults.usable().count(), 2);
+}
+
 // The force of friction alone stays at its limit while the displacement goes on.
 TEST(Faults, LeavesFrictionAlone) {
   const Eigen::Index count = 4000;

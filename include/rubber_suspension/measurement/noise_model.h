@@ -42,8 +42,8 @@ struct ExcludedBand {
 };
 
 /// Variances, exponent and filter of largest likelihood (Whittle's, for the spectrum; Burg's, for the filter). With a
-/// band excluded, `deviation` is the sum of what was measured outside of the band and what white and 1/f part have in
-/// it. A signal of fewer than 32 samples that count is taken as white.
+/// band excluded, `deviation` is the sum of what was measured outside of the band, without single lines such as hum,
+/// and what white and 1/f part have in it. A signal of fewer than 32 samples that count is taken as white.
 NoiseModel estimateNoise(const Eigen::VectorXd& signal, const Mask& mask, const ExcludedBand& excluded = {});
 
 /// True where one smooth law (white + 1/f) holds inside and outside of a band, so that what is inside may be noise as
