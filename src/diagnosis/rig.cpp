@@ -46,12 +46,8 @@ std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
   });
 }
 
-// What remains of each log's force on average [N] once the model is re-estimated with all zeros free.
-std::vector<double> meansLeft(const fit::ModelParameters& model, const std::vector<log::Record>& records) {
-  const fit::Fitter fitter(records, model);
-  const fit::Hypothesis alone;
-  const fit::Fit fit = fitter.fit(alone, fitter.configured(alone), kIterations);
-  const gap::Forces forces = *fitter.forces().at(alone, fit.parameters);
+// What remains of each log's force on average [N].
+std::vector<double> meansLeft(const std::vector<log::Record>& records, const gap::Forces& forces) {
   std::vector<double> means;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd left = records[r].force - forces[r];
@@ -103,13 +99,14 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
 
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
-  const auto elements = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
-  setNuisances(elements, tolerances, false, training);
-  const std::vector<double> zeros = meansLeft(model, training);
+  setNuisances(model.apply(Eigen::VectorXd::Zero(model.size())).allElements(), tolerances, false, training);
+  const fit::Fitter fitter(training, model);
+  const fit::Hypothesis alone;
+  const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), kIterations).parameters;
+  const std::vector<double> zeros = meansLeft(training, *fitter.forces().at(alone, parameters));
   const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
-  if (cause) {
-    setNuisances(elements, tolerances, true, training);
-  }
+  const auto elements = model.apply(parameters.model).allElements();
+  setNuisances(elements, tolerances, cause, training);
   setNuisances(elements, tolerances, cause, held_out);
 }
 

@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis {
 
 /// Free the nuisances of each record (Record::nuisances). The zero of the force is one of them unless it is a cause:
 /// beyond the rig's tolerance in all logs, or common to them, which a zero that nobody set is not. The model is
-/// re-estimated for that. What a motion before a log left in the component is as configured.
+/// re-estimated for that, and for what a motion before a log left in the component.
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
 

@@ -145,18 +145,23 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
   return std::nullopt;
 }
 
-bool cornerNear(const Channel& channel, const Hole& hole) {
+// How sharp a corner may be that a hole still stands out of: where the samples happen to lie in a corner, and how much
+// steeper the force is there than elsewhere, make it appear this much less sharp.
+constexpr double kAlike = 0.2;
+
+// Whether the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
+bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
-    if (i < channel.values.size() && channel.corner(i)) {
+    if (i < other.values.size() && other.corner(i) &&
+        std::abs(other.curvature(i)) / other.range > kAlike * std::abs(hole.size) / channel.range) {
       return true;
     }
   }
   return false;
 }
 
-// As sharp a corner about a sample as a hole is deep, but for where in the corner the samples happen to lie.
+// Whether there is a corner about a sample as sharp as a hole is deep.
 bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
-  constexpr double kAlike = 0.2;
   const auto sharp = [&](Index at) {
     return channel.corner(at) && std::abs(channel.curvature(at)) > kAlike * std::abs(hole.size);
   };
@@ -187,7 +192,7 @@ std::vector<Hole> findSpikes(const Channel& channel, const Channel& other, bool 
       continue;
     }
     const std::optional<Hole> hole = spikeAt(channel, i);
-    if (hole && !cornerNear(other, *hole)) {
+    if (hole && !cornerNear(channel, other, *hole)) {
       holes.push_back(*hole);
       i += hole->width;
     }

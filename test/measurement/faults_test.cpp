@@ -110,6 +110,21 @@ TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
+// At the end of a ramp both channels have a corner; a spike is far sharper than that explains.
+TEST(Faults, FindsASpikeWhereTheMotionTurns) {
+  const Eigen::Index count = 4000;
+  Eigen::VectorXd z(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    z[i] = std::abs(std::fmod(static_cast<double>(i) / 100.0, 2.0) - 1.0);
+  }
+  Eigen::VectorXd f = 3.0 * z;
+  EXPECT_TRUE(findFaults("triangle", z, f).findings.empty());
+  f[1000] += 3.0;
+  const Faults faults = findFaults("triangle", z, f);
+  EXPECT_FALSE(faults.force[1000]);
+  EXPECT_LE(count - faults.usable().count(), 2);
+}
+
 // The force of friction alone stays at its limit while the displacement goes on.
 TEST(Faults, LeavesFrictionAlone) {
   const Eigen::Index count = 4000;

@@ -174,8 +174,8 @@ TEST(RigModel, FindsTheSameTheOtherWayRound) {
 // A zero that is a cause is not free, and a log that starts at rest has nothing else that is.
 TEST(FreeNuisances, AreNoneWhereTheZeroIsACause) {
   const log::Record record = prepareLog(runRig(allRigs(1).front()).log).record;
-  ASSERT_EQ(freeNuisances(record, {}, false).cols(), 1);
-  const Eigen::MatrixXd none = freeNuisances(record, {}, true);
+  ASSERT_EQ(freeNuisances({record}, {}, false, {record.force}, {}).front().cols(), 1);
+  const Eigen::MatrixXd none = freeNuisances({record}, {}, true, {record.force}, {}).front();
   EXPECT_EQ(none.rows(), record.size());
   EXPECT_EQ(none.cols(), 0);
 }
