@@ -2,6 +2,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -44,10 +45,19 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
+// What slow noise of the rig may add to a gap over all logs.
+double slowNoiseOf(const std::vector<log::Record>& records) {
+  std::vector<double> shares;
+  std::transform(records.begin(), records.end(), std::back_inserter(shares),
+                 [](const log::Record& record) { return record.slow_noise / record.force_deviation; });
+  return commonFloor(shares);
+}
+
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses.
 Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria) {
   Evidence evidence = evidenceOf(search);
   evidence.has_unseen_logs = !prepared.held_out.empty();
+  evidence.slow_noise = slowNoiseOf(prepared.training);
   const double loudest = loudestNoise(search.record_noise, prepared.training);
   Judgement judgement = judge(evidence, criteria);
   while (judgement.missing) {

@@ -364,7 +364,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.0105;
        addUnseenLogs(e);
-       configured(e).unseen->replayed = 0.2;
+       configured(e).unseen = UnseenErrors{0.2, 0.2, 0.01};
      },
      Verdict::unknown,
      {}},
@@ -372,7 +372,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        reEstimated(e).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen->replayed = 0.2;
+       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01};
      },
      Verdict::unknown,
      {}},
@@ -384,6 +384,86 @@ const std::vector<Row> kRows = {
      },
      Verdict::none,
      {}},
+    {"what the sensor's noise does through the model alone denies nothing",
+     [](Evidence& e, Criteria&) {
+       configured(e).held_out = 0.0105;
+       addUnseenLogs(e);
+       configured(e).unseen->replayed = 0.2;
+     },
+     Verdict::none,
+     {}},
+    // slow noise of the rig
+    {"a trend that the rig's slow noise may be is no gap",
+     [](Evidence& e, Criteria&) {
+       configured(e).held_out = 0.2;
+       single(e, kDrift).held_out = 0.0105;
+       e.slow_noise = 0.3;
+     },
+     Verdict::none,
+     {}},
+    {"a trend that the rig's slow noise may be leaves the parameters to blame for the rest",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.0105;
+       e.slow_noise = 0.3;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"a trend that the rig's slow noise cannot be is a drift",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.0105;
+       e.slow_noise = 0.1;
+     },
+     Verdict::named,
+     {kDrift}},
+    {"an effect goes before slow noise of the rig",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.0105;
+       single(e, kOther).held_out = 0.0105;
+       e.slow_noise = 0.3;
+     },
+     Verdict::named,
+     {kOther}},
+    // what is left
+    {"an effect is named that leaves much less than parameters that leave a tenth",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.02;
+       single(e, kOther).held_out = 0.0105;
+     },
+     Verdict::named,
+     {kOther}},
+    {"an effect that does not leave less on unseen logs is no better than parameters",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.02;
+       single(e, kOther).held_out = 0.0105;
+       addUnseenLogs(e);
+       single(e, kOther).unseen->predicted = 0.019;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"a rest beyond noise is one, whatever share is closed",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.29;
+       for (int effect = 0; effect < kEffects; ++effect) {
+         single(e, effect).held_out = effect == kOther ? 0.06 : 0.29;
+       }
+     },
+     Verdict::partly,
+     {kOther}},
+    {"a rest on unseen logs is one, too",
+     [](Evidence& e, Criteria&) {
+       single(e, kOther).held_out = 0.0105;
+       addUnseenLogs(e);
+       single(e, kOther).unseen = UnseenErrors{0.08, 0.08, 0.01};
+     },
+     Verdict::partly,
+     {kOther}},
+    {"what moved parameters cost is no rest",
+     [](Evidence& e, Criteria&) {
+       single(e, kOther).held_out = 0.0105;
+       single(e, kOther).penalty = 0.07;
+     },
+     Verdict::named,
+     {kOther}},
 };
 
 class Judge : public testing::TestWithParam<Row> {};
@@ -426,7 +506,7 @@ TEST(Judgement, SaysWhereOnlyUnseenLogsDiffer) {
   configured(evidence).held_out = 0.0105;
   addUnseenLogs(evidence);
   EXPECT_FALSE(judge(evidence).only_unseen_logs_differ);
-  configured(evidence).unseen->replayed = 0.2;
+  configured(evidence).unseen = UnseenErrors{0.2, 0.2, 0.01};
   EXPECT_TRUE(judge(evidence).only_unseen_logs_differ);
 }
 

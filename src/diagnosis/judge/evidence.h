@@ -37,6 +37,7 @@ struct Evidence {
   std::vector<bool> testable;    ///< per effect: a typical size of it would show in these logs
   double element_level = 0.0;    ///< held-out error with every parameter of every element of the model free
   double noise_floor = 0.0;      ///< of the logs of the fit
+  double slow_noise = 0.0;       ///< what a rig may add by slow noise and drift, as a gap
   double discretisation = 0.0;   ///< what the model errs by at the time steps of the logs
   bool has_unseen_logs = false;  ///< whether `unseen` of a hypothesis can be had
 

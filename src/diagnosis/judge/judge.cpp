@@ -21,7 +21,7 @@ class Judge {
     if (evidence_.has_unseen_logs && !judgement_.missing) {
       treatUnconfirmedResidualAsNoise();
       if (!judgement_.missing) {
-        doubtWhereUnseenLogsDiffer();
+        sayWhatRemainsOfUnseenLogs();
       }
     }
     noteTestableEffects();
@@ -81,9 +81,12 @@ class Judge {
     if (before < criteria_.shows_nothing * floor) {
       return true;
     }
-    return gap::closedFraction(before, after, floor) >= criteria_.least_closed_unseen ||
-           ((isDriftAlone() || weighing_.closedByParameters()) &&
-            after < criteria_.little_lost_unseen * before + floor);
+    const double closed = gap::closedFraction(before, after, floor);
+    if (weighing_.closedByParameters() && !weighing_.hiddenEffect()) {
+      return closed >= 1.0 - criteria_.needs_another;  // as much as on the logs of the fit
+    }
+    return closed >= criteria_.least_closed_unseen || ((isDriftAlone() || weighing_.closedByParameters()) &&
+                                                       after < criteria_.little_lost_unseen * before + floor);
   }
 
   bool isDriftAlone() const { return judgement_.effects.size() == 1 && evidence_.at(judgement_.model).free_trends; }
@@ -117,15 +120,17 @@ class Judge {
     judgement_.confounded.clear();
   }
 
-  void doubtWhereUnseenLogsDiffer() {
-    if ((judgement_.verdict != Verdict::none && judgement_.verdict != Verdict::parameter_error) ||
+  // A rest beyond the noise is told; one that the logs of the fit do not show is something that only these lack.
+  void sayWhatRemainsOfUnseenLogs() {
+    if (judgement_.verdict == Verdict::unknown || judgement_.verdict == Verdict::partly || isDriftAlone() ||
         lacks({judgement_.model})) {
       return;
     }
-    const double floor = unseen(judgement_.model).noise_floor;
-    if (unseenLeft(judgement_.model) > std::max(criteria_.unseen_differs, criteria_.unseen_differs_of_floor * floor)) {
-      judgement_.verdict = Verdict::unknown;
-      judgement_.only_unseen_logs_differ = true;
+    const UnseenErrors& errors = unseen(judgement_.model);
+    const double rest = gap::residualAboveFloor(std::min(errors.replayed, errors.predicted), errors.noise_floor);
+    if (weighing_.isBeyondNoise(rest, errors.noise_floor)) {
+      judgement_.only_unseen_logs_differ = judgement_.effects.empty();
+      judgement_.verdict = judgement_.effects.empty() ? Verdict::unknown : Verdict::partly;
     }
   }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "diagnosis/judge/weighing.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -32,14 +33,18 @@ class Naming {
       judgement_.verdict = Verdict::none;
       judgement_.model = Evidence::kAsConfigured;
     } else if (weighing_.closedByParameters()) {
-      const std::optional<int> hidden = most_effects_ > 0 ? weighing_.hiddenEffect() : std::nullopt;
+      const std::optional<int> hidden = weighing_.hiddenEffect();
+      const std::optional<int> effect = hidden ? hidden : weighing_.betterThanParameters();
       judgement_.verdict = Verdict::parameter_error;
-      if (hidden) {
-        name(*hidden);
+      if (most_effects_ > 0 && effect) {
+        name(*effect);
       }
     } else {
       nameBest();
       considerLastResort();
+      if (judgement_.verdict == Verdict::unknown) {
+        considerSlowNoise();
+      }
     }
     return std::move(judgement_);
   }
@@ -51,7 +56,7 @@ class Naming {
 
   bool allowed(int hypothesis) const {
     const HypothesisEvidence& h = evidence_.at(hypothesis);
-    return (trends_ || !h.free_trends) && (last_resort_ || !h.last_resort);
+    return (trends_ || !h.free_trends) && (last_resort_ || !h.last_resort) && weighing_.mayBeACause(h);
   }
 
   // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
@@ -131,8 +136,11 @@ class Naming {
     judgement_.model = chosen;
     orderEffects(chosen);
     findSets(chosen);
-    const double closed = 1.0 - left(chosen) / gap_;
-    const bool rest = left(chosen) > weighing_.enough() && closed < criteria_.partly;
+    // What is left of the force: what moved parameters cost weighs on the choice, not on this.
+    const double rest_left = weighing_.left(evidence_.at(chosen).held_out);
+    const double closed = 1.0 - rest_left / weighing_.left(evidence_.reEstimated().held_out);
+    const bool rest = (rest_left > weighing_.enough() && closed < criteria_.partly) ||
+                      weighing_.isBeyondNoise(rest_left, evidence_.noise_floor);
     const bool ambiguous = std::any_of(judgement_.confounded.begin(), judgement_.confounded.end(),
                                        [](const std::vector<int>& set) { return set.size() > 1; });
     judgement_.verdict = rest ? Verdict::partly : ambiguous ? Verdict::confounded : Verdict::named;
@@ -163,6 +171,19 @@ class Naming {
         judgement_.confounded.clear();
         name(single);
       }
+    }
+  }
+
+  // Where nothing but slow noise remains, there is no gap, or parameters close it.
+  void considerSlowNoise() {
+    const double slow = weighing_.slowNoise();
+    const auto rest = [&](int hypothesis) {
+      return weighing_.left(gap::residualAboveFloor(evidence_.at(hypothesis).held_out, slow));
+    };
+    if (slow > 0.0 && rest(Evidence::kReEstimated) < weighing_.insignificant()) {
+      const bool configured = rest(Evidence::kAsConfigured) < weighing_.insignificant();
+      judgement_.verdict = configured ? Verdict::none : Verdict::parameter_error;
+      judgement_.model = configured ? Evidence::kAsConfigured : Evidence::kReEstimated;
     }
   }
 

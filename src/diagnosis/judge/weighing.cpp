@@ -33,7 +33,7 @@ std::optional<int> Weighing::bestSingle(bool trends) const {
   std::optional<int> best;
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
-    if ((!trends && single.free_trends) || single.last_resort) {
+    if ((!trends && single.free_trends) || single.last_resort || !mayBeACause(single)) {
       continue;
     }
     if (shows(effect) && (!best || left(single) < left(evidence_.at(*best)))) {
@@ -60,6 +60,41 @@ bool Weighing::closedByParameters() const {
   return left(evidence_.element_level) <
              std::max(criteria_.within_noise * evidence_.noise_floor, criteria_.share_left_by_elements * rest) &&
          rest < criteria_.share_left_before_elements * configured;
+}
+
+bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
+  if (!hypothesis.free_trends) {
+    return true;
+  }
+  double without = evidence_.reEstimated().held_out;
+  for (const int member : hypothesis.members) {
+    const HypothesisEvidence& single = evidence_.single(member);
+    without = single.free_trends ? without : std::min(without, single.held_out);
+  }
+  return gap::residualAboveFloor(without, hypothesis.held_out) > evidence_.slow_noise;
+}
+
+double Weighing::slowNoise() const {
+  double most = 0.0;
+  for (int effect = 0; effect < evidence_.effects(); ++effect) {
+    const HypothesisEvidence& single = evidence_.single(effect);
+    if (single.free_trends && !mayBeACause(single)) {
+      most = std::max(most, gap::residualAboveFloor(evidence_.reEstimated().held_out, single.held_out));
+    }
+  }
+  return most;
+}
+
+bool Weighing::isBeyondNoise(double rest, double floor) const {
+  return rest > std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
+}
+
+std::optional<int> Weighing::betterThanParameters() const {
+  const double rest = left(evidence_.reEstimated().held_out);
+  const std::optional<int> best = bestSingle();
+  const bool better =
+      best && rest > insignificant() && left(evidence_.at(*best).held_out) < criteria_.needs_another * rest;
+  return better ? best : std::nullopt;
 }
 
 std::optional<int> Weighing::hiddenEffect() const {

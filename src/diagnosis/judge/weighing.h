@@ -36,6 +36,18 @@ class Weighing {
   /// True if re-estimated model parameters leave next to nothing of the gap.
   bool closedByParameters() const;
 
+  /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be.
+  bool mayBeACause(const HypothesisEvidence& hypothesis) const;
+
+  /// What only trends explain, and little enough to be slow noise of the rig, as a gap.
+  double slowNoise() const;
+
+  /// True if so much is left that it counts as not explained.
+  bool isBeyondNoise(double rest, double floor) const;
+
+  /// The effect that leaves much less than re-estimated parameters where these leave more than noise, if any.
+  std::optional<int> betterThanParameters() const;
+
   /// The hypothesis of the effect that re-estimation may hide, if any.
   std::optional<int> hiddenEffect() const;
 
