@@ -277,6 +277,9 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   evidence.held_out = fitted.fit.held_out;
   evidence.penalty = fitted.fit.penalty;
   evidence.largest_change = fitted.fit.parameters.largestChange();
+  for (const gap::PartError& block : fitted.fit.blocks) {
+    evidence.block_errors.push_back(block.error);
+  }
   return evidence;
 }
 
@@ -305,6 +308,10 @@ Evidence evidenceOf(const Search& search) {
     for (const FittedHypothesis& fitted : *list) {
       evidence.hypotheses.push_back(evidenceOf(fitted));
     }
+  }
+  evidence.block_logs = search.re_estimated.fit.block_logs;
+  for (const gap::PartError& block : search.re_estimated.fit.blocks) {
+    evidence.block_weights.push_back(block.weight);
   }
   evidence.testable = search.testable;
   evidence.element_level = search.element_level.held_out;

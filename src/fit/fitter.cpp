@@ -182,6 +182,7 @@ Fit Fitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, int 
     result.blocks.push_back({errors[b], blocks.weight[b]});
     held_out += errors[b] * blocks.weight[b];
   }
+  result.block_logs = blocks.record;
   // A law that gives way under some log (a series mount about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.penalty = kPenalty * force_noise_ * result.parameters.model.norm();

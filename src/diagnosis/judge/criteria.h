@@ -38,6 +38,7 @@ struct Criteria {
   std::size_t few_terms = 3;        ///< an effect of more numbers is no simpler than changed model parameters
 
   // Which effects are named.
+  double chance = 0.05;         ///< that an effect is no better than parameters, where these leave little
   double needs_another = 0.55;  ///< one more effect has to reduce what is left below this part
   double worth_naming = 0.15;   ///< or else by this part of the gap
   double unknown = 0.33;        ///< a gap closed by less than this is not explained

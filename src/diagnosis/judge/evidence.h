@@ -16,13 +16,14 @@ struct UnseenErrors {
 
 /// A fitted hypothesis. Errors are gaps: RMS residuals in units of the standard deviation of the force.
 struct HypothesisEvidence {
-  std::vector<int> members;     ///< effects at work, ascending
-  std::size_t terms = 0;        ///< numbers that they add to the model
-  bool free_trends = false;     ///< a slow trend per log is free, too
-  bool last_resort = false;     ///< may look like several other effects
-  double held_out = 0.0;        ///< on blocks that took no part in the fit
-  double penalty = 0.0;         ///< regularisation penalty of changed model parameters
-  double largest_change = 0.0;  ///< largest |ln(value/configured)| of a model parameter
+  std::vector<int> members;          ///< effects at work, ascending
+  std::size_t terms = 0;             ///< numbers that they add to the model
+  bool free_trends = false;          ///< a slow trend per log is free, too
+  bool last_resort = false;          ///< may look like several other effects
+  double held_out = 0.0;             ///< on blocks that took no part in the fit
+  double penalty = 0.0;              ///< regularisation penalty of changed model parameters
+  double largest_change = 0.0;       ///< largest |ln(value/configured)| of a model parameter
+  std::vector<double> block_errors;  ///< mean square error of each of those blocks; may be empty
   std::optional<UnseenErrors> unseen;
 };
 
@@ -34,12 +35,14 @@ struct Evidence {
   static constexpr int kFirstSingle = 2;
 
   std::vector<HypothesisEvidence> hypotheses;
-  std::vector<bool> testable;    ///< per effect: a typical size of it would show in these logs
-  double element_level = 0.0;    ///< held-out error with every parameter of every element of the model free
-  double noise_floor = 0.0;      ///< of the logs of the fit
-  double slow_noise = 0.0;       ///< what a rig may add by slow noise and drift, as a gap
-  double discretisation = 0.0;   ///< what the model errs by at the time steps of the logs
-  bool has_unseen_logs = false;  ///< whether `unseen` of a hypothesis can be had
+  std::vector<int> block_logs;        ///< the log that each block is of
+  std::vector<double> block_weights;  ///< of each block
+  std::vector<bool> testable;         ///< per effect: a typical size of it would show in these logs
+  double element_level = 0.0;         ///< held-out error with every parameter of every element of the model free
+  double noise_floor = 0.0;           ///< of the logs of the fit
+  double slow_noise = 0.0;            ///< what a rig may add by slow noise and drift, as a gap
+  double discretisation = 0.0;        ///< what the model errs by at the time steps of the logs
+  bool has_unseen_logs = false;       ///< whether `unseen` of a hypothesis can be had
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
   const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }

@@ -42,6 +42,7 @@ class Naming {
     } else {
       nameBest();
       considerLastResort();
+      doubtSmallGains();
       if (judgement_.verdict == Verdict::unknown) {
         considerSlowNoise();
       }
@@ -172,6 +173,20 @@ class Naming {
         name(single);
       }
     }
+  }
+
+  // Where parameters leave little, an effect has to leave less beyond chance.
+  void doubtSmallGains() {
+    const double rest = weighing_.left(evidence_.reEstimated().held_out);
+    if (judgement_.effects.empty() || weighing_.isBeyondNoise(rest, evidence_.noise_floor) ||
+        weighing_.chanceOfGain(evidence_.at(judgement_.model)) < criteria_.chance) {
+      return;
+    }
+    const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
+    judgement_.verdict = rest < criteria_.needs_another * configured ? Verdict::parameter_error : Verdict::unknown;
+    judgement_.model = Evidence::kReEstimated;
+    judgement_.effects.clear();
+    judgement_.confounded.clear();
   }
 
   // Where nothing but slow noise remains, there is no gap, or parameters close it.

@@ -1,9 +1,13 @@
 // Weighing of hypotheses.
 #include "diagnosis/judge/weighing.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
+#include "diagnosis/judge/paired_losses.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
@@ -89,11 +93,37 @@ bool Weighing::isBeyondNoise(double rest, double floor) const {
   return rest > std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
 }
 
+double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis) const {
+  const std::vector<double>& before = evidence_.reEstimated().block_errors;
+  const auto blocks = static_cast<Eigen::Index>(before.size());
+  if (blocks == 0 || hypothesis.block_errors.size() != before.size()) {
+    return 0.0;
+  }
+  Eigen::MatrixXd errors(2, blocks);
+  errors.row(0) = Eigen::Map<const Eigen::RowVectorXd>(hypothesis.block_errors.data(), blocks);
+  errors.row(1) = Eigen::Map<const Eigen::RowVectorXd>(before.data(), blocks);
+  Losses losses;
+  losses.loss = logarithmicLoss(errors, evidence_.noise_floor * evidence_.noise_floor);
+  losses.weight = Eigen::Map<const Eigen::VectorXd>(evidence_.block_weights.data(), blocks);
+  losses.cluster = evidence_.block_logs;
+  constexpr std::size_t kFewestLogs = 3;
+  if (std::set<int>(losses.cluster.begin(), losses.cluster.end()).size() < kFewestLogs) {
+    std::iota(losses.cluster.begin(), losses.cluster.end(), 0);
+  }
+  return compare(losses, 0, 1).pValueOfNoGain();
+}
+
 std::optional<int> Weighing::betterThanParameters() const {
-  const double rest = left(evidence_.reEstimated().held_out);
+  const HypothesisEvidence& parameters = evidence_.reEstimated();
+  const double rest = left(parameters.held_out);
+  bool refuted = isBeyondNoise(rest, evidence_.noise_floor);
+  if (parameters.unseen) {
+    const UnseenErrors& unseen = *parameters.unseen;
+    const double error = std::min(unseen.replayed, unseen.predicted);
+    refuted = refuted || isBeyondNoise(gap::residualAboveFloor(error, unseen.noise_floor), unseen.noise_floor);
+  }
   const std::optional<int> best = bestSingle();
-  const bool better =
-      best && rest > insignificant() && left(evidence_.at(*best).held_out) < criteria_.needs_another * rest;
+  const bool better = refuted && best && left(evidence_.at(*best).held_out) < criteria_.needs_another * rest;
   return better ? best : std::nullopt;
 }
 

@@ -45,7 +45,12 @@ class Weighing {
   /// True if so much is left that it counts as not explained.
   bool isBeyondNoise(double rest, double floor) const;
 
-  /// The effect that leaves much less than re-estimated parameters where these leave more than noise, if any.
+  /// Probability of such a gain over re-estimated parameters where the hypothesis has none: paired by blocks, which of
+  /// one log hang together where there are three logs or more. 0 where errors of blocks are not known.
+  double chanceOfGain(const HypothesisEvidence& hypothesis) const;
+
+  /// The effect that leaves much less than re-estimated parameters where unseen logs, or the logs of the fit, refute
+  /// these, if any.
   std::optional<int> betterThanParameters() const;
 
   /// The hypothesis of the effect that re-estimation may hide, if any.
