@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "fit/fitter.h"
 #include "gap/simulate.h"
@@ -57,6 +58,13 @@ std::vector<double> meansLeft(const std::vector<log::Record>& records, const gap
   return means;
 }
 
+// Of zeros with a cause, what is new in each log is the rig's.
+void takeOutZeros(const std::vector<double>& zeros, double common, std::vector<log::Record>& records) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].force.array() -= zeros[r] - common;
+  }
+}
+
 // Zeros that are new in each log scatter as much as they are large; those of a cause do not (Student's t).
 bool areCommon(const std::vector<double>& zeros) {
   const auto count = static_cast<double>(zeros.size());
@@ -106,6 +114,12 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
   const std::vector<double> zeros = meansLeft(training, *fitter.forces().at(alone, parameters));
   const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
   const auto elements = model.apply(parameters.model).allElements();
+  if (cause) {
+    const double common = std::accumulate(zeros.begin(), zeros.end(), 0.0) / static_cast<double>(zeros.size());
+    takeOutZeros(zeros, common, training);
+    setNuisances(elements, tolerances, false, held_out);
+    takeOutZeros(meansLeft(held_out, gap::simulate(elements, held_out)), common, held_out);
+  }
   setNuisances(elements, tolerances, cause, training);
   setNuisances(elements, tolerances, cause, held_out);
 }

@@ -175,11 +175,13 @@ class Naming {
     }
   }
 
-  // Where parameters leave little, an effect has to leave less beyond chance.
+  // Where parameters leave little, an effect has to leave much less, beyond chance.
   void doubtSmallGains() {
     const double rest = weighing_.left(evidence_.reEstimated().held_out);
+    const HypothesisEvidence& named = evidence_.at(judgement_.model);
     if (judgement_.effects.empty() || weighing_.isBeyondNoise(rest, evidence_.noise_floor) ||
-        weighing_.chanceOfGain(evidence_.at(judgement_.model)) < criteria_.chance) {
+        (weighing_.left(named.held_out) < criteria_.needs_another * rest &&
+         weighing_.chanceOfGain(named) < criteria_.chance)) {
       return;
     }
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
