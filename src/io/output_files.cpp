@@ -46,6 +46,8 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::campaign_json, "a table of a campaign", {"{"}, {"rubber_suspension/campaign_table/"}},
       {FileKind::fleet_report, "a fleet report", {"<!DOCTYPE html>", "<!doctype html>"}, {"Fleet report"}},
       {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
+      {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},
+      {FileKind::characteristics_csv, "a table of characteristics", {"frequency_Hz,amplitude_m,"}, {}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

@@ -9,21 +9,23 @@ namespace rubber_suspension::io {
 
 /// What a file is, told by its content.
 enum class FileKind {
-  force_csv,          ///< time_s,displacement_m, and force_N, as this package writes them
-  gap_csv,            ///< the live gap over time
-  vehicle_csv,        ///< positions, displacements and forces of a vehicle
-  figure_csv,         ///< the numbers of a figure
-  component_file,     ///< YAML with `components:`
-  report_json,        ///< report.json of a diagnosis
-  report_html,        ///< report.html of a diagnosis
-  test_report,        ///< XML of GoogleTest
-  figure,             ///< SVG, PNG or PDF
-  bag,                ///< ROS bag
-  campaign_manifest,  ///< the jobs of a campaign
-  campaign_csv,       ///< the results of a campaign
-  campaign_json,      ///< the same as JSON
-  fleet_report,       ///< what a campaign says of a fleet
-  force_map_csv,      ///< missing_force.csv of a diagnosis
+  force_csv,            ///< time_s,displacement_m, and force_N, as this package writes them
+  gap_csv,              ///< the live gap over time
+  vehicle_csv,          ///< positions, displacements and forces of a vehicle
+  figure_csv,           ///< the numbers of a figure
+  component_file,       ///< YAML with `components:`
+  report_json,          ///< report.json of a diagnosis
+  report_html,          ///< report.html of a diagnosis
+  test_report,          ///< XML of GoogleTest
+  figure,               ///< SVG, PNG or PDF
+  bag,                  ///< ROS bag
+  campaign_manifest,    ///< the jobs of a campaign
+  campaign_csv,         ///< the results of a campaign
+  campaign_json,        ///< the same as JSON
+  fleet_report,         ///< what a campaign says of a fleet
+  force_map_csv,        ///< missing_force.csv of a diagnosis
+  fmu,                  ///< functional mock-up unit
+  characteristics_csv,  ///< stiffness and loss angle over frequency, amplitude and preload
 };
 
 /// A file that a command reads, with the option that names it.

@@ -24,6 +24,7 @@ BELOW = {
     "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
     "campaign": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "command", "diagnosis"},
+    "fmi": {"element", "kernel", "component", "response", "estimation", "log", "io"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},
@@ -32,7 +33,7 @@ BELOW = {
         "bag"},
     "benchmark": {
         "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit",
-        "diagnosis", "node", "ros_interface"},
+        "diagnosis", "node", "ros_interface", "fmi"},
 }
 KNOW_ROS = {"bag", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -1,0 +1,10 @@
+# Packs the sources of the binary of an FMU. Given: ROOT of the package, FILES, STAGING folder, ARCHIVE to write.
+file(REMOVE_RECURSE ${STAGING})
+foreach(path ${FILES})
+  file(RELATIVE_PATH relative ${ROOT} ${path})
+  get_filename_component(folder ${relative} DIRECTORY)
+  file(COPY ${path} DESTINATION ${STAGING}/${folder})
+endforeach()
+file(COPY ${ROOT}/LICENSE DESTINATION ${STAGING})
+configure_file(${ROOT}/cmake/fmu_sources.cmake ${STAGING}/CMakeLists.txt COPYONLY)
+file(ARCHIVE_CREATE OUTPUT ${ARCHIVE} PATHS ${STAGING} FORMAT zip)

@@ -1,0 +1,132 @@
+// Puts an FMU together.
+#include "fmi/export.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "fmi/archive.h"
+#include "fmi/runtime/embedded.h"
+#include "fmi/runtime/saved_state.h"
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::fmi {
+namespace {
+
+constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file || content.str().empty()) {
+    throw std::runtime_error(path + ": cannot be read; accepted: the file that was built and installed with this one");
+  }
+  return content.str();
+}
+
+std::vector<element::ElementDescription> completed(const std::vector<element::ElementDescription>& entries) {
+  std::vector<element::ElementDescription> result;
+  for (const element::ElementDescription& entry : entries) {
+    result.push_back(element::complete(entry));
+  }
+  return result;
+}
+
+// In the form of a UUID, since some importers expect one.
+std::string guidOf(const std::string& content) {
+  const std::uint64_t high = fingerprintOf(content);
+  const std::uint64_t low = fingerprintOf(content + "+");
+  return fmt::format("{{{:08x}-{:04x}-{:04x}-{:04x}-{:012x}}}", high >> 32, (high >> 16) & 0xffff, high & 0xffff,
+                     low >> 48, low & 0xffffffffffff);
+}
+
+// The binary with the component in its block.
+std::string binaryWith(const std::string& text, const std::string& path) {
+  std::string binary = readFile(path);
+  const std::string marker(RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_BLOCK_MARKER));
+  const std::size_t start = binary.find(marker);
+  const bool once = start != std::string::npos && binary.find(marker, start + 1) == std::string::npos;
+  if (!once || start + sizeof(EmbeddedBlock) > binary.size()) {
+    throw std::runtime_error(path + ": has no block for a component; accepted: the binary of an FMU of this version");
+  }
+  if (text.size() > kCapacity) {
+    throw std::runtime_error(
+        fmt::format("{}: the component takes {} bytes; accepted: at most {}", path, text.size(), kCapacity));
+  }
+  const std::uint64_t size = text.size();
+  std::memcpy(&binary[start + offsetof(EmbeddedBlock, size)], &size, sizeof(size));
+  text.copy(&binary[start + offsetof(EmbeddedBlock, text)], text.size());
+  return binary;
+}
+
+// A string literal may hold 65536 bytes for sure, so the text comes in pieces, which the compiler joins.
+std::string componentHeader(const std::string& text) {
+  constexpr std::size_t kPiece = 8192;
+  std::string header = "#pragma once\n#define RUBBER_SUSPENSION_COMPONENT_TEXT";
+  for (std::size_t begin = 0; begin < text.size(); begin += kPiece) {
+    header += " \\\n  R\"json(" + text.substr(begin, kPiece) + ")json\"";
+  }
+  return header + "\n";
+}
+
+std::string binaryFolder(Version version) { return version == Version::fmi2 ? "linux64" : "x86_64-linux"; }
+
+// Sorted, since an archive has its files in the order of a folder; below the one folder that it packs.
+void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, const std::string& archive) {
+  std::vector<ArchiveEntry> sources = fromZip(readFile(archive), archive);
+  std::sort(sources.begin(), sources.end(),
+            [](const ArchiveEntry& one, const ArchiveEntry& other) { return one.path < other.path; });
+  for (ArchiveEntry& entry : sources) {
+    const std::string path = entry.path.substr(entry.path.find('/') + 1);
+    if (path == "CMakeLists.txt") {
+      entry.content = "set(model_identifier " + data.name + ")\n" + entry.content;
+    }
+    entries.push_back({"sources/" + path, std::move(entry.content)});
+  }
+  entries.push_back({"sources/component_text.h", componentHeader(toJson(data))});
+}
+
+}  // namespace
+
+FmuParts installedParts() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&installedParts), &info) == 0) {
+    throw std::runtime_error("the program's own place is unknown");
+  }
+  const std::string program = info.dli_fname;
+  const std::size_t slash = program.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "." : program.substr(0, slash);
+  return {folder + "/rubber_suspension_fmu.so", folder + "/rubber_suspension_fmu_sources.zip"};
+}
+
+ComponentData dataOf(const io::ComponentDescription& description) {
+  ComponentData data;
+  data.name = description.name;
+  data.model = description.model();
+  data.specification = description.specification();
+  if (data.model == estimation::Model::elements) {
+    data.elements = completed(description.elements());
+  }
+  data.add = completed(description.add);
+  data.guid = guidOf(toJson(data) + kTool);
+  return data;
+}
+
+std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts) {
+  const ComponentData data = dataOf(description);
+  std::vector<ArchiveEntry> entries = {
+      {"modelDescription.xml", modelDescription(data, version, kTool)},
+      {"binaries/" + binaryFolder(version) + "/" + data.name + ".so", binaryWith(toJson(data), parts.binary)},
+      {"resources/component.yaml", io::toYaml({description})}};
+  addSources(entries, data, parts.sources);
+  return toZip(entries);
+}
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,28 @@
+// A component as an FMU: description, binary and sources in one archive.
+#pragma once
+
+#include <string>
+
+#include "fmi/model_description.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::fmi {
+
+/// The files of an FMU that are the same for all components.
+struct FmuParts {
+  std::string binary;   ///< path of the shared library without a component
+  std::string sources;  ///< path of the archive of its sources
+};
+
+/// Those that were built with the program that calls this: they lie beside it.
+FmuParts installedParts();
+
+/// What an FMU says of a component: its elements complete, and a GUID that follows from it and the version of the
+/// package.
+ComponentData dataOf(const io::ComponentDescription& description);
+
+/// The bytes of the FMU, the same for the same component. Throws std::runtime_error that names the file where a part is
+/// missing or is no such part, and where the component is too large for it.
+std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts);
+
+}  // namespace rubber_suspension::fmi

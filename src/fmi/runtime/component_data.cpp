@@ -1,0 +1,82 @@
+// The component of an FMU as JSON.
+#include "fmi/runtime/component_data.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::fmi {
+namespace {
+
+using nlohmann::json;
+
+json entriesToJson(const std::vector<element::ElementDescription>& entries) {
+  json list = json::array();
+  for (const element::ElementDescription& entry : entries) {
+    list.push_back({{"type", entry.type}, {"values", entry.values}});
+  }
+  return list;
+}
+
+std::vector<element::ElementDescription> entriesFromJson(const json& list) {
+  std::vector<element::ElementDescription> entries;
+  for (const json& entry : list) {
+    entries.push_back(
+        {entry.at("type").get<std::string>(), entry.at("values").get<std::map<std::string, std::vector<double>>>()});
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::vector<element::ElementDescription> ComponentData::modelElements() const {
+  if (model == estimation::Model::elements) {
+    return elements;
+  }
+  std::vector<element::ElementDescription> estimated = estimation::estimate(model, specification);
+  for (element::ElementDescription& entry : estimated) {
+    entry = element::complete(entry);
+  }
+  return estimated;
+}
+
+std::vector<element::ElementDescription> ComponentData::allElements() const {
+  std::vector<element::ElementDescription> all = modelElements();
+  all.insert(all.end(), add.begin(), add.end());
+  return all;
+}
+
+std::string toJson(const ComponentData& data) {
+  json specification = json::object();
+  for (const auto& [name, value] : data.specification.values()) {
+    specification[name] = value;
+  }
+  return json({{"name", data.name},
+               {"guid", data.guid},
+               {"model", estimation::toString(data.model)},
+               {"specification", specification},
+               {"elements", entriesToJson(data.elements)},
+               {"add", entriesToJson(data.add)}})
+      .dump();
+}
+
+ComponentData fromJson(const std::string& text) {
+  const json content = json::parse(text);
+  ComponentData data;
+  data.name = content.at("name").get<std::string>();
+  data.guid = content.at("guid").get<std::string>();
+  const auto model = estimation::modelFromString(content.at("model").get<std::string>());
+  if (!model) {
+    throw std::invalid_argument("model: unknown");
+  }
+  data.model = *model;
+  for (const auto& [name, value] : content.at("specification").items()) {
+    data.specification.set(name, value.get<double>());
+  }
+  data.elements = entriesFromJson(content.at("elements"));
+  data.add = entriesFromJson(content.at("add"));
+  return data;
+}
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,35 @@
+// What an FMU carries of its component: the specification or the elements, and what was added; written by the exporter,
+// read by the binary.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/estimation/specification.h"
+
+namespace rubber_suspension::fmi {
+
+struct ComponentData {
+  std::string name;  ///< of the component
+  std::string guid;  ///< by which an importer says that modelDescription.xml and binary belong together
+  estimation::Model model = estimation::Model::elements;
+  estimation::Specification specification;            ///< empty for the model `elements`
+  std::vector<element::ElementDescription> elements;  ///< of the model `elements`, complete; empty for all others
+  std::vector<element::ElementDescription> add;       ///< complete
+
+  /// Those that the model estimates from the specification, or lists. Throws std::invalid_argument where there is no
+  /// solution.
+  std::vector<element::ElementDescription> modelElements() const;
+
+  /// Those of the model, and those added, in the order of the component file.
+  std::vector<element::ElementDescription> allElements() const;
+};
+
+/// Text that fromJson() reads back to the same numbers, bit by bit.
+std::string toJson(const ComponentData& data);
+
+/// Throws std::exception on any other text.
+ComponentData fromJson(const std::string& text);
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,334 @@
+// One instance of an FMU: everything but the steps themselves.
+#include "fmi/runtime/instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace rubber_suspension::fmi {
+namespace {
+
+const char* nameOf(Phase phase) {
+  switch (phase) {
+    case Phase::instantiated:
+      return "instantiated";
+    case Phase::initialising:
+      return "initialisation";
+    case Phase::stepping:
+      return "stepping";
+    case Phase::terminated:
+      return "terminated";
+    case Phase::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+Instance::Instance(ComponentData data, Log log)
+    : data_(std::move(data)),
+      table_(data_),
+      log_(std::move(log)),
+      fingerprint_(fingerprintOf(data_.guid)),
+      parameters_(table_.startValues()) {}
+
+Status Instance::error(const std::string& message) {
+  log_(Status::error, category::kError, message);
+  return Status::error;
+}
+
+Status Instance::discard(const std::string& message) {
+  log_(Status::discard, category::kDiscard, message);
+  return Status::discard;
+}
+
+Status Instance::refuseOrder(const std::string& what) {
+  return error(fmt::format("{}: not in phase '{}'", what, nameOf(phase_)));
+}
+
+void Instance::enter(Phase phase) {
+  phase_ = phase;
+  if (log_events_) {
+    log_(Status::ok, category::kEvents, fmt::format("phase '{}' at {:.9g} s", nameOf(phase), time_));
+  }
+}
+
+Status Instance::setTimes(double start, bool stop_defined, double stop) {
+  if (phase_ != Phase::instantiated) {
+    return refuseOrder("set up of the experiment");
+  }
+  if (!std::isfinite(start) || (stop_defined && !(stop >= start))) {
+    return error(fmt::format("start time {:g} s, stop time {:g} s; accepted: finite, the stop not before the start",
+                             start, stop_defined ? stop : start));
+  }
+  start_time_ = start;
+  return Status::ok;
+}
+
+Status Instance::enterInitialisation() {
+  if (phase_ != Phase::instantiated) {
+    return refuseOrder("enter initialisation");
+  }
+  time_ = start_time_;
+  enter(Phase::initialising);
+  return Status::ok;
+}
+
+Status Instance::exitInitialisation() {
+  if (phase_ != Phase::initialising) {
+    return refuseOrder("exit initialisation");
+  }
+  settle();
+  enter(Phase::stepping);
+  return Status::ok;
+}
+
+Status Instance::terminate() {
+  if (phase_ != Phase::stepping) {
+    return refuseOrder("terminate");
+  }
+  enter(Phase::terminated);
+  return Status::ok;
+}
+
+Status Instance::reset() {
+  parameters_ = table_.startValues();
+  calculated_.clear();
+  component_.reset();
+  initialised_ = false;
+  start_time_ = 0.0;
+  time_ = 0.0;
+  displacement_ = 0.0;
+  derivative_ = {};
+  has_derivatives_ = false;
+  force_ = {};
+  enter(Phase::instantiated);
+  return Status::ok;
+}
+
+Status Instance::setAll(const Reference* references, std::size_t count, const double* values) {
+  if (count > 0 && (references == nullptr || values == nullptr)) {
+    return error("set: a null pointer");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const Status status = checkSet(references[i], values[i]); status != Status::ok) {
+      return status;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    assign(references[i], values[i]);
+  }
+  return Status::ok;
+}
+
+Status Instance::checkSet(Reference reference, double value) {
+  if (reference >= table_.variables().size()) {
+    return error(fmt::format("set: no variable has the reference {}", reference));
+  }
+  if (phase_ > Phase::stepping) {
+    return refuseOrder("set");
+  }
+  const Variable& variable = table_.variables()[reference];
+  if (variable.causality == Causality::parameter) {
+    return checkParameter(reference, value);
+  }
+  if (variable.causality != Causality::input) {
+    return error(fmt::format("set: {} cannot be set", variable.name));
+  }
+  return std::isfinite(value) ? Status::ok : discard(fmt::format("set: {}: {} is not finite", variable.name, value));
+}
+
+Status Instance::checkParameter(Reference reference, double value) {
+  const Variable& variable = table_.variables()[reference];
+  if (phase_ > Phase::initialising) {
+    return refuseOrder("set of the parameter " + variable.name);
+  }
+  if (std::isfinite(value) && variable.range.contains(value)) {
+    return Status::ok;
+  }
+  return discard(fmt::format("set: {}: {:g}{} is out of range; accepted: {}", variable.name, value,
+                             variable.unit == "1" ? "" : " " + variable.unit, element::describe(variable.range)));
+}
+
+void Instance::assign(Reference reference, double value) {
+  if (reference == reference::kDisplacement) {
+    displacement_ = value;
+    initialised_ = initialised_ && phase_ == Phase::stepping;
+  } else {
+    parameters_[reference - reference::kFirstParameter] = value;
+    component_.reset();
+    initialised_ = false;
+  }
+}
+
+Status Instance::getAll(const Reference* references, std::size_t count, double* values) {
+  if (count > 0 && (references == nullptr || values == nullptr)) {
+    return error("get: a null pointer");
+  }
+  if (phase_ == Phase::instantiated) {
+    return refuseOrder("get");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (references[i] >= table_.variables().size()) {
+      return error(fmt::format("get: no variable has the reference {}", references[i]));
+    }
+  }
+  if (phase_ == Phase::initialising) {
+    settle();
+  }
+  std::transform(references, references + count, values, [this](Reference reference) { return value(reference); });
+  return Status::ok;
+}
+
+double Instance::value(Reference reference) const {
+  switch (reference) {
+    case reference::kTime:
+      return time_;
+    case reference::kDisplacement:
+      return displacement_;
+    case reference::kForce:
+      return force_.total;
+    case reference::kElastic:
+      return force_.elastic;
+    case reference::kViscous:
+      return force_.viscous;
+    case reference::kFriction:
+      return force_.friction;
+    default:
+      break;
+  }
+  const std::size_t parameter = reference - reference::kFirstParameter;
+  return parameter < parameters_.size() ? parameters_[parameter] : calculated_[parameter - parameters_.size()];
+}
+
+Status Instance::setDerivative(Reference reference, int order, double value) {
+  if (phase_ > Phase::stepping) {
+    return refuseOrder("set of a derivative");
+  }
+  if (reference != reference::kDisplacement || order < 1 || order > static_cast<int>(kMostDerivatives)) {
+    return error(fmt::format("derivative {} of variable {}; accepted: the displacement, orders 1 to {}", order,
+                             reference, kMostDerivatives));
+  }
+  if (!std::isfinite(value)) {
+    return error(fmt::format("derivative {} of the displacement: {} is not finite", order, value));
+  }
+  derivative_[static_cast<std::size_t>(order - 1)] = value;
+  has_derivatives_ = true;
+  return Status::ok;
+}
+
+// The component of the parameters as they are. Throws where there is none, and leaves everything as it was.
+void Instance::build() {
+  ComponentData changed = data_;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    setValue(changed, table_.place(i), parameters_[i]);
+  }
+  const std::vector<element::ElementDescription> model_elements = changed.modelElements();
+  calculated_ = table_.calculatedValues(model_elements);
+  component_ = std::make_unique<const component::Component>(changed.allElements());
+  state_ = component_->makeState();
+}
+
+void Instance::settle() {
+  if (!component_) {
+    build();
+  }
+  if (!initialised_) {
+    const element::ComponentForce force = component_->initialise(*state_, displacement_);
+    if (!std::isfinite(force.total)) {
+      throw std::invalid_argument(fmt::format("displacement {:g} m gives a force that is not finite", displacement_));
+    }
+    force_ = force;
+    initialised_ = true;
+  }
+}
+
+// Importers count time in sums of their own. The time of each step is taken from them, so one rounding of such a sum
+// lies between theirs and ours, 1e-16 of the time; 1e-9 of it and a millionth of the step leave them ample room, and
+// what is more is a step left out or done twice.
+bool Instance::isNow(double time, double size) const {
+  return std::abs(time - time_) <= 1e-6 * size + 1e-9 * std::abs(time_);
+}
+
+// The displacement at the end of a step, which uses up the derivatives.
+double Instance::extrapolated(double size) {
+  double displacement = displacement_;
+  double power = 1.0;  // size^k/k!
+  for (std::size_t k = 0; k < kMostDerivatives; ++k) {
+    power *= size / static_cast<double>(k + 1);
+    displacement += power * derivative_[k];
+  }
+  derivative_ = {};
+  has_derivatives_ = false;
+  return displacement;
+}
+
+Status Instance::refuseStep(double time, double size) {
+  if (phase_ != Phase::stepping) {
+    return refuseOrder("step");
+  }
+  if (!(size > 0.0) || !std::isfinite(size)) {
+    return error(fmt::format("step of {:g} s; accepted: greater than 0", size));
+  }
+  return error(fmt::format("step from {:.9g} s; accepted: from {:.9g} s, where the last one ended", time, time_));
+}
+
+Status Instance::fail() {
+  enter(Phase::failed);
+  return error(fmt::format("displacement {:g} m gives a force that is not finite; a reset or a saved state is needed",
+                           displacement_));
+}
+
+Status Instance::save(SavedState& state) {
+  if (phase_ == Phase::failed) {
+    return refuseOrder("save of the state");
+  }
+  state.fingerprint = fingerprint_;
+  state.phase = phase_;
+  state.time = phase_ == Phase::instantiated ? start_time_ : time_;
+  state.displacement = displacement_;
+  state.derivative = derivative_;
+  state.force = force_;
+  state.parameters = parameters_;
+  state.settled = component_ && initialised_;
+  if (state.settled) {
+    state.component_displacement = state_->displacement();
+    state.memory = state_->memory();
+  } else {
+    state.memory.clear();
+  }
+  return Status::ok;
+}
+
+Status Instance::restore(const SavedState& state) {
+  if (state.fingerprint != fingerprint_ || state.parameters.size() != parameters_.size()) {
+    return error("restore of a state: it is not one of this FMU");
+  }
+  if (state.phase == Phase::failed || (state.phase > Phase::initialising && !state.settled)) {
+    return error("restore of a state: it is not one to continue from");
+  }
+  if (state.parameters != parameters_) {
+    parameters_ = state.parameters;
+    component_.reset();
+  }
+  initialised_ = state.settled;
+  if (state.settled) {
+    if (!component_) {
+      build();
+    }
+    state_->deserialise(state.component_displacement, state.memory);
+  }
+  time_ = state.time;
+  start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
+  displacement_ = state.displacement;
+  derivative_ = state.derivative;
+  has_derivatives_ = std::any_of(derivative_.begin(), derivative_.end(), [](double value) { return value != 0.0; });
+  force_ = state.force;
+  phase_ = state.phase;
+  return Status::ok;
+}
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,145 @@
+// A saved state as a row of 8-byte words: a fixed head, then the parameters, then the memory of the component.
+#include "fmi/runtime/saved_state.h"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace rubber_suspension::fmi {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x3130544154535352;  // "RSSTAT01", lowest byte first
+constexpr std::size_t kHeadWords = 10 + kMostDerivatives + 4;
+
+class Writer {
+ public:
+  explicit Writer(char* bytes) : bytes_(bytes) {}
+
+  template <class Word>
+  void put(Word word) {
+    static_assert(sizeof(Word) == 8, "a word has 8 bytes");
+    std::memcpy(bytes_, &word, sizeof(word));
+    bytes_ += sizeof(word);
+  }
+
+ private:
+  char* bytes_;
+};
+
+class Reader {
+ public:
+  Reader(const char* bytes, std::size_t size) : bytes_(bytes), words_left_(size / 8) {}
+
+  template <class Word>
+  Word get() {
+    static_assert(sizeof(Word) == 8, "a word has 8 bytes");
+    if (words_left_ == 0) {
+      throw std::invalid_argument("the serialised state ends too early");
+    }
+    Word word;
+    std::memcpy(&word, bytes_, sizeof(word));
+    bytes_ += sizeof(word);
+    --words_left_;
+    return word;
+  }
+
+  double finite() {
+    const auto value = get<double>();
+    if (!std::isfinite(value)) {
+      throw std::invalid_argument("the serialised state holds a number that is not finite");
+    }
+    return value;
+  }
+
+  std::vector<double> finiteList(std::uint64_t size) {
+    if (size > words_left_) {
+      throw std::invalid_argument("the serialised state ends too early");
+    }
+    std::vector<double> list(size);
+    for (double& value : list) {
+      value = finite();
+    }
+    return list;
+  }
+
+ private:
+  const char* bytes_;
+  std::size_t words_left_;
+};
+
+Phase phaseOf(std::uint64_t word) {
+  if (word > static_cast<std::uint64_t>(Phase::terminated)) {
+    throw std::invalid_argument("the serialised state is in no phase that can be continued");
+  }
+  return static_cast<Phase>(word);
+}
+
+}  // namespace
+
+std::size_t serialisedSize(const SavedState& state) {
+  return 8 * (kHeadWords + state.parameters.size() + state.memory.size());
+}
+
+void serialise(const SavedState& state, char* bytes) {
+  Writer out(bytes);
+  out.put(kMagic);
+  out.put(state.fingerprint);
+  out.put(static_cast<std::uint64_t>(state.phase));
+  out.put(static_cast<std::uint64_t>(state.settled ? 1 : 0));
+  out.put(static_cast<std::uint64_t>(state.parameters.size()));
+  out.put(static_cast<std::uint64_t>(state.memory.size()));
+  out.put(state.time);
+  out.put(state.displacement);
+  out.put(state.component_displacement);
+  out.put(std::uint64_t{0});  // for a later version
+  for (const double derivative : state.derivative) {
+    out.put(derivative);
+  }
+  for (const double part : {state.force.total, state.force.elastic, state.force.viscous, state.force.friction}) {
+    out.put(part);
+  }
+  for (const std::vector<double>* list : {&state.parameters, &state.memory}) {
+    for (const double value : *list) {
+      out.put(value);
+    }
+  }
+}
+
+SavedState deserialise(const char* bytes, std::size_t size) {
+  Reader in(bytes, size);
+  if (size % 8 != 0 || in.get<std::uint64_t>() != kMagic) {
+    throw std::invalid_argument("the bytes are no serialised state");
+  }
+  SavedState state;
+  state.fingerprint = in.get<std::uint64_t>();
+  state.phase = phaseOf(in.get<std::uint64_t>());
+  state.settled = in.get<std::uint64_t>() != 0;
+  const auto parameters = in.get<std::uint64_t>();
+  const auto memory = in.get<std::uint64_t>();
+  state.time = in.finite();
+  state.displacement = in.finite();
+  state.component_displacement = in.finite();
+  in.get<std::uint64_t>();
+  for (double& derivative : state.derivative) {
+    derivative = in.finite();
+  }
+  for (double* part : {&state.force.total, &state.force.elastic, &state.force.viscous, &state.force.friction}) {
+    *part = in.finite();
+  }
+  state.parameters = in.finiteList(parameters);
+  state.memory = in.finiteList(memory);
+  if (serialisedSize(state) != size) {
+    throw std::invalid_argument("the serialised state has another size than it says");
+  }
+  return state;
+}
+
+std::uint64_t fingerprintOf(const std::string& guid) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : guid) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  }
+  return hash;
+}
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,44 @@
+// The state of an FMU that an importer saves, to take a step back or to continue elsewhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/element.h"
+
+namespace rubber_suspension::fmi {
+
+/// Where an instance stands between instantiation and release.
+enum class Phase : std::uint32_t { instantiated, initialising, stepping, terminated, failed };
+
+/// Highest derivative of the displacement by time that an importer may give for the next step.
+constexpr std::size_t kMostDerivatives = 3;
+
+struct SavedState {
+  std::uint64_t fingerprint = 0;  ///< of the FMU
+  Phase phase = Phase::instantiated;
+  double time = 0.0;                                     ///< [s]
+  double displacement = 0.0;                             ///< the input [m]
+  std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
+  element::ComponentForce force;                         ///< [N]
+  std::vector<double> parameters;                        ///< those that can be set
+  bool settled = false;                                  ///< the component has been built and initialised
+  double component_displacement = 0.0;                   ///< where the component stands [m]
+  std::vector<double> memory;                            ///< of the component
+};
+
+std::size_t serialisedSize(const SavedState& state);
+
+/// Writes serialisedSize() bytes, the same on every machine of this byte order.
+void serialise(const SavedState& state, char* bytes);
+
+/// Throws std::invalid_argument where the bytes are no state.
+SavedState deserialise(const char* bytes, std::size_t size);
+
+/// A number that tells FMUs apart by their GUID (FNV-1a).
+std::uint64_t fingerprintOf(const std::string& guid);
+
+}  // namespace rubber_suspension::fmi

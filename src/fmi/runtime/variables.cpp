@@ -1,0 +1,142 @@
+// The list of the variables of an FMU, from the tables of laws and models.
+#include "fmi/runtime/variables.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::fmi {
+namespace {
+
+std::string groupOf(Place::List list) { return list == Place::List::add ? "add" : "elements"; }
+
+std::string describe(const element::ParameterInfo& parameter) {
+  const element::Range& range = parameter.range;
+  const bool open = range.open_lower || range.open_upper;
+  return parameter.documentation + (open ? "; " + element::describe(range) : "");
+}
+
+// The number of elements decides which variables there are, so it stays as it is.
+element::Range settableRange(const element::ParameterInfo& parameter, double value) {
+  return parameter.name == "maxwell_elements" ? element::Range::closed(value, value) : parameter.range;
+}
+
+std::vector<element::ElementDescription>& entriesOf(ComponentData& data, Place::List list) {
+  return list == Place::List::add ? data.add : data.elements;
+}
+
+[[noreturn]] void refuseOtherElements() {
+  throw std::invalid_argument(
+      "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers alone");
+}
+
+}  // namespace
+
+VariableTable::VariableTable(const ComponentData& data) {
+  addCommon(data);
+  addSpecification(data);
+  const bool listed = data.model == estimation::Model::elements;
+  if (listed) {
+    addElements(data.elements, Place::List::model, Causality::parameter);
+  }
+  addElements(data.add, Place::List::add, Causality::parameter);
+  free_count_ = places_.size();
+  if (!listed) {
+    addElements(data.modelElements(), Place::List::model, Causality::calculated_parameter);
+  }
+}
+
+void VariableTable::addCommon(const ComponentData& data) {
+  variables_ = {
+      {"time", "s", "time", Causality::independent, std::nullopt, {}},
+      {"displacement",
+       "m",
+       "displacement of " + data.name + " at the end of the next step; positive gives a positive force",
+       Causality::input,
+       0.0,
+       {}},
+      {"force", "N", "force that has to be applied to hold the displacement", Causality::output, std::nullopt, {}},
+      {"force_elastic", "N", "elastic part of the force", Causality::output, std::nullopt, {}},
+      {"force_viscous", "N", "viscous part of the force", Causality::output, std::nullopt, {}},
+      {"force_friction", "N", "friction part of the force", Causality::output, std::nullopt, {}},
+  };
+}
+
+void VariableTable::addSpecification(const ComponentData& data) {
+  for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
+    if (const auto value = data.specification.find(parameter.name)) {
+      addParameter({"specification." + parameter.name, parameter.unit, describe(parameter), Causality::parameter,
+                    *value, settableRange(parameter, *value)},
+                   {Place::List::specification, 0, parameter.name, 0});
+    }
+  }
+}
+
+void VariableTable::addElements(const std::vector<element::ElementDescription>& elements, Place::List list,
+                                Causality causality) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const element::ElementType* type = element::findElementType(elements[i].type);
+    if (type == nullptr) {
+      throw std::invalid_argument(fmt::format("'{}' is not an element", elements[i].type));
+    }
+    for (const element::ParameterInfo& parameter : type->parameters) {
+      const std::vector<double>& values = elements[i].list(parameter.name);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const std::string index = parameter.is_list ? fmt::format("[{}]", k + 1) : "";
+        Variable variable{fmt::format("{}[{}].{}.{}{}", groupOf(list), i + 1, type->name, parameter.name, index),
+                          parameter.unit,
+                          describe(parameter),
+                          causality,
+                          std::nullopt,
+                          parameter.range};
+        if (causality == Causality::parameter) {
+          variable.start = values[k];
+        }
+        addParameter(variable, {list, i, parameter.name, k});
+      }
+    }
+  }
+}
+
+void VariableTable::addParameter(const Variable& variable, const Place& place) {
+  variables_.push_back(variable);
+  places_.push_back(place);
+}
+
+std::vector<double> VariableTable::startValues() const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < free_count_; ++i) {
+    values.push_back(variables_[reference::kFirstParameter + i].start.value());
+  }
+  return values;
+}
+
+std::vector<double> VariableTable::calculatedValues(
+    const std::vector<element::ElementDescription>& model_elements) const {
+  std::vector<double> values;
+  for (std::size_t i = free_count_; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    if (place.entry >= model_elements.size()) {
+      refuseOtherElements();
+    }
+    const auto found = model_elements[place.entry].values.find(place.key);
+    if (found == model_elements[place.entry].values.end() || place.position >= found->second.size()) {
+      refuseOtherElements();
+    }
+    values.push_back(found->second[place.position]);
+  }
+  return values;
+}
+
+void setValue(ComponentData& data, const Place& place, double value) {
+  if (place.list == Place::List::specification) {
+    data.specification.set(place.key, value);
+  } else {
+    entriesOf(data, place.list).at(place.entry).values.at(place.key).at(place.position) = value;
+  }
+}
+
+}  // namespace rubber_suspension::fmi

@@ -1,0 +1,90 @@
+// The variables of an FMU: the same list for modelDescription.xml and for the binary.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fmi/runtime/component_data.h"
+
+namespace rubber_suspension::fmi {
+
+/// The place of a variable in the list, by which an importer names it.
+using Reference = std::uint32_t;
+
+/// The variables that every FMU has; the parameters follow.
+namespace reference {
+constexpr Reference kTime = 0;
+constexpr Reference kDisplacement = 1;
+constexpr Reference kForce = 2;
+constexpr Reference kElastic = 3;
+constexpr Reference kViscous = 4;
+constexpr Reference kFriction = 5;
+constexpr Reference kFirstParameter = 6;
+}  // namespace reference
+
+enum class Causality {
+  independent,
+  input,
+  output,
+  parameter,             ///< can be set until the initialisation ends
+  calculated_parameter,  ///< of an element that the model estimates from the specification
+};
+
+/// One variable; all are real numbers.
+struct Variable {
+  std::string name;
+  std::string unit;  ///< in UDUNITS spelling, "1" for none
+  std::string description;
+  Causality causality = Causality::parameter;
+  std::optional<double> start;  ///< of inputs and parameters
+  element::Range range;         ///< an open end is one by the description alone, FMI has no word for it
+};
+
+/// Where in the data of a component the value of a parameter stands.
+struct Place {
+  enum class List { specification, model, add };
+  List list;
+  std::size_t entry;     ///< of model or add
+  std::string key;       ///< name of the parameter
+  std::size_t position;  ///< in a list of numbers; 0 for a single one
+};
+
+/// All variables of one component. Those of its parameters come in the order: specification, elements of the model
+/// where they are listed, elements added; then the calculated ones.
+class VariableTable {
+ public:
+  /// Throws std::invalid_argument where the specification has no solution.
+  explicit VariableTable(const ComponentData& data);
+
+  const std::vector<Variable>& variables() const { return variables_; }
+
+  /// The number of parameters that can be set, and of all parameters. The first has the reference kFirstParameter.
+  std::size_t freeCount() const { return free_count_; }
+  std::size_t parameterCount() const { return places_.size(); }
+
+  const Place& place(std::size_t parameter) const { return places_[parameter]; }
+
+  /// Values of the parameters that can be set, as the data has them.
+  std::vector<double> startValues() const;
+
+  /// Values of the calculated parameters that these elements have. Throws std::invalid_argument where they are other
+  /// elements than those of the table.
+  std::vector<double> calculatedValues(const std::vector<element::ElementDescription>& model_elements) const;
+
+ private:
+  void addCommon(const ComponentData& data);
+  void addSpecification(const ComponentData& data);
+  void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
+  void addParameter(const Variable& variable, const Place& place);
+
+  std::vector<Variable> variables_;
+  std::vector<Place> places_;
+  std::size_t free_count_ = 0;
+};
+
+/// Put a value at its place. Only for places of parameters that can be set.
+void setValue(ComponentData& data, const Place& place, double value);
+
+}  // namespace rubber_suspension::fmi

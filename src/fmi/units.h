@@ -1,0 +1,17 @@
+// Units of UDUNITS spelling in the base units that FMI knows.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubber_suspension::fmi {
+
+/// Exponents of kg, m, s, A, K, rad; those that are 0 are left out.
+using BaseUnit = std::vector<std::pair<std::string, int>>;
+
+/// The base units of a unit such as "N s/m" or "N/m^3". Factors and offsets are not needed: all units inside are SI.
+/// Throws std::invalid_argument on a symbol that it does not know.
+BaseUnit baseUnitOf(const std::string& unit);
+
+}  // namespace rubber_suspension::fmi

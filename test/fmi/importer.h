@@ -1,0 +1,84 @@
+// What an importer does with an FMU: unpacks it, loads its binary with dlopen and calls the functions of the standard.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fmi/export.h"
+
+namespace rubber_suspension::fmi::test {
+
+/// What the functions return, in both versions.
+enum Result { kOk = 0, kWarning = 1, kDiscard = 2, kError = 3, kFatal = 4 };
+
+/// An unpacked FMU in a folder of its own, whose binary is loaded and then deleted: nothing is left to read.
+class LoadedFmu {
+ public:
+  LoadedFmu(const io::ComponentDescription& description, Version version);
+  ~LoadedFmu();
+  LoadedFmu(const LoadedFmu&) = delete;
+  LoadedFmu& operator=(const LoadedFmu&) = delete;
+
+  Version version() const { return version_; }
+  const std::string& guid() const { return guid_; }
+
+  /// A function by its name. Throws where the binary has none.
+  template <class Function>
+  Function* function(const char* name) const {
+    return reinterpret_cast<Function*>(symbol(name));
+  }
+
+  /// The value references by the names in modelDescription.xml.
+  Reference reference(const std::string& name) const { return references_.at(name); }
+  const std::map<std::string, Reference>& references() const { return references_; }
+
+ private:
+  void* symbol(const char* name) const;
+
+  Version version_;
+  std::string guid_;
+  std::map<std::string, Reference> references_;
+  void* library_ = nullptr;
+};
+
+/// One instance, by the functions of either version; what it logs is kept.
+class Importer {
+ public:
+  struct Message {
+    int status;
+    std::string category;
+    std::string text;
+  };
+
+  static std::unique_ptr<Importer> make(const LoadedFmu& fmu, const std::string& token, bool logging = false);
+  virtual ~Importer() = default;
+
+  virtual bool valid() const = 0;
+  virtual int enterInitialisation(double start) = 0;
+  virtual int exitInitialisation() = 0;
+  virtual int terminate() = 0;
+  virtual int reset() = 0;
+  virtual int set(const Reference* references, std::size_t count, const double* values) = 0;
+  virtual int get(const Reference* references, std::size_t count, double* values) = 0;
+  virtual int step(double time, double size) = 0;
+  virtual int save(void** state) = 0;
+  virtual int restore(void* state) = 0;
+  virtual int free(void** state) = 0;
+  virtual int serialisedSize(void* state, std::size_t* size) = 0;
+  virtual int serialise(void* state, char* bytes, std::size_t size) = 0;
+  virtual int deserialise(const char* bytes, std::size_t size, void** state) = 0;
+  virtual int setLogging(bool on, const std::vector<const char*>& categories) = 0;
+
+  int set(Reference reference, double value) { return set(&reference, 1, &value); }
+  double value(Reference reference);  ///< fails the test where it cannot be had
+
+  /// Enter and exit initialisation at a displacement [m].
+  void start(double displacement, double time = 0.0);
+
+  std::vector<Message> messages;
+};
+
+}  // namespace rubber_suspension::fmi::test
