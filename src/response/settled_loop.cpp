@@ -24,6 +24,9 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
   if (!(amplitude > 0.0) || !std::isfinite(amplitude)) {
     throw std::invalid_argument(fmt::format("amplitude: {:g} m makes no loop; accepted: greater than 0", amplitude));
   }
+  if (!std::isfinite(options.mean)) {
+    throw std::invalid_argument(fmt::format("mean displacement: {:g} m; accepted: finite", options.mean));
+  }
   if (options.samples < 8 || options.samples % 4 != 0) {
     throw std::invalid_argument(
         fmt::format("samples: {} per cycle; accepted: a multiple of 4, at least 8", options.samples));
@@ -31,14 +34,14 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
 }
 
 // Displacement of every sample of a cycle; the turning points are exact.
-std::vector<double> sineDisplacement(double amplitude, int samples) {
+std::vector<double> sineDisplacement(double amplitude, double mean, int samples) {
   std::vector<double> displacement(samples);
   for (int i = 0; i < samples; ++i) {
-    displacement[i] = -amplitude * std::cos(2.0 * element::kPi * i / samples);
+    displacement[i] = mean - amplitude * std::cos(2.0 * element::kPi * i / samples);
   }
-  displacement[0] = -amplitude;
-  displacement[samples / 2] = amplitude;
-  displacement[samples / 4] = displacement[3 * samples / 4] = 0.0;
+  displacement[0] = mean - amplitude;
+  displacement[samples / 2] = mean + amplitude;
+  displacement[samples / 4] = displacement[3 * samples / 4] = mean;
   return displacement;
 }
 
@@ -99,21 +102,23 @@ struct RunningLaw {
   ParallelPointer law;
   std::vector<double> memory;
 
-  RunningLaw(ParallelPointer element, double amplitude) : law(std::move(element)), memory(law->memorySize()) {
+  RunningLaw(ParallelPointer element, double amplitude, double mean)
+      : law(std::move(element)), memory(law->memorySize()) {
     if (const auto* berg = dynamic_cast<const element::BergFriction*>(law.get())) {
-      berg->startSettled(amplitude, 0.0, memory.data());
+      berg->startSettled(amplitude, mean, memory.data());
     } else {
-      law->initialise(-amplitude, memory.data());
+      law->initialise(mean - amplitude, memory.data());
     }
   }
 };
 
 // Adds to the loop what the linear laws contribute.
-void addEllipse(SettledLoop& loop, std::complex<double> stiffness) {
+void addEllipse(SettledLoop& loop, std::complex<double> stiffness, double mean) {
   const int samples = static_cast<int>(loop.force.size());
   for (int i = 0; i < samples; ++i) {
     const double phase = 2.0 * element::kPi * i / samples;
-    loop.force[i] += stiffness.real() * loop.displacement[i] + stiffness.imag() * loop.amplitude * std::sin(phase);
+    loop.force[i] +=
+        stiffness.real() * (loop.displacement[i] - mean) + stiffness.imag() * loop.amplitude * std::sin(phase);
   }
 }
 
@@ -125,7 +130,7 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
     if (const auto stiffness = law->complexStiffness(omega)) {
       linear += *stiffness;
     } else {
-      running.emplace_back(law, loop.amplitude);
+      running.emplace_back(law, loop.amplitude, options.mean);
     }
   }
   const double dt = 1.0 / (loop.frequency * options.samples);
@@ -147,7 +152,7 @@ void simulateParallel(SettledLoop& loop, const std::vector<ParallelPointer>& law
   } else {
     settle(loop, options, runCycle);
   }
-  addEllipse(loop, linear);
+  addEllipse(loop, linear, options.mean);
 }
 
 void simulateWhole(SettledLoop& loop, const component::Component& component, const LoopOptions& options) {
@@ -210,7 +215,7 @@ SettledLoop simulateSettledLoop(const component::Component& component, double fr
   SettledLoop loop;
   loop.frequency = frequency;
   loop.amplitude = amplitude;
-  loop.displacement = sineDisplacement(amplitude, options.samples);
+  loop.displacement = sineDisplacement(amplitude, options.mean, options.samples);
   loop.force.assign(options.samples, 0.0);
   const std::vector<ParallelPointer> laws = parallelLaws(component);
   if (laws.empty()) {

@@ -15,14 +15,16 @@ struct LoopOptions {
   /// cycles as a geometric series, is below this part of the range of the force.
   double tolerance = 1e-9;
   int maximum_cycles = 20000;
+  /// The sine swings about this displacement [m]: what a preload does to a nonlinear component.
+  double mean = 0.0;
 };
 
-/// One cycle z = -A cos(phase), from the lower turning point.
+/// One cycle z = mean - A cos(phase), from the lower turning point.
 struct SettledLoop {
   double frequency = 0.0;            ///< [Hz]
   double amplitude = 0.0;            ///< [m]
   std::vector<double> displacement;  ///< [m]
-  std::vector<double> force;         ///< [N]
+  std::vector<double> force;         ///< [N]; the linear parts without that of the mean displacement
   int cycles = 0;                    ///< simulated until settled; 0 where all parts are in closed form
   double remaining = 0.0;            ///< change of the force still to come, over its range [-]
   bool settled = false;              ///< remaining is below the tolerance

@@ -1,0 +1,135 @@
+// The table of a component, and what it leaves out.
+#include "command/characteristic_table.h"
+
+#include <fmt/format.h>
+
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "io/progress.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::command {
+namespace {
+
+constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so far
+
+// What the settled loops under sines do not show, or do not tell apart, by law.
+const std::map<std::string, std::string>& losses() {
+  static const std::map<std::string, std::string> table = {
+      {"stress_softening", "softening goes on over the first cycles; the table has the state after them"},
+      {"self_heating", "heat builds up over minutes; the table has the warm state of each sine"},
+      {"time_delay", "a delay of the force looks like a loss angle that rises with the frequency"},
+      {"force_offset", "a constant force is not seen"},
+      {"force_drift", "a drift of the force is not seen"},
+      {"creep", "creep at rest is not seen; in the table it is a little more stiffness and loss at low frequency"},
+      {"friction", "friction depends on the path; for two sines at once the table cannot say its force"},
+      {"coulomb_friction", "friction depends on the path; for two sines at once the table cannot say its force"},
+      {"iwan", "friction depends on the path; for two sines at once the table cannot say its force"},
+      {"iwan_table", "friction depends on the path; for two sines at once the table cannot say its force"},
+  };
+  return table;
+}
+
+std::vector<std::string> notesOn(const component::Component& component) {
+  std::vector<std::string> notes;
+  for (const element::ElementDescription& element : component.elements()) {
+    const auto found = losses().find(element.type);
+    if (found != losses().end()) {
+      notes.push_back(element.type + ": " + found->second);
+    }
+  }
+  if (!component.linear()) {
+    notes.emplace_back(
+        "the component is nonlinear: stiffness and loss angle are those of the whole loop under one sine, "
+        "and the form of the loop is lost");
+  }
+  return notes;
+}
+
+// First harmonic of the force over the displacement mean - A cos(phase).
+std::complex<double> firstHarmonic(const response::SettledLoop& loop) {
+  std::complex<double> sum = 0.0;
+  const std::size_t samples = loop.force.size();
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double phase = 2.0 * element::kPi * static_cast<double>(i) / static_cast<double>(samples);
+    sum += loop.force[i] * std::complex<double>(-std::cos(phase), std::sin(phase));
+  }
+  return 2.0 * sum / (static_cast<double>(samples) * loop.amplitude);
+}
+
+TableRow rowAt(const component::Component& component, double frequency, double amplitude, double preload, double mean) {
+  TableRow row;
+  row.preload = preload;
+  row.mean = mean;
+  if (const auto stiffness = component.complexStiffness(frequency)) {
+    row.point = {frequency, amplitude, response::characteristicsOfEllipse(*stiffness, amplitude), true};
+    row.complex_stiffness = *stiffness;
+    return row;
+  }
+  response::LoopOptions options;
+  options.mean = mean;
+  const response::SettledLoop loop = response::simulateSettledLoop(component, frequency, amplitude, options);
+  row.point = {frequency, amplitude, loop.characteristics(), loop.settled};
+  row.complex_stiffness = firstHarmonic(loop);
+  return row;
+}
+
+}  // namespace
+
+double restingDisplacement(const component::Component& component, double force) {
+  component::ComponentState state = component.makeState();
+  const auto excess = [&](double displacement) { return component.initialise(state, displacement).total - force; };
+  const double at_rest = excess(0.0);
+  if (at_rest == 0.0) {
+    return 0.0;
+  }
+  const double end = at_rest < 0.0 ? kWidest : -kWidest;
+  const double at_end = excess(end);
+  if (!(at_rest * at_end <= 0.0)) {
+    throw std::invalid_argument(fmt::format(
+        "preload: {:g} N is not reached within {:g} m; accepted: what the component carries at rest", force, kWidest));
+  }
+  boost::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(excess, std::min(0.0, end), std::max(0.0, end),
+                                                         end > 0.0 ? at_rest : at_end, end > 0.0 ? at_end : at_rest,
+                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+CharacteristicTable makeTable(const std::string& name, const component::Component& component, const TableGrid& grid) {
+  CharacteristicTable table;
+  table.component = name;
+  table.notes = notesOn(component);
+  io::Progress progress("table of " + name, grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
+  for (const double preload : grid.preloads) {
+    const double mean = preload == 0.0 ? 0.0 : restingDisplacement(component, preload);
+    for (const double amplitude : grid.amplitudes) {
+      for (const double frequency : grid.frequencies) {
+        table.rows.push_back(rowAt(component, frequency, amplitude, preload, mean));
+        if (!table.rows.back().point.settled) {
+          table.notes.push_back(
+              fmt::format("{:g} Hz, {:g} m, {:g} N: the loop had not settled", frequency, amplitude, preload));
+        }
+        progress.advance(1);
+      }
+    }
+  }
+  return table;
+}
+
+std::string toCsv(const CharacteristicTable& table) {
+  std::string text =
+      "frequency_Hz,amplitude_m,preload_N,mean_displacement_m,stiffness_N_per_m,loss_angle_rad,"
+      "storage_stiffness_N_per_m,loss_stiffness_N_per_m\n";
+  for (const TableRow& row : table.rows) {
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", row.point.frequency, row.point.amplitude, row.preload, row.mean,
+                        row.point.characteristics.stiffness, row.point.characteristics.loss_angle,
+                        row.complex_stiffness.real(), row.complex_stiffness.imag());
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension::command
