@@ -11,6 +11,7 @@
 #include "apps/plot_option.h"
 #include "command/data_sheet.h"
 #include "command/identify.h"
+#include "command/measured_table.h"
 #include "log/new_file.h"
 #include "rubber_suspension/log/units.h"
 
@@ -30,6 +31,7 @@ struct Options {
   std::string product;
   int points = command::SweepOptions().points;
   std::vector<std::string> logs;
+  std::string table;
   LogOptions log_options;
   fit::IdentificationOptions identification;
   std::string output;
@@ -87,7 +89,7 @@ void checkOptions(const CLI::App& app, const Options& options) {
     throw UsageError("accepted: one of --config and --data-sheet (see --help)");
   }
   if (!options.data_sheet.empty()) {
-    refuseUnused(app, {"--component", "--json", "--plot", "--from-log"}, "with --data-sheet");
+    refuseUnused(app, {"--component", "--json", "--plot", "--from-log", "--from-table"}, "with --data-sheet");
     refuseUnused(app, kSweepOptions, "with --data-sheet");
   }
   if (options.logs.empty()) {
@@ -96,13 +98,18 @@ void checkOptions(const CLI::App& app, const Options& options) {
     refuseUnused(app, kSweepOptions, "with --from-log");
     options.log_options.requireUse(options.logs);
   }
-  if (options.logs.empty() && options.data_sheet.empty()) {
-    refuseUnused(app, {"--output"}, "without --from-log or --data-sheet");
+  if (!options.table.empty()) {
+    refuseUnused(app, {"--from-log", "--json", "--plot"}, "with --from-table");
+    refuseUnused(app, kSweepOptions, "with --from-table");
+  }
+  if (options.logs.empty() && options.data_sheet.empty() && options.table.empty()) {
+    refuseUnused(app, {"--output"}, "without --from-log, --from-table or --data-sheet");
   }
 }
 
 void checkFiles(const Options& options) {
-  std::vector<io::InputFile> inputs = {{"--config", options.config}, {"--data-sheet", options.data_sheet}};
+  std::vector<io::InputFile> inputs = {
+      {"--config", options.config}, {"--data-sheet", options.data_sheet}, {"--from-table", options.table}};
   addInputs(inputs, "--from-log", options.logs);
   options.outputs.check(inputs, {{"--output", options.output, io::FileKind::component_file},
                                  {"--plot", options.plot, io::FileKind::figure}});
@@ -148,6 +155,18 @@ std::vector<command::EstimateReport> smoothReports(const std::vector<io::Compone
     reports.push_back(command::makeEstimateReport(component, sweeps));
   }
   return reports;
+}
+
+int fitToTable(const Options& options) {
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const command::MeasuredTable table = command::readTable(options.table);
+  const fit::TableFit result = fit::fitToTable(description, table.points);
+  if (!options.output.empty()) {
+    log::writeNewFile(options.output, io::toYaml({result.component}));
+  }
+  std::cout << command::toText(result, table);
+  return kSuccess;
 }
 
 int estimateComponents(const Options& options) {
@@ -202,6 +221,9 @@ CommandBody define(CLI::App& app) {
          "--from-log", options->logs,
          "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several times")
       ->type_name("FILE");
+  app.add_option("--from-table", options->table,
+                 "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
+      ->type_name("FILE");
   app.add_option("--hold", options->identification.held,
                  "parameter to keep fixed with --from-log, such as friction.displacement")
       ->type_name("ELEMENT.PARAMETER");
@@ -210,7 +232,7 @@ CommandBody define(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--output", options->output,
-                 "component file to write, with the parameters found by --from-log or from --data-sheet")
+                 "component file to write, with the parameters found by --from-log, --from-table or from --data-sheet")
       ->type_name("FILE");
   options->log_options.addTo(app);
   options->outputs.addTo(app);
@@ -219,6 +241,9 @@ CommandBody define(CLI::App& app) {
     checkFiles(*options);
     if (!options->data_sheet.empty()) {
       return convertDataSheet(*options);
+    }
+    if (!options->table.empty()) {
+      return fitToTable(*options);
     }
     return options->logs.empty() ? estimateComponents(*options) : identifyComponent(*options);
   };
@@ -230,7 +255,7 @@ CommandBody define(CLI::App& app) {
 int main(int argc, char** argv) {
   return rubber_suspension::apps::runCommand(
       argc, argv, "estimate",
-      "Estimates the parameters of rubber components from their specifications, from measured logs or from data "
-      "sheets, and prints them with stiffness and loss angle over frequency and amplitude.",
+      "Estimates the parameters of rubber components from their specifications, from measured logs or tables or from "
+      "data sheets, and prints them with stiffness and loss angle over frequency and amplitude.",
       rubber_suspension::apps::define);
 }

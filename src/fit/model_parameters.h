@@ -35,6 +35,9 @@ class ModelParameters {
   /// component, and of 10 on values of single elements, which stand for each other.
   double bound(Eigen::Index parameter) const;
 
+  /// The configured value of a parameter of an element, at the level of elements [SI].
+  double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
+
   /// The component with these logarithms of ratios. Throws std::invalid_argument where there is none.
   io::ComponentDescription apply(const Eigen::VectorXd& logarithms) const;
 

@@ -1,0 +1,219 @@
+// Measured tables as text.
+#include "command/measured_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "log/column_name.h"
+#include "log/text.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::command {
+namespace {
+
+constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
+
+struct Quantity {
+  const char* name;
+  const char* unit;  // SI
+  bool needed;
+};
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> table = {{"frequency", "Hz", true},
+                                              {"amplitude", "m", true},
+                                              {"stiffness", "N/m", true},
+                                              {"loss angle", "rad", true},
+                                              {"preload", "N", false}};
+  return table;
+}
+
+// A column that is used: which quantity, and how to make it SI.
+struct Column {
+  std::size_t quantity;
+  log::UnitConversion conversion;
+};
+
+class TableReader {
+ public:
+  explicit TableReader(std::string source) : source_(std::move(source)) {}
+
+  MeasuredTable read(const std::string& text) {
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+      ++line_;
+      if (!line.empty() && line.back() == '\r') {
+        line.pop_back();
+      }
+      if (log::trimmed(line).empty() || line[0] == '#') {
+        continue;
+      }
+      columns_.empty() ? readHeader(line) : readRow(line);
+    }
+    if (columns_.empty()) {
+      refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
+    }
+    return table_;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw std::runtime_error(fmt::format("{}:{}: {}", source_, line_, reason));
+  }
+
+  std::vector<std::string> fieldsOf(const std::string& line) const {
+    std::vector<std::string> fields(1);
+    for (const char c : line) {
+      if (c == separator_) {
+        fields.emplace_back();
+      } else {
+        fields.back() += c;
+      }
+    }
+    std::transform(fields.begin(), fields.end(), fields.begin(), log::trimmed);
+    return fields;
+  }
+
+  void readHeader(const std::string& line) {
+    const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
+    separator_ = *std::max_element(kSeparators.begin(), kSeparators.end(),
+                                   [&](char one, char other) { return count(one) < count(other); });
+    std::vector<std::string> ignored;
+    for (const std::string& field : fieldsOf(line)) {
+      columns_.push_back(columnOf(field));
+      if (!columns_.back()) {
+        ignored.push_back(log::quoted(field));
+      }
+    }
+    for (std::size_t i = 0; i < quantities().size(); ++i) {
+      const auto times = std::count_if(columns_.begin(), columns_.end(),
+                                       [&](const auto& column) { return column && column->quantity == i; });
+      if (times > 1 || (times == 0 && quantities()[i].needed)) {
+        refuse(fmt::format("{}: {}; accepted: one column, with a unit such as '{} [{}]'", quantities()[i].name,
+                           times == 0 ? "missing" : "stands twice", quantities()[i].name, quantities()[i].unit));
+      }
+    }
+    if (!ignored.empty()) {
+      table_.notes.push_back("columns ignored: " + log::join(ignored));
+    }
+  }
+
+  // "loss_angle_rad", "loss angle [deg]", "stiffness_N_per_m"; nothing for another column.
+  std::optional<Column> columnOf(const std::string& field) const {
+    for (std::size_t i = 0; i < quantities().size(); ++i) {
+      const Quantity& quantity = quantities()[i];
+      std::string unit = unitBehind(field, quantity.name);
+      const std::size_t per = unit.find("_per_");
+      if (per != std::string::npos) {
+        unit.replace(per, 5, "/");
+      }
+      if (unit.empty()) {
+        continue;
+      }
+      try {
+        return Column{i, log::UnitConversion(unit, quantity.unit)};
+      } catch (const std::invalid_argument& error) {
+        refuse(fmt::format("column {}: {}", log::quoted(field), error.what()));
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The unit of a column of this name, "" where it is another column.
+  static std::string unitBehind(const std::string& field, std::string name) {
+    const std::string lower = log::lowerCase(field);
+    for (const char blank : {' ', '_'}) {
+      std::replace(name.begin(), name.end(), ' ', blank);
+      if (lower.compare(0, name.size(), name) == 0) {
+        std::string unit = log::trimmed(field.substr(name.size()));
+        const bool marked = unit.size() > 1 && (unit[0] == '_' || unit[0] == '[' || unit[0] == '(');
+        if (marked) {
+          const char last = unit.back();
+          return unit.substr(1, unit.size() - (last == ']' || last == ')' ? 2 : 1));
+        }
+      }
+    }
+    return "";
+  }
+
+  void readRow(const std::string& line) {
+    const std::vector<std::string> fields = fieldsOf(line);
+    if (fields.size() != columns_.size()) {
+      refuse(fmt::format("{} fields; accepted: {}, as in the header", fields.size(), columns_.size()));
+    }
+    std::map<std::size_t, double> values;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (columns_[i]) {
+        const auto number = log::parseNumber(fields[i]);
+        if (!number) {
+          refuse(fmt::format("{}: {} is no number", quantities()[columns_[i]->quantity].name, log::quoted(fields[i])));
+        }
+        values[columns_[i]->quantity] = columns_[i]->conversion(*number);
+      }
+    }
+    addPoint({values[0], values[1], values[2], values[3]}, values.count(4) == 0 ? 0.0 : values[4]);
+  }
+
+  void addPoint(const fit::TablePoint& point, double preload) {
+    const bool positive = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0;
+    const bool finite = std::isfinite(point.frequency + point.amplitude + point.stiffness);
+    if (!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi)) {
+      refuse(
+          fmt::format("{:g} Hz, {:g} m, {:g} N/m, {:g} rad; accepted: the first three greater than 0, the angle at "
+                      "most 90 degrees",
+                      point.frequency, point.amplitude, point.stiffness, point.loss_angle));
+    }
+    if (preload != 0.0) {
+      refuse(fmt::format("preload: {:g} N; accepted: 0, since a fit takes no preload", preload));
+    }
+    table_.points.push_back(point);
+  }
+
+  static constexpr std::string_view kSeparators = ",;\t";
+
+  std::string source_;
+  std::size_t line_ = 0;
+  char separator_ = ',';
+  std::vector<std::optional<Column>> columns_;
+  MeasuredTable table_;
+};
+
+}  // namespace
+
+MeasuredTable parseTable(const std::string& text, const std::string& source) { return TableReader(source).read(text); }
+
+MeasuredTable readTable(const std::string& path) {
+  try {
+    return parseTable(log::readFile(path, kLargestFile), path);
+  } catch (const std::runtime_error& error) {
+    const std::string reason = error.what();
+    throw std::runtime_error(reason.compare(0, path.size(), path) == 0 ? reason : path + ": " + reason);
+  }
+}
+
+std::string toText(const fit::TableFit& fit, const MeasuredTable& table) {
+  std::string text = fmt::format("component {}, parameters from a table of {} points\n  {:<44} {:>14} {:>14}\n",
+                                 fit.component.name, table.points.size(), "parameter", "given", "found");
+  for (const fit::FittedParameter& parameter : fit.parameters) {
+    text += fmt::format(
+        "  {:<44} {:>14.6g} {:>14.6g}{}\n", parameter.name, parameter.given, parameter.value,
+        parameter.determined ? fmt::format("  +- {:.2g} %", 196.0 * parameter.deviation) : "  not determined");
+  }
+  text += fmt::format("  mean difference of K*: {:.3g} % as given, {:.3g} % as found\n", 100.0 * fit.misfit_before,
+                      100.0 * fit.misfit);
+  text +=
+      "  note: settled loops under single sines show no softening, no heating on the way, no offset, no drift; a delay "
+      "of the force looks like loss\n";
+  for (const std::string& note : table.notes) {
+    text += "  note: " + note + "\n";
+  }
+  return text;
+}
+
+}  // namespace rubber_suspension::command

@@ -1,0 +1,27 @@
+// A measured table of stiffness and loss angle: reading it, and what `estimate --from-table` shows of a fit to it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/table_fit.h"
+
+namespace rubber_suspension::command {
+
+struct MeasuredTable {
+  std::vector<fit::TablePoint> points;
+  std::vector<std::string> notes;  ///< columns that were ignored
+};
+
+/// A text of columns with a header: frequency, amplitude, stiffness, loss angle, each with its unit in the name, as
+/// "stiffness [kN/mm]", or as `export_table` writes them; separated by commas, semicolons or tabs, with decimal points.
+/// Lines that begin with # and empty ones are passed over. Throws std::runtime_error with `source`, the name of the
+/// file, line, column, value and what is accepted; rows with a preload are refused.
+MeasuredTable parseTable(const std::string& text, const std::string& source);
+
+/// The same from a file of at most 16 MiB.
+MeasuredTable readTable(const std::string& path);
+
+std::string toText(const fit::TableFit& fit, const MeasuredTable& table);
+
+}  // namespace rubber_suspension::command

@@ -1,0 +1,212 @@
+// Fit to a table: the settled loops of the model against the points, by Ceres.
+#include "fit/table_fit.h"
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "fit/model_parameters.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Of a cycle; the loops of a table are known to a percent or so, and 180 samples cost the area 2e-4 of it.
+constexpr int kSamples = 180;
+constexpr double kStep = 1e-4;                      // of a logarithm, for differences
+const double kUndetermined = std::log(2.0) / 1.96;  // an interval of a factor of 2 to either side
+
+Complex measured(const TablePoint& point) { return std::polar(point.stiffness, point.loss_angle); }
+
+Complex simulated(const component::Component& component, const TablePoint& point) {
+  response::LoopOptions options;
+  options.samples = kSamples;
+  const auto loop = response::characteristicsAt(component, point.frequency, point.amplitude, options).characteristics;
+  return std::polar(loop.stiffness, loop.loss_angle);
+}
+
+// Relative differences, real parts and imaginary parts by turns.
+Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
+  Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Complex target = measured(points[i]);
+    const Complex difference = (simulated(component, points[i]) - target) / std::abs(target);
+    result[2 * static_cast<Eigen::Index>(i)] = difference.real();
+    result[2 * static_cast<Eigen::Index>(i) + 1] = difference.imag();
+  }
+  return result;
+}
+
+double misfitOf(const Eigen::VectorXd& residual) {
+  return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
+}
+
+void checkPoints(const std::vector<TablePoint>& points) {
+  if (points.size() < 2) {
+    throw std::invalid_argument(fmt::format("table: {} points; accepted: at least 2", points.size()));
+  }
+  for (const TablePoint& point : points) {
+    const bool good = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0 &&
+                      std::isfinite(point.frequency + point.amplitude + point.stiffness) &&
+                      std::abs(point.loss_angle) < 1.6;
+    if (!good) {
+      throw std::invalid_argument(
+          fmt::format("table: {:g} Hz, {:g} m, {:g} N/m, {:g} rad; accepted: the first three greater than 0, the angle "
+                      "below 90 degrees",
+                      point.frequency, point.amplitude, point.stiffness, point.loss_angle));
+    }
+  }
+}
+
+// The parameters that are moved, and the residuals over their logarithms.
+class Unknowns {
+ public:
+  Unknowns(const io::ComponentDescription& description, const std::vector<TablePoint>& points)
+      : parameters_(description, Level::elements), points_(points) {
+    // The break frequencies spread the elements over the range: with them kept the stiffnesses have one best fit.
+    const bool spread = description.model() == estimation::Model::multi_maxwell;
+    for (Eigen::Index i = 0; i < parameters_.size(); ++i) {
+      const std::string& name = parameters_.names()[static_cast<std::size_t>(i)];
+      if (!spread || name.find("break_frequency") == std::string::npos) {
+        free_.push_back(i);
+      }
+    }
+  }
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(free_.size()); }
+  const std::vector<TablePoint>& points() const { return points_; }
+  double bound(Eigen::Index i) const { return parameters_.bound(place(i)); }
+  const std::string& name(Eigen::Index i) const { return parameters_.names()[static_cast<std::size_t>(place(i))]; }
+  double given(Eigen::Index i) const { return parameters_.configured(place(i)); }
+  io::ComponentDescription apply(const Eigen::VectorXd& x) const { return parameters_.apply(all(x)); }
+
+  /// Throws std::invalid_argument where there is no such component.
+  Eigen::VectorXd residuals(const Eigen::VectorXd& x) const { return differences(apply(x).makeComponent(), points_); }
+
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(points_.size()), size());
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(size(), i);
+      result.col(i) = (residuals(x + step) - residuals(x - step)) / (2.0 * kStep);
+    }
+    return result;
+  }
+
+ private:
+  Eigen::Index place(Eigen::Index i) const { return free_[static_cast<std::size_t>(i)]; }
+
+  Eigen::VectorXd all(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(parameters_.size());
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      result[place(i)] = x[i];
+    }
+    return result;
+  }
+
+  ModelParameters parameters_;
+  const std::vector<TablePoint>& points_;
+  std::vector<Eigen::Index> free_;
+};
+
+// The same as Ceres calls them.
+class Cost final : public ceres::CostFunction {
+ public:
+  explicit Cost(const Unknowns& unknowns) : unknowns_(unknowns) {
+    set_num_residuals(static_cast<int>(2 * unknowns.points().size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns.size()));
+  }
+
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::Map<const Eigen::VectorXd> x(parameters[0], unknowns_.size());
+    Eigen::Map<Eigen::VectorXd> result(residuals, num_residuals());
+    try {
+      result = unknowns_.residuals(x);
+      if (jacobians != nullptr && jacobians[0] != nullptr) {
+        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        Eigen::Map<RowMajor>(jacobians[0], num_residuals(), unknowns_.size()) = unknowns_.jacobian(x);
+      }
+    } catch (const std::invalid_argument&) {
+      return false;  // no component has these parameters
+    }
+    return result.allFinite();
+  }
+
+ private:
+  const Unknowns& unknowns_;
+};
+
+Eigen::VectorXd search(const Unknowns& unknowns) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns.size());
+  ceres::Problem problem;
+  problem.AddResidualBlock(new Cost(unknowns), nullptr, x.data());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    problem.SetParameterLowerBound(x.data(), static_cast<int>(i), -unknowns.bound(i));
+    problem.SetParameterUpperBound(x.data(), static_cast<int>(i), unknowns.bound(i));
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 200;
+  options.function_tolerance = 1e-12;
+  options.parameter_tolerance = 1e-9;
+  options.logging_type = ceres::SILENT;
+  options.max_num_line_search_step_size_iterations = 0;  // steps beyond a bound are cut; no search along each step
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return x;
+}
+
+// Standard deviations of the logarithms: sigma^2 (J'J)^-1, infinite along what no point shows.
+Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobian.transpose() * jacobian);
+  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
+  const double variance = residual.squaredNorm() / freedom;
+  const double smallest = 1e-12 * solver.eigenvalues().maxCoeff();
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian.cols());
+  for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
+    const double value = solver.eigenvalues()[k];
+    for (Eigen::Index i = 0; i < result.size(); ++i) {
+      const double share = solver.eigenvectors()(i, k) * solver.eigenvectors()(i, k);
+      result[i] += value > smallest ? share * variance / value
+                   : share > 1e-6   ? std::numeric_limits<double>::infinity()
+                                    : 0.0;
+    }
+  }
+  return result.cwiseSqrt();
+}
+
+}  // namespace
+
+double tableMisfit(const component::Component& component, const std::vector<TablePoint>& points) {
+  checkPoints(points);
+  return misfitOf(differences(component, points));
+}
+
+TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points) {
+  checkPoints(points);
+  const Unknowns unknowns(description, points);
+  if (unknowns.size() == 0) {
+    throw std::invalid_argument(description.name + ": has no parameter that a fit moves");
+  }
+  const Eigen::VectorXd x = search(unknowns);
+  const Eigen::VectorXd residual = unknowns.residuals(x);
+  const Eigen::VectorXd deviations = deviationsOf(unknowns.jacobian(x), residual);
+  TableFit fit;
+  fit.component = unknowns.apply(x);
+  fit.misfit_before = misfitOf(unknowns.residuals(0.0 * x));
+  fit.misfit = misfitOf(residual);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const bool at_bound = unknowns.bound(i) - std::abs(x[i]) < 1e-6;
+    fit.parameters.push_back({unknowns.name(i), unknowns.given(i), unknowns.given(i) * std::exp(x[i]),
+                              !at_bound && deviations[i] < kUndetermined, deviations[i]});
+  }
+  return fit;
+}
+
+}  // namespace rubber_suspension::fit

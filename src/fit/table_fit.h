@@ -1,0 +1,44 @@
+// Parameters of a component from a measured table of stiffness and loss angle.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::fit {
+
+/// One measured sine: dynamic stiffness and loss angle of its loop (Polach, IAVSD 2015, Eqs. 1 and 2).
+struct TablePoint {
+  double frequency = 0.0;   ///< [Hz]
+  double amplitude = 0.0;   ///< half of peak to peak [m]
+  double stiffness = 0.0;   ///< [N/m]
+  double loss_angle = 0.0;  ///< [rad]
+};
+
+/// A parameter that the fit moved.
+struct FittedParameter {
+  std::string name;        ///< as "friction[1].maximum_force"
+  double given = 0.0;      ///< what the fit began with
+  double value = 0.0;      ///< what it ended with
+  bool determined = true;  ///< false: at a bound, or a standard deviation of its logarithm above ln(2)/1.96
+  double deviation = 0.0;  ///< standard deviation of its logarithm, if the model is right; inf where nothing shows it
+};
+
+struct TableFit {
+  io::ComponentDescription component;  ///< as a list of elements, with the values found
+  std::vector<FittedParameter> parameters;
+  double misfit_before = 0.0;  ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
+  double misfit = 0.0;         ///< the same after the fit
+};
+
+/// RMS of |K*_model - K*|/|K*| over the points [-].
+double tableMisfit(const component::Component& component, const std::vector<TablePoint>& points);
+
+/// Least squares of (K*_model - K*)/|K*| over all points, in the logarithms of the parameters, each within a factor of
+/// 10 of what is given; counts, tables, dead bands and reference quantities are kept. The result is a local optimum:
+/// begin with a component of about the right size. Throws std::invalid_argument for fewer points than two, for points
+/// that are no loops, and where the component has no parameter that a table shows.
+TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points);
+
+}  // namespace rubber_suspension::fit

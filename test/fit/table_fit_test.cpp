@@ -1,0 +1,119 @@
+// Parameters from a table of stiffness and loss angle.
+#include "fit/table_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubber_suspension/fit/identification.h"
+#include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension::fit {
+namespace {
+
+using testing::HasSubstr;
+
+io::ComponentDescription bush(double stiffness, double maxwell, double break_frequency, double friction,
+                              double displacement) {
+  return {"bush",
+          {{"spring", {{"stiffness", {stiffness}}}},
+           {"maxwell", {{"stiffness", {maxwell}}, {"break_frequency", {break_frequency}}}},
+           {"friction", {{"maximum_force", {friction}}, {"displacement", {displacement}}}}}};
+}
+
+io::ComponentDescription truth() { return bush(3e6, 1e6, 2.0, 5e3, 2.2e-3); }
+io::ComponentDescription guess() { return bush(2.4e6, 1.7e6, 3.5, 3e3, 1.2e-3); }
+
+std::vector<TablePoint> tableOf(const io::ComponentDescription& description) {
+  const component::Component component = description.makeComponent();
+  std::vector<TablePoint> points;
+  for (const double amplitude : {1e-4, 4e-4, 1e-3, 4e-3}) {
+    for (const double frequency : {0.25, 1.0, 4.0, 16.0}) {
+      const auto loop = response::characteristicsAt(component, frequency, amplitude).characteristics;
+      points.push_back({frequency, amplitude, loop.stiffness, loop.loss_angle});
+    }
+  }
+  return points;
+}
+
+const FittedParameter& parameterOf(const TableFit& fit, const std::string& name) {
+  const auto found = std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                  [&](const FittedParameter& parameter) { return parameter.name == name; });
+  EXPECT_NE(found, fit.parameters.end()) << name;
+  return *found;
+}
+
+TEST(TableFit, FindsTheParametersThatMadeTheTable) {
+  const TableFit fit = fitToTable(guess(), tableOf(truth()));
+  EXPECT_GT(fit.misfit_before, 0.05);
+  // The table was made with four times the samples of a cycle that the fit takes, which moves areas by 2e-4.
+  EXPECT_LT(fit.misfit, 1e-3);
+  const std::vector<std::pair<std::string, double>> expected = {{"spring[0].stiffness", 3e6},
+                                                                {"maxwell[1].stiffness", 1e6},
+                                                                {"maxwell[1].break_frequency", 2.0},
+                                                                {"friction[2].maximum_force", 5e3},
+                                                                {"friction[2].displacement", 2.2e-3}};
+  ASSERT_EQ(fit.parameters.size(), expected.size());
+  for (const auto& [name, value] : expected) {
+    const FittedParameter& parameter = parameterOf(fit, name);
+    EXPECT_NEAR(parameter.value, value, 1e-2 * value) << name;
+    EXPECT_TRUE(parameter.determined) << name;
+  }
+  EXPECT_EQ(fit.component.elements().size(), 3U);
+}
+
+// A table and a log of one component lead to the same elements.
+TEST(TableFit, AgreesWithTheFitToALog) {
+  log::Log log;
+  log.name = "sines";
+  for (int i = 0; i < 20000; ++i) {
+    const double time = 1e-3 * i;
+    log.stamp.push_back(1000000LL * i);
+    log.displacement.push_back(2e-3 * std::sin(3.0 * time) + 5e-4 * std::sin(31.0 * time) +
+                               1e-4 * std::sin(200.0 * time));
+  }
+  log.force = gap::simulateLog(truth().makeComponent(), log);
+  IdentificationOptions options;
+  options.starts = 2;
+  options.held = {"friction.dead_band"};
+  const Identification identified = identify(guess().elements(), {log}, options);
+  const TableFit fit = fitToTable(guess(), tableOf(truth()));
+  for (const IdentifiedParameter& parameter : identified.parameters) {
+    const std::string name = parameter.element + "[" + std::to_string(parameter.index) + "]." + parameter.name;
+    EXPECT_NEAR(parameterOf(fit, name).value, parameter.value, 2e-2 * parameter.value) << name;
+  }
+  EXPECT_EQ(identified.parameters.size(), fit.parameters.size());
+}
+
+TEST(TableFit, TellsWhatTheTableDoesNotShow) {
+  std::vector<TablePoint> points;
+  const component::Component component = truth().makeComponent();
+  for (const double frequency : {40.0, 80.0}) {
+    const auto loop = response::characteristicsAt(component, frequency, 1e-3).characteristics;
+    points.push_back({frequency, 1e-3, loop.stiffness, loop.loss_angle});
+  }
+  const TableFit fit = fitToTable(guess(), points);
+  // Five parameters from four numbers of two points, at one amplitude, far above the break frequency.
+  EXPECT_TRUE(std::any_of(fit.parameters.begin(), fit.parameters.end(),
+                          [](const FittedParameter& parameter) { return !parameter.determined; }));
+}
+
+TEST(TableFit, RefusesWhatIsNoTable) {
+  const auto refuses = [](const std::vector<TablePoint>& points, const char* reason) {
+    EXPECT_THAT([&] { fitToTable(guess(), points); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr(reason)));
+  };
+  refuses({}, "0 points");
+  refuses({{1.0, 1e-3, 3e6, 0.1}}, "1 points");
+  refuses({{1.0, 1e-3, 3e6, 0.1}, {0.0, 1e-3, 3e6, 0.1}}, "0 Hz");
+  refuses({{1.0, 1e-3, 3e6, 0.1}, {1.0, 1e-3, 3e6, 2.0}}, "2 rad");
+  EXPECT_THROW(fitToTable(io::ComponentDescription(
+                              "none", {{"spring_table", {{"displacement", {-1e-3, 1e-3}}, {"force", {-1e3, 1e3}}}}}),
+                          tableOf(truth())),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::fit
