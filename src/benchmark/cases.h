@@ -25,6 +25,9 @@ std::vector<Case> estimationCases(const BenchmarkSize& size);
 /// Reading a log from text, in the form that this package writes and in another dialect.
 std::vector<Case> logCases(const BenchmarkSize& size);
 
+/// A component through its FMU, where the command `export_fmu` is built; none where not.
+std::vector<Case> fmuCases(const BenchmarkSize& size);
+
 /// A log offline; many components at each tick.
 std::vector<Case> replayCases(const BenchmarkSize& size);
 
