@@ -220,21 +220,28 @@ Status Instance::setDerivative(Reference reference, int order, double value) {
   return Status::ok;
 }
 
-// The component of the parameters as they are. Throws where there is none, and leaves everything as it was.
-void Instance::build() {
+// Throws where there is no component with these parameters.
+Instance::Build Instance::build(const std::vector<double>& parameters) const {
   ComponentData changed = data_;
-  for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    setValue(changed, table_.place(i), parameters_[i]);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    setValue(changed, table_.place(i), parameters[i]);
   }
-  const std::vector<element::ElementDescription> model_elements = changed.modelElements();
-  calculated_ = table_.calculatedValues(model_elements);
-  component_ = std::make_unique<const component::Component>(changed.allElements());
-  state_ = component_->makeState();
+  Build build;
+  build.calculated = table_.calculatedValues(changed.modelElements());
+  build.component = std::make_unique<const component::Component>(changed.allElements());
+  build.state = build.component->makeState();
+  return build;
+}
+
+void Instance::take(Build build) {
+  component_ = std::move(build.component);
+  calculated_ = std::move(build.calculated);
+  state_ = std::move(build.state);
 }
 
 void Instance::settle() {
   if (!component_) {
-    build();
+    take(build(parameters_));
   }
   if (!initialised_) {
     const element::ComponentForce force = component_->initialise(*state_, displacement_);
@@ -310,17 +317,19 @@ Status Instance::restore(const SavedState& state) {
   if (state.phase == Phase::failed || (state.phase > Phase::initialising && !state.settled)) {
     return error("restore of a state: it is not one to continue from");
   }
-  if (state.parameters != parameters_) {
-    parameters_ = state.parameters;
+  // All that can fail comes first: an instance is changed as a whole or not at all.
+  const bool other = state.parameters != parameters_;
+  if (state.settled && (other || !component_)) {
+    Build rebuilt = build(state.parameters);
+    rebuilt.state->deserialise(state.component_displacement, state.memory);
+    take(std::move(rebuilt));
+  } else if (state.settled) {
+    state_->deserialise(state.component_displacement, state.memory);
+  } else if (other) {
     component_.reset();
   }
+  parameters_ = state.parameters;
   initialised_ = state.settled;
-  if (state.settled) {
-    if (!component_) {
-      build();
-    }
-    state_->deserialise(state.component_displacement, state.memory);
-  }
   time_ = state.time;
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
   displacement_ = state.displacement;

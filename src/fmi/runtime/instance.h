@@ -102,7 +102,15 @@ class Instance {
   void assign(Reference reference, double value);
   double value(Reference reference) const;
 
-  void build();
+  /// A component with all that follows from its parameters.
+  struct Build {
+    std::unique_ptr<const component::Component> component;
+    std::vector<double> calculated;  // parameters that follow from those that can be set
+    std::optional<component::ComponentState> state;
+  };
+
+  Build build(const std::vector<double>& parameters) const;
+  void take(Build build);
   void settle();
   bool isNow(double time, double size) const;
   double extrapolated(double size);

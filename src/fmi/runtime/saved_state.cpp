@@ -9,7 +9,23 @@ namespace rubber_suspension::fmi {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x3130544154535352;  // "RSSTAT01", lowest byte first
+constexpr std::size_t kChecksumWord = 1;              // behind the magic number
 constexpr std::size_t kHeadWords = 10 + kMostDerivatives + 4;
+
+// FNV-1a over the bytes from a word on.
+std::uint64_t hashOf(const char* bytes, std::size_t size) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i < size; ++i) {
+    hash = (hash ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3;
+  }
+  return hash;
+}
+
+// Of all that stands behind it.
+std::uint64_t checksumOf(const char* bytes, std::size_t size) {
+  constexpr std::size_t kBegin = 8 * (kChecksumWord + 1);
+  return hashOf(bytes + kBegin, size - kBegin);
+}
 
 class Writer {
  public:
@@ -83,6 +99,7 @@ std::size_t serialisedSize(const SavedState& state) {
 void serialise(const SavedState& state, char* bytes) {
   Writer out(bytes);
   out.put(kMagic);
+  out.put(std::uint64_t{0});  // for the checksum
   out.put(state.fingerprint);
   out.put(static_cast<std::uint64_t>(state.phase));
   out.put(static_cast<std::uint64_t>(state.settled ? 1 : 0));
@@ -91,7 +108,6 @@ void serialise(const SavedState& state, char* bytes) {
   out.put(state.time);
   out.put(state.displacement);
   out.put(state.component_displacement);
-  out.put(std::uint64_t{0});  // for a later version
   for (const double derivative : state.derivative) {
     out.put(derivative);
   }
@@ -103,12 +119,17 @@ void serialise(const SavedState& state, char* bytes) {
       out.put(value);
     }
   }
+  const std::uint64_t checksum = checksumOf(bytes, serialisedSize(state));
+  std::memcpy(bytes + 8 * kChecksumWord, &checksum, sizeof(checksum));
 }
 
 SavedState deserialise(const char* bytes, std::size_t size) {
   Reader in(bytes, size);
-  if (size % 8 != 0 || in.get<std::uint64_t>() != kMagic) {
-    throw std::invalid_argument("the bytes are no serialised state");
+  // The memory of a component holds places in lists, too, so nothing may be taken from bytes that were changed.
+  const bool whole = size >= 8 * kHeadWords && size % 8 == 0 && in.get<std::uint64_t>() == kMagic &&
+                     in.get<std::uint64_t>() == checksumOf(bytes, size);
+  if (!whole) {
+    throw std::invalid_argument("the bytes are no serialised state, or were changed");
   }
   SavedState state;
   state.fingerprint = in.get<std::uint64_t>();
@@ -119,7 +140,6 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   state.time = in.finite();
   state.displacement = in.finite();
   state.component_displacement = in.finite();
-  in.get<std::uint64_t>();
   for (double& derivative : state.derivative) {
     derivative = in.finite();
   }
@@ -134,12 +154,6 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   return state;
 }
 
-std::uint64_t fingerprintOf(const std::string& guid) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : guid) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  }
-  return hash;
-}
+std::uint64_t fingerprintOf(const std::string& guid) { return hashOf(guid.data(), guid.size()); }
 
 }  // namespace rubber_suspension::fmi
