@@ -10,7 +10,7 @@ add_library(${model_identifier} MODULE ${sources})
 set_target_properties(${model_identifier} PROPERTIES PREFIX "" NO_SONAME ON)
 target_compile_features(${model_identifier} PRIVATE cxx_std_17)
 # Without products and sums fused, the forces are those of the package to the last bit.
-target_compile_options(${model_identifier} PRIVATE -fvisibility=hidden -ffp-contract=off -fno-gnu-unique)
+target_compile_options(${model_identifier} PRIVATE -fvisibility=hidden -ffp-contract=off)
 target_compile_definitions(${model_identifier} PRIVATE RUBBER_SUSPENSION_BUILT_IN FMT_HEADER_ONLY)
 target_include_directories(${model_identifier} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/src)
