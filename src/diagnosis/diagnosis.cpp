@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -107,9 +108,11 @@ std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
   return chosen;
 }
 
-// Elements of the model that leaves least once both zeros of each log are free.
+// Elements of the model that leaves least once both zeros of each log are free; of those that leave about as little,
+// the one with the fewest numbers, since a law with many follows zeros as well.
 std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, const io::RigTolerances& tolerances,
                                                           int threads) {
+  constexpr double kAbout = 1.05;
   const std::vector<const FittedHypothesis*> models = likeliest(judged);
   std::vector<std::vector<element::ElementDescription>> elements(models.size());
   std::vector<double> left(models.size());
@@ -117,20 +120,41 @@ std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, 
     elements[i] = augmentedDescription(judged.prepared->model, *models[i]).allElements();
     left[i] = leftWithoutZeros(elements[i], tolerances, judged.prepared->training);
   });
-  return elements[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
+  const double least = *std::min_element(left.begin(), left.end());
+  std::size_t best = 0;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::size_t terms = models[i]->hypothesis.terms.size();
+    if (left[i] <= kAbout * least && terms < fewest) {
+      best = i;
+      fewest = terms;
+    }
+  }
+  return elements[best];
 }
 
-// Zeros of the displacement show through laws that are not linear: they are known once these are, and taken out.
-void takeOutDisplacementZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
-                              const DiagnosisOptions& options, Judged& judged) {
-  const auto elements = bestWithoutZeros(judged, tolerances, options.threads);
+// Zeros of the displacement show through laws that are not linear, and delays through all: they are known once these
+// are, and taken out.
+void takeOutRig(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
+                const DiagnosisOptions& options, Judged& judged, std::vector<RigFinding>& findings) {
+  auto elements = bestWithoutZeros(judged, tolerances, options.threads);
+  const auto is_delay = [](const element::ElementDescription& element) { return element.type == "time_delay"; };
+  elements.erase(std::remove_if(elements.begin(), elements.end(), is_delay), elements.end());  // told log by log
   std::vector<log::Record> training = judged.prepared->training;
   std::vector<log::Record> held_out = judged.prepared->held_out;
-  const bool any = correctDisplacementZeros(elements, tolerances, training);
-  correctDisplacementZeros(elements, tolerances, held_out);
-  if (any) {
-    judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  const std::vector<RigPart> parts = rigParts(elements, tolerances, training);
+  const std::vector<RigPart> of_held_out = rigParts(elements, tolerances, held_out);
+  const double delay = commonDelay(parts);
+  if (!takeOut(parts, delay, training)) {
+    return;
   }
+  takeOut(of_held_out, delay, held_out);
+  for (const auto* list : {&parts, &of_held_out}) {
+    for (const RigPart& part : *list) {
+      findings.insert(findings.end(), part.findings.begin(), part.findings.end());
+    }
+  }
+  judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
 }
 
 Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {
@@ -169,7 +193,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
   freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
   Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  takeOutDisplacementZeros(component, tolerances, options, judged);
+  takeOutRig(component, tolerances, options, judged, findings);
   std::vector<log::Record> recorded;
   for (const log::Log& log : hold_out.empty() ? logs : hold_out) {
     recorded.push_back(log::makeRecord(log));

@@ -65,7 +65,7 @@ void takeOutZeros(const std::vector<double>& zeros, double common, std::vector<l
   }
 }
 
-// Zeros that are new in each log scatter as much as they are large; those of a cause do not (Student's t).
+// Zeros and delays that are new in each log scatter as much as they are large; those of a cause do not (Student's t).
 bool areCommon(const std::vector<double>& zeros) {
   const auto count = static_cast<double>(zeros.size());
   if (zeros.size() < 3) {
@@ -150,18 +150,44 @@ double leftWithoutZeros(const std::vector<element::ElementDescription>& elements
   return std::sqrt(std::max(0.0, sum) / static_cast<double>(records.size()));
 }
 
-bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
-                              const io::RigTolerances& tolerances, std::vector<log::Record>& records) {
+std::vector<RigPart> rigParts(const std::vector<element::ElementDescription>& elements,
+                              const io::RigTolerances& tolerances, const std::vector<log::Record>& records) {
   const measurement::RigModel rig(records, masksOf(records), tolerances);
   const std::vector<measurement::RigFit> fits = fitRig(rig, elements);
-  bool any = false;
+  std::vector<RigPart> parts(records.size());
   for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::Index delay = fits[r].column(measurement::Nuisance::delay);
+    parts[r].delay = delay >= 0 ? fits[r].values[delay] : 0.0;
     for (const measurement::RigFinding& finding : rig.findings(r, fits[r])) {
       if (finding.finding == measurement::finding::kDisplacementZero) {
-        records[r].displacement.array() -= finding.value;
-        records[r].raw_displacement.array() -= finding.value;
-        any = true;
+        parts[r].displacement_zero = finding.value;
+        parts[r].findings.push_back(finding);
+      } else if (finding.finding == measurement::finding::kDelay && !finding.beyond_tolerance) {
+        parts[r].shows_delay = true;
+        parts[r].findings.push_back(finding);
       }
+    }
+  }
+  return parts;
+}
+
+double commonDelay(const std::vector<RigPart>& parts) {
+  std::vector<double> delays(parts.size());
+  std::transform(parts.begin(), parts.end(), delays.begin(), [](const RigPart& part) { return part.delay; });
+  return areCommon(delays) ? std::accumulate(delays.begin(), delays.end(), 0.0) / static_cast<double>(delays.size())
+                           : 0.0;
+}
+
+bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector<log::Record>& records) {
+  constexpr double kMatters = 0.05;  // samples: less than the noise of any log shows
+  bool any = false;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double later = parts[r].shows_delay ? (parts[r].delay - common_delay) / records[r].dt : 0.0;
+    const bool late = std::abs(later) > kMatters;
+    any = any || late || parts[r].displacement_zero != 0.0;
+    for (Eigen::VectorXd* displacement : {&records[r].displacement, &records[r].raw_displacement}) {
+      displacement->array() -= parts[r].displacement_zero;
+      *displacement = late ? measurement::delayed(*displacement, later) : *displacement;
     }
   }
   return any;

@@ -21,9 +21,22 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
 double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                         const std::vector<log::Record>& records);
 
-/// Take the displacement's zero out of records whose force under a model shows it beyond chance; true if any does.
-bool correctDisplacementZeros(const std::vector<element::ElementDescription>& elements,
-                              const io::RigTolerances& tolerances, std::vector<log::Record>& records);
+/// What the rig did to the displacement of one record, by what a model leaves of its force.
+struct RigPart {
+  double displacement_zero = 0.0;  ///< by which it is too high, where that shows beyond chance [m]
+  double delay = 0.0;              ///< of the force behind it [s]
+  bool shows_delay = false;        ///< whether the delay is beyond chance, and within the rig's tolerance
+  std::vector<measurement::RigFinding> findings;
+};
+
+std::vector<RigPart> rigParts(const std::vector<element::ElementDescription>& elements,
+                              const io::RigTolerances& tolerances, const std::vector<log::Record>& records);
+
+/// The delay that all logs have in common [s], 0 where they do not: it may be a cause, and is left to the effects.
+double commonDelay(const std::vector<RigPart>& parts);
+
+/// Take zeros, and what delays differ by from a common one, out of the displacements; true if there are any.
+bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector<log::Record>& records);
 
 /// What the rig did to each record, by what a model leaves of it.
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,

@@ -313,6 +313,8 @@ double absolute(const io::RigTolerance& tolerance, double whole) {
 
 }  // namespace
 
+VectorXd delayed(const VectorXd& values, double samples) { return delayed(values, samples, 0.0); }
+
 Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
 namespace {
