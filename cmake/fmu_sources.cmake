@@ -1,10 +1,11 @@
 # Builds the binary of an FMU from the sources in it: cmake -S sources -B build && cmake --build build
-# Needs the headers of Boost, fmt and nlohmann_json; `model_identifier` is set above.
+# Needs the headers of Boost, Eigen, fmt and nlohmann_json; `model_identifier` is set above.
 cmake_minimum_required(VERSION 3.16)
 project(${model_identifier} LANGUAGES CXX)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
+find_package(Eigen3 REQUIRED)
 file(GLOB_RECURSE sources ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
 add_library(${model_identifier} MODULE ${sources})
 set_target_properties(${model_identifier} PROPERTIES PREFIX "" NO_SONAME ON)
@@ -14,5 +15,6 @@ target_compile_options(${model_identifier} PRIVATE -fvisibility=hidden -ffp-cont
 target_compile_definitions(${model_identifier} PRIVATE RUBBER_SUSPENSION_BUILT_IN FMT_HEADER_ONLY)
 target_include_directories(${model_identifier} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/src)
+target_link_libraries(${model_identifier} PRIVATE Eigen3::Eigen)
 target_link_options(${model_identifier} PRIVATE -static-libstdc++ -static-libgcc
   -Wl,--version-script=${CMAKE_CURRENT_SOURCE_DIR}/src/fmi/runtime/exports.map)
