@@ -102,11 +102,11 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("COUNT")
       ->check(CLI::Range(1, 500))
       ->capture_default_str();
-  app.add_option("--rate", benchmark.rate, "samples per second of each component")
+  app.add_option("--sampling-rate", benchmark.rate, "samples per second of each component")
       ->type_name("HZ")
       ->check(CLI::Range(1.0, 1e5))
       ->capture_default_str();
-  app.add_option("--total-rate", benchmark.total_rate, "samples per second of all components, at most")
+  app.add_option("--total-sampling-rate", benchmark.total_rate, "samples per second of all components, at most")
       ->type_name("HZ")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
         options->outputs.addTo(app);
         return [&line, &app, options] {
           if (options->soak > 0) {
-            refuseUnused(app, {"--rate", "--total-rate", "--duration", "--pairs"}, "with --soak");
+            refuseUnused(app, {"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs"}, "with --soak");
           }
           options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
           return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);

@@ -62,7 +62,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--skip", options.skip, "start of the log that is played but not compared")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");
-  app.add_option("--speed", options.play.rate, "multiple of the log's own speed; 0: as fast as the bench answers")
+  app.add_option("--playback-speed", options.play.rate,
+                 "multiple of the log's own speed; 0: as fast as the bench answers")
       ->type_name("FACTOR")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

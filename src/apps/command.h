@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/help_format.h"
+#include "element/suggestion.h"
 #include "io/output_files.h"
 #include "log/text.h"
 
@@ -47,6 +48,25 @@ inline void refuseUnused(const CLI::App& app, const std::vector<std::string>& op
   }
 }
 
+/// What is wrong with the first option that the command does not have, with the one that was probably meant; empty
+/// where it has all.
+inline std::string unknownOption(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back(name);
+    }
+  }
+  for (const std::string& word : app.remaining()) {
+    const std::string given = word.substr(0, word.find('='));
+    if (given.rfind("--", 0) == 0) {
+      const auto meant = element::nearestWord(given.substr(2), names);
+      return "no option " + given + (meant ? " (did you mean --" + *meant + "?)" : "") + "; accepted: those of --help";
+    }
+  }
+  return "";
+}
+
 /// Run a command. `define` adds the options to the parser and returns the body; the variables that the options fill
 /// have to live as long as the body, so let it own them (a shared_ptr). An exception of the body is printed as one line
 /// on stderr and ends in exit status 1, wrong options in 2.
@@ -66,7 +86,9 @@ inline int runCommand(int argc, char** argv, const std::string& name, const std:
       std::cout << name << " " << RUBBER_SUSPENSION_VERSION << '\n';
       return kSuccess;
     } catch (const CLI::ParseError& error) {
-      throw UsageError(std::string(error.what()) + " (see --help)");
+      // A misspelt option is said first: that another is missing may follow from it.
+      const std::string unknown = unknownOption(app);
+      throw UsageError(unknown.empty() ? std::string(error.what()) + " (see --help)" : unknown);
     }
     const int status = body();
     if (!std::cout.flush()) {

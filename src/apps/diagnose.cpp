@@ -13,6 +13,7 @@
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
+#include "apps/warnings.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
@@ -122,6 +123,7 @@ int run(const Options& options) {
   options.log_options.requireUse(all_logs);
   const auto components = io::loadComponentFile(options.config);
   io::ComponentDescription component = io::selectComponent(components, options.component);
+  warnOf("diagnose", component);
   setTolerances(options.rig, component);
   std::optional<diagnosis::EarlierReport> earlier;
   if (!options.compare.empty()) {

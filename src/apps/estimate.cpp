@@ -2,6 +2,8 @@
 // and loss angle over frequency and amplitude; turns data sheets into component files.
 #include "command/estimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -9,6 +11,7 @@
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
+#include "apps/warnings.h"
 #include "command/data_sheet.h"
 #include "command/identify.h"
 #include "command/measured_table.h"
@@ -42,7 +45,9 @@ double quantity(const std::string& option, const std::string& text, const std::s
   try {
     const double value = log::parseQuantity(text, unit);
     if (!element::Range::positive().contains(value)) {
-      throw std::invalid_argument("'" + text + "' is out of range; accepted: greater than 0");
+      const std::string written = log::unitOfQuantity(text);
+      throw std::invalid_argument("'" + text + "' is out of range; accepted: greater than 0 " +
+                                  (written.empty() ? unit : written));
     }
     return value;
   } catch (const std::invalid_argument& error) {
@@ -81,7 +86,7 @@ command::SweepOptions sweepOptions(const Options& options) {
 
 const std::vector<std::string> kSweepOptions = {"--frequencies", "--amplitudes", "--frequency",
                                                 "--amplitude",   "--product",    "--points"};
-const std::vector<std::string> kLogOptions = {"--hold", "--starts", "--columns", "--unit", "--rate"};
+const std::vector<std::string> kLogOptions = {"--hold", "--starts", "--columns", "--unit", "--sampling-rate"};
 
 // Each way to estimate takes some of the options; none is passed over.
 void checkOptions(const CLI::App& app, const Options& options) {
@@ -129,9 +134,11 @@ int convertDataSheet(const Options& options) {
 int identifyComponent(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  warnOf("estimate", description);
   std::vector<log::Log> logs;
   for (const std::string& path : options.logs) {
     logs.push_back(options.log_options.read("estimate", path, description.name));
+    warnOf("estimate", path, gap::oddMotion(logs.back(), description));
   }
   const fit::Identification result = command::identifyFromLogs(description, logs, options.identification);
   if (!options.plot.empty()) {
@@ -169,6 +176,18 @@ int fitToTable(const Options& options) {
   return kSuccess;
 }
 
+// "--amplitude 5" is 5 m.
+void warnOfAmplitudes(const io::ComponentDescription& component, const command::SweepOptions& sweeps) {
+  const gap::MotionScale scale = gap::motionScaleOf(component);
+  for (const auto& [option, amplitude] :
+       {std::pair("--amplitude", sweeps.amplitude), {"--amplitudes", sweeps.highest_amplitude}}) {
+    if (const auto odd = amplitude ? gap::oddAmplitude(*amplitude, scale) : std::nullopt) {
+      printWarning("estimate",
+                   fmt::format("{}: {}: {}; a number without a unit is in metres", component.name, option, *odd));
+    }
+  }
+}
+
 int estimateComponents(const Options& options) {
   const command::SweepOptions sweeps = sweepOptions(options);
   std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
@@ -177,6 +196,8 @@ int estimateComponents(const Options& options) {
   }
   std::vector<command::EstimateReport> reports;
   for (const io::ComponentDescription& component : components) {
+    warnOf("estimate", component);
+    warnOfAmplitudes(component, sweeps);
     reports.push_back(command::makeEstimateReport(component, sweeps));
   }
   if (!options.plot.empty()) {

@@ -6,6 +6,7 @@
 
 #include "apps/bench_client.h"
 #include "apps/command.h"
+#include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "apps/topic_exchange.h"
@@ -31,6 +32,7 @@ struct Options {
   std::string plot;
   std::string reset;
   bool stability = false;
+  LogOptions log_options;
   OutputOptions outputs;
 };
 
@@ -62,10 +64,7 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   const std::vector<component::Component> components = loadStruts(options.config);
   Scene scene;
   scene.parameters.speed = options.speed;
-  const log::Log track = log::readLog(options.track);
-  for (const std::string& note : track.notes) {
-    printNote("half_bogie", options.track + ": " + note);
-  }
+  const log::Log track = options.log_options.read("half_bogie", options.track, "");
   scene.track = Track(track);
   scene.duration = scene.track.duration();
   scene.step = std::llround(1e9 * options.step);
@@ -143,6 +142,9 @@ void checkOptions(const CLI::App& app, const Options& options) {
   }
   if (options.stability) {
     refuseUnused(app, {"--loop", "--step", "--delay", "--output", "--reset"}, "with --stability");
+    refuseUnused(app, {"--columns", "--unit", "--sampling-rate"}, "with --stability");
+  } else {
+    options.log_options.requireUse({options.track});
   }
   if (options.loop != "topics") {
     refuseUnused(app, {"--reset"}, "without --loop topics");
@@ -187,6 +189,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
       ->type_name("SERVICE");
   app.add_flag("--stability", options.stability, "print the largest stable step of a loop instead of running");
+  options.log_options.addTo(app);
   options.outputs.addTo(app);
 }
 

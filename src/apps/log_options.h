@@ -13,9 +13,8 @@ namespace rubber_suspension::apps {
 
 class LogOptions {
  public:
-  /// Adds --columns, --unit and --rate; the object has to live as long as the parser. A command whose --rate is another
-  /// gives the option a name of its own.
-  void addTo(CLI::App& app, const std::string& rate_option = "--rate") {
+  /// Adds --columns, --unit and --sampling-rate; the object has to live as long as the parser.
+  void addTo(CLI::App& app) {
     app.add_option(
            "--columns", columns_,
            "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
@@ -23,14 +22,14 @@ class LogOptions {
         ->type_name("QUANTITY=NAME");
     app.add_option("--unit", unit_, "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms")
         ->type_name("LENGTH,FORCE,TIME");
-    app.add_option(rate_option, rate_, "sampling rate of a log without a time column")->type_name("HZ");
+    app.add_option("--sampling-rate", sampling_rate_, "sampling rate of a log without a time column")->type_name("HZ");
   }
 
   /// Refuses the options where all logs are bags, which tell columns, units and time themselves. Throws UsageError.
   void requireUse(const std::vector<std::string>& paths) const {
-    const bool given = !columns_.empty() || !unit_.empty() || rate_ > 0.0;
+    const bool given = !columns_.empty() || !unit_.empty() || sampling_rate_ > 0.0;
     if (given && std::all_of(paths.begin(), paths.end(), bag::isBagPath)) {
-      throw UsageError("--columns, --unit and the sampling rate have no effect on a bag; accepted: without them");
+      throw UsageError("--columns, --unit and --sampling-rate have no effect on a bag; accepted: without them");
     }
   }
 
@@ -55,7 +54,7 @@ class LogOptions {
  private:
   log::LogFormat format() const {
     try {
-      return log::makeLogFormat(columns_, unit_, rate_);
+      return log::makeLogFormat(columns_, unit_, sampling_rate_);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
     }
@@ -63,7 +62,7 @@ class LogOptions {
 
   std::vector<std::string> columns_;
   std::string unit_;
-  double rate_ = 0.0;
+  double sampling_rate_ = 0.0;
 };
 
 }  // namespace rubber_suspension::apps

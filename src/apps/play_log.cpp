@@ -11,6 +11,7 @@
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
+#include "apps/warnings.h"
 #include "ros_interface/bench_player.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/play_control.h"
@@ -53,7 +54,8 @@ void addRecordOptions(CLI::App& app, Options& options) {
 }
 
 void addPlayOptions(CLI::App& app, Options& options) {
-  app.add_option("--rate", options.play.rate, "multiple of the log's own speed; 0: as fast as the node answers")
+  app.add_option("--playback-speed", options.play.rate,
+                 "multiple of the log's own speed; 0: as fast as the node answers")
       ->type_name("FACTOR")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
@@ -96,7 +98,7 @@ void addOptions(CLI::App& app, Options& options) {
          "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
       ->required()
       ->type_name("FILE");
-  options.log_options.addTo(app, "--sampling-rate");
+  options.log_options.addTo(app);
   addRecordOptions(app, options);
   addPlayOptions(app, options);
   options.outputs.addTo(app);
@@ -228,6 +230,9 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   player.connect();
   resetSpecimen(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
+  if (counts.front().complete) {
+    warnOf("play_log", options.logs.front(), gap::oddMotion(first_log, player.lastForces(0), {}));
+  }
   if (!options.plot.empty() && !counts.front().complete) {
     printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
   } else if (!options.plot.empty()) {

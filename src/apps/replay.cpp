@@ -9,6 +9,7 @@
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
+#include "apps/warnings.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace {
@@ -33,8 +34,10 @@ int run(const Options& options) {
   options.log_options.requireUse({options.log});
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  warnOf("replay", description);
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);
+  warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
   log::writeForceCsv(options.output, log, result.force);
   if (!options.plot.empty()) {
     io::drawFigure(gap::replayFigure(description.name, log, result.force), options.plot);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/bump_stop.h"
@@ -39,10 +40,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-std::string parameterNames(const ElementType& type) {
-  std::string names;
-  for (const ParameterInfo& parameter : type.parameters) {
-    names += (names.empty() ? "" : ", ") + parameter.name;
+template <class Rows>
+std::vector<std::string> namesOf(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) {
+    names.push_back(row.name);
   }
   return names;
 }
@@ -51,11 +53,9 @@ const ElementType& requireType(const std::string& name) {
   if (const ElementType* type = findElementType(name)) {
     return *type;
   }
-  std::string names;
-  for (const ElementType& type : elementTypes()) {
-    names += (names.empty() ? "" : ", ") + type.name;
-  }
-  throw std::invalid_argument(fmt::format("type: '{}' is not an element; accepted: {}", name, names));
+  const std::vector<std::string> names = namesOf(elementTypes());
+  throw std::invalid_argument(fmt::format("type: '{}' is not an element{}; accepted: {}", name, didYouMean(name, names),
+                                          fmt::join(names, ", ")));
 }
 
 void checkValue(const ElementType& type, const ParameterInfo& parameter, const std::vector<double>& values) {
@@ -120,8 +120,9 @@ ElementDescription complete(const ElementDescription& description) {
   for (const auto& [name, values] : description.values) {
     const ParameterInfo* parameter = findParameter(type.parameters, name);
     if (parameter == nullptr) {
-      throw std::invalid_argument(
-          fmt::format("{}.{}: unknown key; accepted: {}", type.name, name, parameterNames(type)));
+      const std::vector<std::string> names = namesOf(type.parameters);
+      throw std::invalid_argument(fmt::format("{}.{}: unknown key{}; accepted: {}", type.name, name,
+                                              didYouMean(name, names), fmt::join(names, ", ")));
     }
     checkValue(type, *parameter, values);
   }
@@ -131,7 +132,7 @@ ElementDescription complete(const ElementDescription& description) {
       continue;
     }
     if (!parameter.default_value) {
-      throw std::invalid_argument(fmt::format("{}.{}: missing; needed is {} [{}], {}", type.name, parameter.name,
+      throw std::invalid_argument(fmt::format("{}.{} is missing; needed is {} [{}], {}", type.name, parameter.name,
                                               parameter.documentation, parameter.unit, describe(parameter.range)));
     }
     result.values[parameter.name] = {*parameter.default_value};

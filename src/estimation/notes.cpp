@@ -8,6 +8,37 @@
 namespace rubber_suspension::estimation {
 namespace {
 
+// A testing machine of class 1 (ISO 7500-1) measures a force to 1 %, and so no stiffness better: what lies closer
+// together is one stiffness to it.
+constexpr double kStiffnessAccuracy = 0.01;
+
+// The stiffness [N/m] that a mass of 1 kg deflects by 1 cm; what carries a vehicle is far stiffer.
+constexpr double kSoftestStiffness = 1000.0;
+
+void warnOfNeighbours(std::vector<std::string>& warnings, const Specification& specification, const std::string& upper,
+                      const std::string& lower, const std::string& consequence) {
+  const auto high = specification.find(upper);
+  const auto low = specification.find(lower);
+  if (high && low && *high > *low && *high - *low < kStiffnessAccuracy * *high) {
+    warnings.push_back(fmt::format("{} is only {:.2g} % above {}: {}", inputText(specification, upper),
+                                   100.0 * (*high / *low - 1.0), inputText(specification, lower), consequence));
+  }
+}
+
+void warnOfSoftness(std::vector<std::string>& warnings, const Specification& specification) {
+  for (const char* key : {"static_stiffness", "dynamic_stiffness"}) {
+    const auto stiffness = specification.find(key);
+    if (stiffness && *stiffness < kSoftestStiffness) {
+      const WrittenUnit unit = specification.writtenUnit(key);
+      const double number = *stiffness / unit.size;
+      const std::string meant = unit.size == 1.0 ? fmt::format("; did you mean '{:g} kN/mm'?", number) : "";
+      warnings.push_back(
+          fmt::format("{} is softer than any suspension component{}", inputText(specification, key), meant));
+      return;
+    }
+  }
+}
+
 std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   const Band band = multiMaxwellBand(specification);
   std::vector<std::string> notes;
@@ -47,6 +78,16 @@ std::vector<std::string> estimationNotes(Model model, const Specification& speci
     default:
       return {};
   }
+}
+
+std::vector<std::string> specificationWarnings(const Specification& specification) {
+  std::vector<std::string> warnings;
+  warnOfSoftness(warnings, specification);
+  warnOfNeighbours(warnings, specification, "maximum_stiffness", "dynamic_stiffness",
+                   "no measurement tells them apart, and the estimated break frequencies depend on the difference");
+  warnOfNeighbours(warnings, specification, "dynamic_stiffness", "static_stiffness",
+                   "no measurement tells them apart, and the estimated damping or friction depends on the difference");
+  return warnings;
 }
 
 }  // namespace rubber_suspension::estimation

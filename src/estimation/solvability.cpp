@@ -60,14 +60,18 @@ double edge(double without, double with, const std::function<bool(double)>& solv
   return with;
 }
 
-std::string describe(const std::vector<element::Range>& intervals, const element::ParameterInfo& input) {
+// In the unit that the user wrote.
+std::string describe(const std::vector<element::Range>& intervals, const element::ParameterInfo& input,
+                     const WrittenUnit& unit) {
   std::string text;
-  for (const element::Range& interval : intervals) {
+  for (element::Range interval : intervals) {
+    interval.lower /= unit.size;
+    interval.upper /= unit.size;
     const std::string part = isCount(input) && interval.lower == interval.upper ? fmt::format("{:g}", interval.lower)
                                                                                 : element::describe(interval);
     text += (text.empty() ? "" : " or ") + part;
   }
-  return fmt::format("{} {}{}{}", input.name, text, input.unit == "1" ? "" : " ", input.unit == "1" ? "" : input.unit);
+  return fmt::format("{} {}{}{}", input.name, text, unit.name == "1" ? "" : " ", unit.name == "1" ? "" : unit.name);
 }
 
 }  // namespace
@@ -112,7 +116,7 @@ std::string describeSolvableInputs(const Specification& specification, const Sol
     }
     const std::vector<element::Range> intervals = solvableIntervals(specification, input, solvable);
     if (!intervals.empty()) {
-      text += (text.empty() ? "" : "; ") + describe(intervals, input);
+      text += (text.empty() ? "" : "; ") + describe(intervals, input, specification.writtenUnit(input.name));
     }
   }
   return text;

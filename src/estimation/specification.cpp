@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "estimation/models.h"
 #include "estimation/solvability.h"
 #include "rubber_suspension/element/constants.h"
@@ -142,7 +143,8 @@ void checkKeys(const NamedModel& model, const Specification& specification) {
   for (const auto& [key, value] : specification.values()) {
     if (!isAccepted(model.info, key)) {
       const std::vector<std::string> accepted = acceptedKeys(model.info);
-      const std::string what = findParameter(key) == nullptr ? "unknown key" : "not an input of model " + model.name;
+      const std::string what = findParameter(key) == nullptr ? "unknown key" + element::didYouMean(key, accepted)
+                                                             : "not an input of model " + model.name;
       throw std::invalid_argument(
           fmt::format("{}: {}; accepted: {}", key, what, accepted.empty() ? "no specification" : join(accepted)));
     }
@@ -162,15 +164,33 @@ void checkRange(const std::string& key, double value) {
   }
 }
 
+// What is missing comes first: "loss_angle is missing, or relative_damping in its place".
+std::string missingText(const std::vector<std::string>& missing, std::size_t needed) {
+  const auto split = missing.begin() + static_cast<std::ptrdiff_t>(needed);
+  const std::vector<std::string> first(missing.begin(), split);
+  const std::vector<std::string> others(split, missing.end());
+  return fmt::format("{} {} missing{}", fmt::join(first, " and "), needed == 1 ? "is" : "are",
+                     others.empty() ? ""
+                                    : fmt::format(", or {} in place of {}", fmt::join(others, " or "),
+                                                  needed == 1 ? "it" : "one of them"));
+}
+
+std::string givenText(const std::vector<std::string>& given) {
+  return given.empty() ? "" : fmt::format("; given is {}", fmt::join(given, ", "));
+}
+
 void checkGroup(const NamedModel& model, const Specification& specification, const std::vector<std::string>& group,
                 std::size_t needed) {
-  const auto isGiven = [&](const std::string& key) { return specification.has(key); };
-  if (static_cast<std::size_t>(std::count_if(group.begin(), group.end(), isGiven)) != needed) {
-    std::vector<std::string> given;
-    std::copy_if(group.begin(), group.end(), std::back_inserter(given), isGiven);
-    throw std::invalid_argument(fmt::format("{}: {}; accepted by model {}: exactly {} of {}",
-                                            join(given.empty() ? group : given), given.empty() ? "missing" : "given",
-                                            model.name, needed == 1 ? "one" : "two", join(group)));
+  std::vector<std::string> given;
+  std::vector<std::string> others;
+  for (const std::string& key : group) {
+    (specification.has(key) ? given : others).push_back(key);
+  }
+  if (given.size() != needed) {
+    const std::string what =
+        given.size() > needed ? join(given) + ": given" : missingText(others, needed - given.size()) + givenText(given);
+    throw std::invalid_argument(fmt::format("{}; accepted by model {}: exactly {} of {}", what, model.name,
+                                            needed == 1 ? "one" : "two", join(group)));
   }
 }
 
@@ -178,7 +198,7 @@ void checkPresence(const NamedModel& model, const Specification& specification) 
   for (const std::string& key : model.info.required) {
     if (!specification.has(key)) {
       throw std::invalid_argument(
-          fmt::format("{}: missing; model {} needs {}", key, model.name, join(model.info.required)));
+          fmt::format("{} is missing; model {} needs {}", key, model.name, join(model.info.required)));
     }
   }
   for (const auto& group : model.info.one_of) {
@@ -288,8 +308,16 @@ double valueOrDefault(const Specification& specification, std::string_view key) 
 }
 
 std::string inputText(const Specification& specification, const std::string& key) {
-  const std::string& unit = findParameter(key)->unit;
-  return fmt::format("{}: {:.6g}{}", key, specification.at(key), unit == "1" ? "" : " " + unit);
+  const WrittenUnit unit = specification.writtenUnit(key);
+  return fmt::format("{}: {:.6g}{}", key, specification.at(key) / unit.size, unit.name == "1" ? "" : " " + unit.name);
+}
+
+WrittenUnit Specification::writtenUnit(std::string_view name) const {
+  if (units_ != nullptr && units_->find(name) != units_->end()) {
+    return units_->find(name)->second;
+  }
+  const element::ParameterInfo* parameter = findParameter(name);
+  return {parameter == nullptr ? "1" : parameter->unit, 1.0};
 }
 
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {

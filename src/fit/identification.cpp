@@ -11,6 +11,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "fit/force_model.h"
 #include "fit/noise.h"
 #include "fit/product_fit.h"
@@ -74,7 +75,8 @@ void checkHeld(const std::vector<element::ElementDescription>& elements, const s
   }
   for (const std::string& name : held) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw std::invalid_argument(fmt::format("hold: '{}' is not a parameter; accepted: {}", name, accepted));
+      throw std::invalid_argument(fmt::format("hold: '{}' is not a parameter{}; accepted: {}", name,
+                                              element::didYouMean(name, names), accepted));
     }
   }
 }

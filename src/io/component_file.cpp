@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "element/suggestion.h"
 #include "io/yaml_nesting.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
@@ -55,6 +56,37 @@ std::string accepted(const element::ParameterInfo& parameter) {
   return fmt::format("{}, in {}, or text with such a unit", number, parameter.unit);
 }
 
+// The limits in the unit that the user wrote; that is one of the parameter's dimension.
+std::string acceptedIn(const std::string& unit, const element::ParameterInfo& parameter) {
+  if (unit.empty()) {
+    return accepted(parameter);
+  }
+  const log::UnitConversion to_written(parameter.unit, unit);
+  element::Range range = parameter.range;
+  range.lower = to_written(range.lower);
+  range.upper = to_written(range.upper);
+  return element::describe(range) + " " + unit;
+}
+
+// A comma between digits divides a flow map there, so that what follows it stands as a key.
+std::string decimalCommaHint(const std::string& key) {
+  const bool digits = !key.empty() && key.find_first_not_of("0123456789eE+-") == std::string::npos;
+  return digits ? " (a decimal comma before it? write a decimal point)" : "";
+}
+
+// The first line up to that one which is indented with a tab, from 0; -1 without one.
+int lineWithTab(const std::string& text, int last) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i <= last && std::getline(lines, line); ++i) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string::npos && line[first] != '#' && line.substr(0, first).find('\t') != std::string::npos) {
+      return i;
+    }
+  }
+  return -1;
+}
+
 bool isBaseName(const std::string& name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   return !name.empty() && name.size() <= kMaximumNameLength && letter(name[0]) &&
@@ -72,6 +104,10 @@ std::string kindOf(const YAML::Node& node) {
     default:
       return "nothing";
   }
+}
+
+std::string hintOf(const YAML::Node& node, const std::vector<std::string>& names) {
+  return node.IsScalar() ? element::didYouMean(node.Scalar(), names) : "";
 }
 
 // Where the document that was parsed last starts.
@@ -150,6 +186,9 @@ class Loader {
       refuseSecondDocument(text);
       return document;
     } catch (const YAML::Exception& error) {
+      if (const int line = lineWithTab(text, error.mark.line); line >= 0) {
+        refuseLine(line + 1, "", "not YAML: indented with a tab; accepted: indentation by blanks alone");
+      }
       refuseLine(std::max(error.mark.line + 1, 1), "",
                  fmt::format("not YAML: {}; accepted: a component file", error.msg));
     }
@@ -185,7 +224,10 @@ class Loader {
     for (const auto& entry : map) {
       const std::string& key = entry.first.Scalar();
       if (std::find(names.begin(), names.end(), key) == names.end()) {
-        refuse(entry.first, child(path, key), fmt::format("unknown key; accepted: {}", log::join(names)));
+        const std::string hint = element::didYouMean(key, names);
+        refuse(
+            entry.first, child(path, key),
+            fmt::format("unknown key{}; accepted: {}", hint.empty() ? decimalCommaHint(key) : hint, log::join(names)));
       }
     }
   }
@@ -199,7 +241,7 @@ class Loader {
                      const std::string& what) const {
     const YAML::Node node = map[key];
     if (!node.IsDefined()) {
-      refuse(map, child(path, key), fmt::format("missing; accepted: {}", what));
+      refuse(map, "", fmt::format("{} is missing; accepted: {}", child(path, key), what));
     }
     return node;
   }
@@ -237,7 +279,9 @@ class Loader {
     const std::optional<estimation::Model> found =
         model.IsScalar() ? estimation::modelFromString(model.Scalar()) : std::nullopt;
     if (!found) {
-      refuse(model, "model", fmt::format("{} is not a model; accepted: {}", kindOf(model), log::join(modelNames())));
+      refuse(model, "model",
+             fmt::format("{} is not a model{}; accepted: {}", kindOf(model), hintOf(model, modelNames()),
+                         log::join(modelNames())));
     }
     return *found;
   }
@@ -292,11 +336,16 @@ class Loader {
     const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
     checkKeys(node, "specification", namesOf(table));
     estimation::Specification specification;
+    estimation::Specification::Units units;
     for (const auto& entry : node) {
       const std::string& key = entry.first.Scalar();
-      specification.set(key,
-                        loadNumber(entry.second, child("specification", key), *element::findParameter(table, key)));
+      const element::ParameterInfo& parameter = *element::findParameter(table, key);
+      specification.set(key, loadNumber(entry.second, child("specification", key), parameter));
+      if (const std::string unit = log::unitOfQuantity(entry.second.Scalar()); !unit.empty()) {
+        units[key] = {unit, log::UnitConversion(unit, parameter.unit)(1.0)};
+      }
     }
+    specification.writeIn(std::move(units));
     for (const std::string& key : estimation::modelInfo(model).required) {
       require(node, "specification", key, accepted(*element::findParameter(table, key)));
     }
@@ -327,7 +376,8 @@ class Loader {
     if (!parameter.range.contains(value)) {
       refuse(node, path,
              fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
-                         std::isfinite(value) ? "out of range" : "not finite", accepted(parameter)));
+                         std::isfinite(value) ? "out of range" : "not finite",
+                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter)));
     }
     return value;
   }
@@ -371,7 +421,8 @@ class Loader {
     const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
     if (found == nullptr) {
       refuse(type, child(path, "type"),
-             fmt::format("{} is not an element; accepted: {}", kindOf(type), log::join(elementTypeNames())));
+             fmt::format("{} is not an element{}; accepted: {}", kindOf(type), hintOf(type, elementTypeNames()),
+                         log::join(elementTypeNames())));
     }
     return *found;
   }
@@ -496,8 +547,9 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
     names.push_back(component.name);
   }
   throw ComponentFileError(
-      name.empty() ? fmt::format("more than one component; accepted: the name of one of {}", log::join(names))
-                   : fmt::format("no component '{}'; accepted: {}", name, log::join(names)));
+      name.empty()
+          ? fmt::format("more than one component; accepted: the name of one of {}", log::join(names))
+          : fmt::format("no component '{}'{}; accepted: {}", name, element::didYouMean(name, names), log::join(names)));
 }
 
 std::string toYaml(const std::vector<ComponentDescription>& components) {

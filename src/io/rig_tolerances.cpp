@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
@@ -26,8 +27,8 @@ const RigToleranceInfo& findRow(const std::string& key) {
   if (found == table.end()) {
     std::vector<std::string> names(table.size());
     std::transform(table.begin(), table.end(), names.begin(), [](const RigToleranceInfo& row) { return row.name; });
-    throw std::invalid_argument(
-        fmt::format("{}: no tolerance of a rig; accepted: {}", log::quoted(key), log::join(names)));
+    throw std::invalid_argument(fmt::format("{}: no tolerance of a rig{}; accepted: {}", log::quoted(key),
+                                            element::didYouMean(key, names), log::join(names)));
   }
   return *found;
 }

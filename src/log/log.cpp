@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "element/suggestion.h"
 #include "kernel/sample_checks.h"
 #include "log/file_format.h"
 #include "log/log_columns.h"
@@ -66,9 +67,9 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
       std::find_if(accepted.begin(), accepted.end(), [&](const auto& pair) { return quantity == pair.first; });
   if (found == accepted.end() || column.empty()) {
     throw std::invalid_argument(fmt::format(
-        "--columns: {}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that "
+        "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that "
         "of the file or the column's number, or these words alone in the order of the columns",
-        quoted(entry)));
+        quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
   }
   if (!found->second->empty()) {
     throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));
@@ -110,7 +111,7 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   }
   // Above 1 GHz two samples would share a nanosecond.
   if (!(rate >= 0.0 && rate <= 1e9)) {
-    throw std::invalid_argument(fmt::format("--rate: {:g} Hz; accepted: greater than 0, at most 1e9", rate));
+    throw std::invalid_argument(fmt::format("--sampling-rate: {:g} Hz; accepted: greater than 0, at most 1e9", rate));
   }
   if (rate > 0.0) {
     format.rate = rate;

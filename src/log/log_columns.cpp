@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "log/text.h"
 
 namespace rubber_suspension::log {
@@ -130,7 +131,7 @@ std::string accepted(Quantity quantity) {
                      quantity == Quantity::displacement ? "<m|mm|um>"
                      : quantity == Quantity::force      ? "<N|kN|MN>"
                                                         : siUnit(quantity),
-                     name, quantity == Quantity::time ? ", or --rate" : "");
+                     name, quantity == Quantity::time ? ", or --sampling-rate" : "");
 }
 
 void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places, const std::string& what,
@@ -163,15 +164,24 @@ void setUnit(Column& column, const std::string& unit, Quantity quantity) {
   }
 }
 
+std::string nameHint(const std::vector<ColumnName>& header, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ColumnName& column : header) {
+    names.push_back(column.text);
+    names.push_back(column.bare);
+  }
+  return oneLine(element::didYouMean(name, names));
+}
+
 // A column that the user named: its unit is that of the option, else its own, else the SI unit, which is told.
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
   const std::string& name = columnOption(format, quantity);
   const Places places = placesOfOption(header, name);
   if (places.empty()) {
     throw std::runtime_error(
-        fmt::format("no column {}, the header has {}; accepted: a name of the header, or a number "
+        fmt::format("no column {}{}, the header has {}; accepted: a name of the header, or a number "
                     "from 1 to {}",
-                    quoted(name), listed(header), header.size()));
+                    quoted(name), nameHint(header, name), listed(header), header.size()));
   }
   if (places.size() > 1) {
     throw std::runtime_error(

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "log/text.h"
 
 namespace rubber_suspension::log {
@@ -48,19 +49,74 @@ ut_system* unitSystem() {
   return system;
 }
 
-UnitPointer parseUnit(const std::string& text) {
-  UnitPointer unit(ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free);
-  if (!unit) {
-    throw std::invalid_argument(fmt::format("unit {} is unknown", quoted(text)));
-  }
-  return unit;
-}
+UnitPointer parseUnit(const std::string& text) { return {ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free}; }
 
 // UDUNITS takes the radian for the number 1; the definition of the unit shows whether it is in there.
 bool containsAngle(const ut_unit* unit) {
   char text[256];
   const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
   return length > 0 && std::string(text, std::min<std::size_t>(length, sizeof text)).find("rad") != std::string::npos;
+}
+
+bool areConvertible(const ut_unit* from, const ut_unit* to) {
+  return ut_are_convertible(from, to) != 0 && containsAngle(from) == containsAngle(to);
+}
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// The text with each of its words as a unit of this field is written, where it is near one.
+std::string respelt(const std::string& text) {
+  static const std::vector<std::string> kUnits = {"N", "kN",  "MN",  "m",    "mm",     "um",    "cm",
+                                                  "s", "ms",  "Hz",  "kHz",  "rad",    "deg",   "kg",
+                                                  "J", "min", "rpm", "degC", "newton", "metre", "degree"};
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto end = static_cast<std::size_t>(
+        std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), isLetter) - text.begin());
+    const std::string word = text.substr(at, std::max<std::size_t>(end - at, 1));
+    result += element::nearestWord(word, kUnits).value_or(word);
+    at += word.size();
+  }
+  return result;
+}
+
+// " (did you mean 'kN/mm'?)" for "kn/mm", where that converts to the unit that is wanted.
+std::string spellingHint(const std::string& text, const ut_unit* wanted) {
+  constexpr std::size_t kLongestUnit = 20;
+  const std::string other = text.size() <= kLongestUnit ? respelt(text) : text;
+  if (other == text) {
+    return "";
+  }
+  const UnitPointer unit = parseUnit(other);
+  return unit && areConvertible(unit.get(), wanted) ? fmt::format(" (did you mean '{}'?)", other) : "";
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// What stands behind a number and is no unit: a decimal comma, or separators of thousands.
+void refuseSeparators(const std::string& text, std::size_t length) {
+  const char separator = length < text.size() ? text[length] : ' ';
+  if (length + 1 >= text.size() || !isDigit(text[length + 1]) ||
+      std::string(",_' ").find(separator) == std::string::npos) {
+    return;
+  }
+  std::size_t end = length;
+  while (end < text.size() && (isDigit(text[end]) || text[end] == separator)) {
+    ++end;
+  }
+  std::string digits = text.substr(0, end);
+  std::string point = digits;
+  point[length] = '.';
+  digits.erase(std::remove(digits.begin(), digits.end(), separator), digits.end());
+  const std::string rest = text.substr(end);
+  const bool several = std::count(text.begin() + static_cast<std::ptrdiff_t>(length),
+                                  text.begin() + static_cast<std::ptrdiff_t>(end), separator) > 1;
+  if (separator != ',' || several) {
+    throw std::invalid_argument(fmt::format("separators of thousands (did you mean '{}{}'?)", digits, rest));
+  }
+  const bool three = end - length == 4;  // "3,000" is either
+  throw std::invalid_argument(three ? fmt::format("a comma (did you mean '{0}{2}' or '{1}{2}'?)", point, digits, rest)
+                                    : fmt::format("a decimal comma (did you mean '{}{}'?)", point, rest));
 }
 
 // The length of the decimal number that the text begins with: strtod would take "0x1p3", "infinity" and the like too.
@@ -130,10 +186,15 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   const std::lock_guard<std::mutex> lock(unitMutex());
   const UnitPointer source = parseUnit(from);
   const UnitPointer target = parseUnit(to);
-  if (ut_are_convertible(source.get(), target.get()) == 0 ||
-      containsAngle(source.get()) != containsAngle(target.get())) {
-    throw std::invalid_argument(
-        fmt::format("unit {} cannot be converted to {}", quoted(from), to == "1" ? "a number" : to));
+  if (!target) {
+    throw std::invalid_argument(fmt::format("unit {} is unknown", quoted(to)));
+  }
+  if (!source) {
+    throw std::invalid_argument(fmt::format("unit {} is unknown{}", quoted(from), spellingHint(from, target.get())));
+  }
+  if (!areConvertible(source.get(), target.get())) {
+    throw std::invalid_argument(fmt::format("unit {} cannot be converted to {}{}", quoted(from),
+                                            to == "1" ? "a number" : to, spellingHint(from, target.get())));
   }
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
@@ -158,8 +219,14 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   if (length == 0) {
     throw std::invalid_argument("not a number");
   }
+  refuseSeparators(quantity, length);
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   return UnitConversion(trimmed(quantity.substr(length)), unit)(value);
+}
+
+std::string unitOfQuantity(const std::string& text) {
+  const std::string quantity = trimmed(text);
+  return parseNumber(quantity) ? "" : trimmed(quantity.substr(numberLength(quantity)));
 }
 
 }  // namespace rubber_suspension::log

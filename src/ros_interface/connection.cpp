@@ -39,6 +39,32 @@ bool findNode(const std::string& node, std::string& host, std::uint32_t& port) {
          uri.getType() == XmlRpcValue::TypeString && ros::network::splitURI(static_cast<std::string&>(uri), host, port);
 }
 
+struct PublishedTopic {
+  std::string name;
+  std::vector<std::string> publishers;
+};
+
+// All topics that are advertised; none where the master does not answer.
+std::vector<PublishedTopic> publishedTopics() {
+  XmlRpcValue response;
+  XmlRpcValue state;
+  std::vector<PublishedTopic> topics;
+  if (!ros::master::execute("getSystemState", callerId(), response, state, false) || !isArray(state, 1) ||
+      !isArray(state[0], 0)) {
+    return topics;
+  }
+  for (int i = 0; i < state[0].size(); ++i) {
+    const XmlRpcValue& row = state[0][i];
+    if (isArray(row, 2) && row[0].getType() == XmlRpcValue::TypeString && isArray(row[1], 0)) {
+      topics.push_back({static_cast<const std::string&>(row[0]), {}});
+      for (int j = 0; j < row[1].size(); ++j) {
+        topics.back().publishers.push_back(static_cast<const std::string&>(row[1][j]));
+      }
+    }
+  }
+  return topics;
+}
+
 // A row of getBusInfo: connection, other end, direction, transport, topic, ...
 bool isLinkToThisNode(const XmlRpcValue& row, const std::string& topic) {
   return isArray(row, 5) && isText(row[1], ros::this_node::getName()) && isText(row[2], "o") && isText(row[4], topic);
@@ -47,22 +73,33 @@ bool isLinkToThisNode(const XmlRpcValue& row, const std::string& topic) {
 }  // namespace
 
 std::vector<std::string> publishersOf(const std::string& resolved_topic) {
-  XmlRpcValue response;
-  XmlRpcValue state;
-  std::vector<std::string> publishers;
-  if (!ros::master::execute("getSystemState", callerId(), response, state, false) || !isArray(state, 1) ||
-      !isArray(state[0], 0)) {
-    return publishers;
-  }
-  for (int i = 0; i < state[0].size(); ++i) {
-    const XmlRpcValue& topic = state[0][i];
-    if (isArray(topic, 2) && isText(topic[0], resolved_topic) && isArray(topic[1], 0)) {
-      for (int j = 0; j < topic[1].size(); ++j) {
-        publishers.push_back(static_cast<const std::string&>(topic[1][j]));
-      }
+  for (const PublishedTopic& topic : publishedTopics()) {
+    if (topic.name == resolved_topic) {
+      return topic.publishers;
     }
   }
-  return publishers;
+  return {};
+}
+
+std::vector<std::string> servedComponents(const std::string& bundle_topic) {
+  const std::vector<PublishedTopic> topics = publishedTopics();
+  const auto bundle = std::find_if(topics.begin(), topics.end(),
+                                   [&](const PublishedTopic& topic) { return topic.name == bundle_topic; });
+  std::vector<std::string> components;
+  if (bundle == topics.end()) {
+    return components;
+  }
+  const std::string ending = "/force";
+  for (const PublishedTopic& topic : topics) {
+    const bool served = std::any_of(topic.publishers.begin(), topic.publishers.end(), [&](const std::string& node) {
+      return std::find(bundle->publishers.begin(), bundle->publishers.end(), node) != bundle->publishers.end();
+    });
+    const std::size_t length = topic.name.size() - std::min(topic.name.size(), ending.size());
+    if (served && topic.name.substr(length) == ending) {
+      components.push_back(topic.name.substr(0, length));
+    }
+  }
+  return components;
 }
 
 bool sendsToThisNode(const std::string& publisher, const std::string& resolved_topic) {

@@ -9,6 +9,11 @@ namespace rubber_suspension::ros_interface {
 /// The nodes that advertise a topic, by the master. Empty where the master does not answer.
 std::vector<std::string> publishersOf(const std::string& resolved_topic);
 
+/// The components, by their resolved names, of the nodes `simulate` that answer bundles on this resolved topic
+/// (`.../forces`). A node advertises that topic after those of its components, so the list is complete. Empty where no
+/// such node is running yet.
+std::vector<std::string> servedComponents(const std::string& bundle_topic);
+
 /// True if this publisher already sends to this process: asked of the publisher itself (slave API, getBusInfo), because
 /// what the subscriber's side counts are connections that may still be in the making.
 bool sendsToThisNode(const std::string& publisher, const std::string& resolved_topic);

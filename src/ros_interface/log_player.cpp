@@ -8,14 +8,17 @@
 #include <algorithm>
 
 #include "bag/bag_log.h"
+#include "element/suggestion.h"
 #include "io/progress.h"
+#include "log/text.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100000;
-constexpr double kNoteEvery = 5.0;  // [s]
+constexpr double kNoteEvery = 5.0;            // [s]
+constexpr double kPatienceWithOthers = 10.0;  // [s]
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -67,6 +70,21 @@ bool LogPlayer::isConnected(double patience) {
   return connected;
 }
 
+// A node that is up and serves other components will not come to serve this one.
+void LogPlayer::requireServed() const {
+  std::vector<std::string> served = servedComponents(handle_.resolveName("forces"));
+  if (served.empty() ||
+      std::find(served.begin(), served.end(), handle_.resolveName(options_.component)) != served.end()) {
+    return;
+  }
+  const std::string space = handle_.getNamespace() == "/" ? "/" : handle_.getNamespace() + "/";
+  for (std::string& name : served) {
+    name = name.compare(0, space.size(), space) == 0 ? name.substr(space.size()) : name;
+  }
+  throw PlayError(fmt::format("no component '{}'{}; accepted: {}, which the running node serves", options_.component,
+                              element::didYouMean(options_.component, served), log::join(served)));
+}
+
 void LogPlayer::connect() {
   const auto begin = Steady::now();
   while (!connected_) {
@@ -75,6 +93,10 @@ void LogPlayer::connect() {
     const double waited = seconds(Steady::now() - begin);
     if (!connected_ && (waited >= options_.connect_timeout || !ros::ok())) {
       throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
+    }
+    // Not at the first time: another node, with this component, may be about to start.
+    if (!connected_ && waited >= kPatienceWithOthers) {
+      requireServed();
     }
     if (!connected_) {
       notify(fmt::format("waiting for what serves {} and listens to it: {:.0f} of {:g} s",

@@ -62,7 +62,8 @@ class LogPlayer {
 
   using Steady = std::chrono::steady_clock;
 
-  /// Wait for the node; throws PlayError. play() does it too.
+  /// Wait for the node; throws PlayError, which lists the components of a node that serves others and not this one, as
+  /// after a slip of the name. play() does it too.
   void connect();
 
   /// Play a log that checkLog accepts, its first sample at `start`, without one at once. Samples that stay without
@@ -77,6 +78,7 @@ class LogPlayer {
   void take(const Force& force);
   void takeGap(const GapConstPtr& gap);
   bool isConnected(double patience);
+  void requireServed() const;
   bool isHeld() const;
   bool maySend() const;
   void send();

@@ -3,15 +3,18 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <ros/console.h>
 
 #include <algorithm>
 #include <functional>
 #include <set>
 #include <stdexcept>
 
+#include "element/suggestion.h"
 #include "node/regular_file.h"
 #include "ros_interface/node_interface.h"
 #include "ros_interface/parameter_yaml.h"
+#include "rubber_suspension/estimation/notes.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -113,10 +116,10 @@ bool isForeign(const std::string& name) {
   return name == "config_file" || name == "components" || name == "diagnostic_period" || name == "num_worker_threads";
 }
 
-std::string acceptedNames() {
-  std::string names = "config_file, components";
+std::vector<std::string> acceptedNames() {
+  std::vector<std::string> names = {"config_file", "components"};
   for (const SettingInfo& setting : settingsTable()) {
-    names += ", " + setting.name;
+    names.push_back(setting.name);
   }
   return names;
 }
@@ -141,8 +144,9 @@ void refuseUnknown(const ros::NodeHandle& private_handle) {
     const bool known = isForeign(name) || std::any_of(table.begin(), table.end(),
                                                       [&](const SettingInfo& setting) { return setting.name == name; });
     if (!known) {
-      throw std::invalid_argument(
-          fmt::format("unknown parameter {}/{}; accepted: {}", private_handle.getNamespace(), name, acceptedNames()));
+      throw std::invalid_argument(fmt::format("unknown parameter {}/{}{}; accepted: {}", private_handle.getNamespace(),
+                                              name, element::didYouMean(name, acceptedNames()),
+                                              fmt::join(acceptedNames(), ", ")));
     }
   }
 }
@@ -170,6 +174,14 @@ void refuseReserved(const std::vector<io::ComponentDescription>& components, con
           fmt::format("{}: component {} is named as the node or as one of its topics or "
                       "services; accepted: any name but {}",
                       source, component.name, fmt::join(reserved, ", ")));
+    }
+  }
+}
+
+void warnOfSpecifications(const std::vector<io::ComponentDescription>& components, const std::string& source) {
+  for (const io::ComponentDescription& component : components) {
+    for (const std::string& warning : estimation::specificationWarnings(component.specification())) {
+      ROS_WARN("%s: component '%s': %s", source.c_str(), component.name.c_str(), warning.c_str());
     }
   }
 }
@@ -215,6 +227,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
   if (has_components) {
     auto parsed = io::parseComponentFile("components: " + toYamlText(components) + "\n", components_name);
     refuseReserved(parsed, components_name, private_handle);
+    warnOfSpecifications(parsed, components_name);
     return parsed;
   }
   if (file.getType() != XmlRpcValue::TypeString) {
@@ -225,6 +238,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
   node::requireRegularFile(path);
   auto loaded = io::loadComponentFile(path);
   refuseReserved(loaded, path, private_handle);
+  warnOfSpecifications(loaded, path);
   return loaded;
 }
 

@@ -27,7 +27,8 @@ INSTANTIATE_TEST_SUITE_P(
     Catalogue, RefusedEntry,
     testing::Values(
         Refused{"type", {"sprong", {}}, {"sprong", "spring", "iwan_table"}},
-        Refused{"key", {"spring", {{"stifness", {1.0}}}}, {"spring.stifness", "unknown key", "stiffness"}},
+        Refused{
+            "key", {"spring", {{"stifness", {1.0}}}}, {"spring.stifness", "unknown key (did you mean 'stiffness'?)"}},
         Refused{"missing", {"maxwell", {{"stiffness", {1.0}}}}, {"maxwell.break_frequency", "missing", "Hz"}},
         Refused{"range", {"spring", {{"stiffness", {-1.0}}}}, {"spring.stiffness", "-1", "greater than 0"}},
         Refused{"not_finite", {"spring", {{"stiffness", {INFINITY}}}}, {"spring.stiffness", "inf"}},

@@ -43,6 +43,9 @@ def violations(folder, command, version):
     answer = run(program, "--no-such-option")
     if answer.returncode != 2 or not re.fullmatch(rf"{command}: .*\n", answer.stderr) or answer.stdout:
         yield f"a wrong option ends with {answer.returncode} and '{answer.stderr.strip()}', not with 2 and one line"
+    answer = run(program, "--versoin")
+    if answer.returncode != 2 or "(did you mean --version?)" not in answer.stderr:
+        yield f"a misspelt option ends with {answer.returncode} and '{answer.stderr.strip()}', without the right one"
 
 
 def option_violations(text):

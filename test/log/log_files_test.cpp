@@ -56,7 +56,7 @@ log::LogFormat formatOf(const std::string& options) {
       option = word;
     } else if (option == "--unit") {
       unit = word;
-    } else if (option == "--rate") {
+    } else if (option == "--sampling-rate") {
       rate = std::stod(word);
     } else if (!columns.empty() && word.find('=') == std::string::npos &&
                columns.back().find('=') != std::string::npos) {

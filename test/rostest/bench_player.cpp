@@ -1,6 +1,7 @@
 // Plays logs step by step, held, over and over and at a rate, for one and for several components.
 #include "ros_interface/bench_player.h"
 
+#include <gmock/gmock.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -116,6 +117,22 @@ TEST(BenchPlayer, RefusesWhatCannotBeWritten) {
   ros_interface::BenchTrack bad = track(kLeft, sineLog(10, kMillisecond));
   bad.paths = ros_interface::recordPathsIn(testing::TempDir() + "no_such_folder", kLeft);
   EXPECT_THROW(ros_interface::BenchPlayer(ros::NodeHandle(), ros_interface::PlayOptions(), {bad}), log::LogError);
+}
+
+// A slip of the name is told by what the node serves, long before the patience with a node that starts is over.
+TEST(BenchPlayer, ListsTheComponentsThatTheNodeHas) {
+  ros_interface::PlayOptions options;
+  options.connect_timeout = 10.0 * kPatience;
+  ros_interface::BenchPlayer player(ros::NodeHandle(), options, {track("left_secondry", sineLog(10, kMillisecond))});
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    player.connect();
+    FAIL() << "connected";
+  } catch (const ros_interface::PlayError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no component 'left_secondry' (did you mean 'left_secondary'?)"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("accepted: left_secondary, right_secondary"));
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::duration<double>(options.connect_timeout / 2.0));
 }
 
 TEST(RecordPaths, PutNamespacesIntoTheName) {

@@ -31,7 +31,7 @@ class Track(unittest.TestCase):
         )
 
     def test_variance_is_the_integral_of_the_spectrum(self):
-        given = options("--track", "--duration", "600", "--rate", "200")
+        given = options("--track", "--duration", "600", "--sampling-rate", "200")
         wavenumber = numpy.linspace(2 * math.pi / given.longest, 2 * math.pi / given.shortest, 200001)
         expected = numpy.trapz(generate_track.spectrum(wavenumber, "low"), wavenumber)
         variances = []
@@ -47,7 +47,7 @@ class Track(unittest.TestCase):
     def test_measured_density_is_the_expected_one(self):
         # Each value is a mean of 16 periodograms, each of which spreads as much as its mean; over all lines of the band
         # the ratio comes close to 1. Neighbouring lines of a Hann window share 1.5 lines.
-        given = options("--duration", "600", "--rate", "200")
+        given = options("--duration", "600", "--sampling-rate", "200")
         frequency, density = generate_track.measured_density(generate_track.generate(given), given.rate)
         # Away from the edges of the band, where the window lets the zero beyond them in.
         band = (frequency > 1.5 * given.speed / given.longest) & (frequency < 0.9 * given.speed / given.shortest)

@@ -11,4 +11,8 @@ namespace rubber_suspension::estimation {
 /// One sentence each; the specification has to have a solution.
 std::vector<std::string> estimationNotes(Model model, const Specification& specification);
 
+/// What is legal and odd in a specification, such as a slip of a unit: one sentence each, which begins with the key.
+/// Empty for the model `elements`.
+std::vector<std::string> specificationWarnings(const Specification& specification);
+
 }  // namespace rubber_suspension::estimation

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,10 +33,17 @@ std::string toString(Model model);
 /// The model of that name, or nothing.
 std::optional<Model> modelFromString(const std::string& name);
 
+/// A unit as the user wrote it.
+struct WrittenUnit {
+  std::string name;  ///< "kN/mm"
+  double size;       ///< of it in the SI unit, 1e6 N/m
+};
+
 /// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
 class Specification {
  public:
   using Values = std::map<std::string, double, std::less<>>;
+  using Units = std::map<std::string, WrittenUnit, std::less<>>;
 
   bool has(std::string_view name) const { return position(name) != values_.end(); }
   std::optional<double> find(std::string_view name) const {
@@ -52,6 +60,11 @@ class Specification {
   void erase(const std::string& name) { values_.erase(name); }
   const Values& values() const { return values_; }
 
+  /// The units in which errors and warnings speak of values; SI for those that are not named. They change no value.
+  void writeIn(Units units) { units_ = std::make_shared<const Units>(std::move(units)); }
+  /// The unit in which to speak of the parameter of that name.
+  WrittenUnit writtenUnit(std::string_view name) const;
+
  private:
   /// One after the other: of so few names most differ in their length.
   Values::const_iterator position(std::string_view name) const {
@@ -59,6 +72,7 @@ class Specification {
   }
 
   Values values_;
+  std::shared_ptr<const Units> units_;  // shared, as specifications are copied often
 };
 
 /// The table of everything that `specification:` may hold.

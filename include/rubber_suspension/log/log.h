@@ -47,7 +47,7 @@ struct LogFormat {
 };
 
 /// The format that options of a command describe: `--columns displacement=D force=F`, or the quantities in the order of
-/// the columns, `--columns time displacement force`; `--unit mm,kN,ms`; `--rate 1000` (rate 0: not given).
+/// the columns, `--columns time displacement force`; `--unit mm,kN,ms`; `--sampling-rate 1000` (rate 0: not given).
 /// Throws std::invalid_argument that names option, value and what is accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 

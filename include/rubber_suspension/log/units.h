@@ -16,8 +16,9 @@ bool isUnit(const std::string& text);
 /// Linear conversion between two units.
 class UnitConversion {
  public:
-  /// Throws std::invalid_argument where a unit is unknown or they differ in dimension. Angles count as a dimension of
-  /// their own, so that rad/s is not taken for Hz or a loss angle for a relative damping.
+  /// Throws std::invalid_argument where a unit is unknown or they differ in dimension, with the unit that was probably
+  /// meant where there is one ("kN" for "kn"). Angles count as a dimension of their own, so that rad/s is not taken for
+  /// Hz or a loss angle for a relative damping.
   UnitConversion(const std::string& from, const std::string& to);
 
   double operator()(double value) const { return (inverse_ ? value / scale_ : value * scale_) + offset_; }
@@ -31,5 +32,8 @@ class UnitConversion {
 /// A quantity as text, in `unit`: "3 kN/mm" for unit "N/m" is 3e6. A number without unit is taken as in `unit`.
 /// Throws std::invalid_argument with what is wrong with the text; the value may be out of any range, or not finite.
 double parseQuantity(const std::string& text, const std::string& unit);
+
+/// The unit that is written in a quantity as text: "kN/mm" of "3 kN/mm"; empty where none is.
+std::string unitOfQuantity(const std::string& text);
 
 }  // namespace rubber_suspension::log

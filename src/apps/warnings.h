@@ -1,0 +1,32 @@
+// What is legal and odd in what a command was given, one line each on stderr: the same words for every command.
+#pragma once
+
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "gap/odd_motion.h"
+#include "log/text.h"
+#include "rubber_suspension/estimation/notes.h"
+
+namespace rubber_suspension::apps {
+
+inline void printWarning(const std::string& command, const std::string& warning) {
+  std::cerr << command << ": warning: " << log::oneLine(warning) << '\n';
+}
+
+/// Of a component's specification.
+inline void warnOf(const std::string& command, const io::ComponentDescription& description) {
+  for (const std::string& warning : estimation::specificationWarnings(description.specification())) {
+    printWarning(command, description.name + ": " + warning);
+  }
+}
+
+/// Of a log, where there is something odd.
+inline void warnOf(const std::string& command, const std::string& path, const std::optional<std::string>& odd) {
+  if (odd) {
+    printWarning(command, path + ": " + *odd);
+  }
+}
+
+}  // namespace rubber_suspension::apps

@@ -1,0 +1,98 @@
+// Scales of a log against those of the component: a slip of a unit is a factor of a thousand.
+#include "gap/odd_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubber_suspension::gap {
+namespace {
+
+// Millimetres for metres are a factor of 1000. Half of it, on the scale of powers of ten, and a factor of three to be
+// sure: a log that is played at a tenth of the component's own amplitude is found, one at thirty times it is left
+// alone.
+constexpr double kOddFactor = 100.0;
+
+// Longer than any travel of a rubber spring [m]; for components that state no length at all.
+constexpr double kLongestAmplitude = 0.5;
+
+double rangeOf(const std::vector<double>& values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+double longestLength(const std::vector<element::ElementDescription>& elements) {
+  double longest = 0.0;
+  for (const element::ElementDescription& element : elements) {
+    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+      if (parameter.unit == "m" && element.values.count(parameter.name) > 0) {
+        for (const double value : element.list(parameter.name)) {
+          longest = std::max(longest, std::abs(value));
+        }
+      }
+    }
+  }
+  return longest;
+}
+
+// By the log's stiffness, which knows the units of both columns; nothing can be said where one of the forces is still.
+std::optional<std::string> oddStiffness(double stroke, double measured, double simulated) {
+  if (!(stroke > 0.0) || !(measured > 0.0) || !(simulated > 0.0)) {
+    return std::nullopt;
+  }
+  const double ratio = measured / simulated;
+  if (ratio > 1.0 / kOddFactor && ratio < kOddFactor) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "displacement over {:.3g} m with a measured force over {:.3g} N is {:.2g} times {} than the component, {:.3g} N: "
+      "is the unit of each column right?",
+      stroke, measured, ratio < 1.0 ? 1.0 / ratio : ratio, ratio < 1.0 ? "softer" : "stiffer", simulated);
+}
+
+}  // namespace
+
+MotionScale motionScaleOf(const io::ComponentDescription& description) {
+  const std::optional<double> nominal = description.specification().find("nominal_amplitude");
+  const double longest = longestLength(description.allElements());
+  return {nominal || longest == 0.0 ? nominal : longest};
+}
+
+std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale) {
+  if (scale.amplitude) {
+    const double ratio = amplitude / *scale.amplitude;
+    return ratio > kOddFactor ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's own {:.3g} m",
+                                                          amplitude, ratio, *scale.amplitude))
+                              : std::nullopt;
+  }
+  return amplitude > kLongestAmplitude
+             ? std::optional(fmt::format("{:.3g} m is more than the travel of any rubber component", amplitude))
+             : std::nullopt;
+}
+
+std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale) {
+  const double stroke = rangeOf(log.displacement);
+  const double measured = rangeOf(log.force);
+  const double simulated = rangeOf(force);
+  if (measured > 0.0 && simulated > 0.0) {
+    return oddStiffness(stroke, measured, simulated);
+  }
+  const std::optional<std::string> odd = oddAmplitude(0.5 * stroke, scale);
+  return odd ? std::optional("an amplitude of " + *odd + ": is the column of displacement in millimetres?")
+             : std::nullopt;
+}
+
+std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description) {
+  const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
+  const component::Component component = description.makeComponent();
+  component::ComponentState state = component.makeState();
+  const double force_low = component.initialise(state, *low).total;
+  const double force_high = component.initialise(state, *high).total;
+  return oddMotion(log, {force_low, force_high}, motionScaleOf(description));
+}
+
+}  // namespace rubber_suspension::gap

@@ -1,0 +1,29 @@
+// Whether the motion of a log is odd for a component, as where millimetres stand in a column of metres.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::gap {
+
+/// What a component says about the motion that it is made for.
+struct MotionScale {
+  std::optional<double> amplitude;  ///< its nominal amplitude, else the longest displacement among its parameters [m]
+};
+
+MotionScale motionScaleOf(const io::ComponentDescription& description);
+
+/// What is odd about an amplitude [m] for a component, as "5 m is 2500 times ..."; nothing where it is not.
+std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale);
+
+/// What is odd about a log for a component: with a measured force, its stiffness against that of `force`, the
+/// component's for the same displacements [N]; else the amplitude. Nothing where neither is.
+std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
+
+/// The same before a simulation, by the component's static force at the ends of the log's displacement.
+std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
+
+}  // namespace rubber_suspension::gap

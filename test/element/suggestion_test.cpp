@@ -1,0 +1,51 @@
+// The word that a misspelt one was meant to be: what is suggested, and where nothing is.
+#include "element/suggestion.h"
+
+#include <gtest/gtest.h>
+
+namespace rubber_suspension {
+namespace {
+
+TEST(EditDistance, CountsChangesOfLetters) {
+  EXPECT_EQ(element::editDistance("", ""), 0u);
+  EXPECT_EQ(element::editDistance("", "spring"), 6u);
+  EXPECT_EQ(element::editDistance("spring", "spring"), 0u);
+  EXPECT_EQ(element::editDistance("sprung", "spring"), 1u);   // changed
+  EXPECT_EQ(element::editDistance("sping", "spring"), 1u);    // left out
+  EXPECT_EQ(element::editDistance("sprring", "spring"), 1u);  // added
+  EXPECT_EQ(element::editDistance("srping", "spring"), 1u);   // swapped
+  EXPECT_EQ(element::editDistance("SPRING", "spring"), 0u);   // case
+  EXPECT_EQ(element::editDistance("kitten", "sitting"), 3u);
+}
+
+TEST(EditDistance, IsTheSameBothWays) {
+  for (const char* word : {"", "kN", "friction", "frcition", "maximum_force"}) {
+    EXPECT_EQ(element::editDistance(word, "friction"), element::editDistance("friction", word)) << word;
+  }
+}
+
+TEST(NearestWord, IsTheNearestOfThoseKnown) {
+  const std::vector<std::string> keys = {"static_stiffness", "dynamic_stiffness", "force_zero", "spring", "springpot"};
+  EXPECT_EQ(element::nearestWord("static_stifness", keys), "static_stiffness");
+  EXPECT_EQ(element::nearestWord("dyanmic_stiffnes", keys), "dynamic_stiffness");
+  EXPECT_EQ(element::nearestWord("Spring", keys), "spring");
+  EXPECT_EQ(element::nearestWord("zero", keys), "force_zero");  // a whole part
+}
+
+TEST(NearestWord, IsNothingWhereNoneIsNear) {
+  const std::vector<std::string> keys = {"static_stiffness", "dynamic_stiffness", "spring", "m"};
+  EXPECT_FALSE(element::nearestWord("magic", keys));
+  EXPECT_FALSE(element::nearestWord("", keys));
+  EXPECT_FALSE(element::nearestWord("spring", keys));     // it is known
+  EXPECT_FALSE(element::nearestWord("stiffness", keys));  // part of two
+  EXPECT_FALSE(element::nearestWord("s", keys));          // nothing of it would be left
+  EXPECT_FALSE(element::nearestWord(std::string(100000, 's'), keys));
+}
+
+TEST(DidYouMean, IsPutBehindWhatIsWrong) {
+  EXPECT_EQ(element::didYouMean("frction", {"spring", "friction"}), " (did you mean 'friction'?)");
+  EXPECT_EQ(element::didYouMean("magic", {"spring", "friction"}), "");
+}
+
+}  // namespace
+}  // namespace rubber_suspension

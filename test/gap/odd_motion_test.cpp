@@ -1,0 +1,74 @@
+// Logs whose motion is odd for a component: what is said of millimetres in a column of metres, and of what is not odd.
+#include "gap/odd_motion.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kStiffness = 3e6;
+
+log::Log sine(double amplitude, double stiffness) {
+  log::Log log;
+  for (int i = 0; i < 100; ++i) {
+    log.stamp.push_back(i * 1000000LL);
+    log.displacement.push_back(amplitude * std::sin(0.1 * i));
+    if (stiffness > 0.0) {
+      log.force.push_back(stiffness * log.displacement.back());
+    }
+  }
+  return log;
+}
+
+io::ComponentDescription plain() { return {"plain", {{"spring", {{"stiffness", {kStiffness}}}}}}; }
+
+io::ComponentDescription withFriction() {
+  io::ComponentDescription description = plain();
+  description.add = {{"friction", {{"maximum_force", {1500.0}}, {"displacement", {2e-3}}}}};
+  return description;
+}
+
+TEST(OddMotion, ByTheStiffnessOfTheLog) {
+  // 1.9 mm read as 1.9 m, against 3e6 N/m: a thousand times too soft. Kilonewtons read as newtons are the same.
+  EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), plain()).value_or(""),
+              HasSubstr("1e+03 times softer than the component"));
+  EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), plain()).value_or(""), HasSubstr("times stiffer"));
+  for (const double factor : {0.05, 1.0, 20.0}) {  // another component, not another unit
+    EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), plain())) << factor;
+  }
+  // A stroke that is long for the component and agrees with its force is as it says.
+  EXPECT_FALSE(gap::oddMotion(sine(1.0, kStiffness), withFriction()));
+}
+
+TEST(OddMotion, ByTheComponentsOwnAmplitudeWithoutAForce) {
+  EXPECT_EQ(gap::motionScaleOf(withFriction()).amplitude, 2e-3);
+  EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), withFriction()).value_or(""),
+              HasSubstr("times the component's own 0.002 m"));
+  EXPECT_TRUE(gap::oddMotion(sine(0.25, 0.0), withFriction()));
+  EXPECT_FALSE(gap::oddMotion(sine(0.15, 0.0), withFriction()));
+}
+
+TEST(OddMotion, ByTheTravelOfAnyRubberWhereNothingElseIsKnown) {
+  EXPECT_FALSE(gap::motionScaleOf(plain()).amplitude);
+  EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), plain()).value_or(""), HasSubstr("more than the travel of any rubber"));
+  EXPECT_FALSE(gap::oddMotion(sine(0.1, 0.0), plain()));
+}
+
+TEST(OddMotion, SaysNothingOfAForceThatStandsStill) {
+  log::Log log = sine(2e-3, kStiffness);
+  std::fill(log.force.begin(), log.force.end(), 7.0);
+  EXPECT_FALSE(gap::oddMotion(log, plain()));
+}
+
+TEST(OddAmplitude, IsThatOfAnOptionInMetres) {
+  EXPECT_THAT(gap::oddAmplitude(5.0, {2e-3}).value_or(""),
+              HasSubstr("5 m is 2.5e+03 times the component's own 0.002 m"));
+  EXPECT_FALSE(gap::oddAmplitude(5e-3, {2e-3}));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,63 @@
+// What is said of a quantity that cannot be read: the unit or number that was probably meant.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension {
+namespace {
+
+std::string refusal(const std::string& text, const std::string& unit) {
+  try {
+    log::parseQuantity(text, unit);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(UnitHints, NameTheUnitInItsRightSpelling) {
+  EXPECT_EQ(refusal("3 kn", "N"), "unit 'kn' is unknown (did you mean 'kN'?)");
+  EXPECT_EQ(refusal("3 KN/MM", "N/m"), "unit 'KN/MM' is unknown (did you mean 'kN/mm'?)");
+  EXPECT_EQ(refusal("4 hz", "Hz"), "unit 'hz' is unknown (did you mean 'Hz'?)");
+  EXPECT_EQ(refusal("4 degre", "rad"), "unit 'degre' is unknown (did you mean 'degree'?)");
+}
+
+// A hint that is of another dimension would only lead to the next error.
+TEST(UnitHints, AreOfTheDimensionThatIsWanted) {
+  EXPECT_EQ(refusal("3 kn", "N/m"), "unit 'kn' is unknown");
+  EXPECT_EQ(refusal("3 kN", "N/m"), "unit 'kN' cannot be converted to N/m");
+  EXPECT_EQ(refusal("3 furlongg", "m"), "unit 'furlongg' is unknown");
+}
+
+TEST(UnitHints, WriteTheNumberWithADecimalPoint) {
+  EXPECT_EQ(refusal("2,5 kN/mm", "N/m"), "a decimal comma (did you mean '2.5 kN/mm'?)");
+  EXPECT_EQ(refusal("-0,25", "m"), "a decimal comma (did you mean '-0.25'?)");
+  EXPECT_EQ(refusal("3,000 kN/m", "N/m"), "a comma (did you mean '3.000 kN/m' or '3000 kN/m'?)");
+  EXPECT_EQ(refusal("3,000,000", "N/m"), "separators of thousands (did you mean '3000000'?)");
+  EXPECT_EQ(refusal("3_000 N", "N"), "separators of thousands (did you mean '3000 N'?)");
+  EXPECT_EQ(refusal("3'000'000 N/m", "N/m"), "separators of thousands (did you mean '3000000 N/m'?)");
+  EXPECT_EQ(refusal("3 000 N", "N"), "separators of thousands (did you mean '3000 N'?)");
+}
+
+TEST(UnitOfQuantity, IsWhatStandsBehindTheNumber) {
+  EXPECT_EQ(log::unitOfQuantity("3 kN/mm"), "kN/mm");
+  EXPECT_EQ(log::unitOfQuantity(" 5.7deg "), "deg");
+  EXPECT_EQ(log::unitOfQuantity("-3.0e6"), "");
+  EXPECT_EQ(log::unitOfQuantity("5 %"), "%");
+}
+
+TEST(LogFormat, NamesTheQuantityThatWasMeant) {
+  try {
+    log::makeLogFormat({"dispalcement=x"}, "", 0.0);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("(did you mean 'displacement'?)"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension
