@@ -23,7 +23,7 @@ inline void noteOpenness(const std::string& command) {
 }
 
 /// Call a service that makes the component new, unless its name is empty. Throws PlayError.
-inline void resetSpecimen(const ros::NodeHandle& handle, const std::string& service) {
+inline void resetComponent(const ros::NodeHandle& handle, const std::string& service) {
   std_srvs::Trigger trigger;
   if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {
     throw ros_interface::PlayError(fmt::format("service {} failed {}", service, trigger.response.message));

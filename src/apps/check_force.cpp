@@ -108,7 +108,7 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   noteOpenness("check_force");
   ros_interface::LogPlayer player(handle, options.play);
   player.connect();
-  resetSpecimen(handle, options.reset);
+  resetComponent(handle, options.reset);
   const ros_interface::PlayResult result = player.play(log);
   const std::string& component = options.play.component;
   return {

@@ -24,8 +24,8 @@ namespace {
 struct Options {
   std::string config;
   std::string track;
-  std::string loop = "library";
-  double step = 1e-3;
+  std::string forces = "library";
+  double time_step = 1e-3;
   int delay = 0;
   double speed = VehicleParameters().speed;
   std::string output;
@@ -46,10 +46,10 @@ std::string percentages(const PerStrut& values) {
 
 History runLoop(ros_interface::RosCommandLine& line, const Options& options, const Scene& scene,
                 const std::vector<component::Component>& components) {
-  if (options.loop == "implicit") {
+  if (options.forces == "implicit") {
     return runImplicit(scene, components);
   }
-  if (options.loop == "topics") {
+  if (options.forces == "topics") {
     line.initialise("half_bogie");
     const ros::NodeHandle handle;
     noteOpenness("half_bogie");
@@ -67,16 +67,17 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   const log::Log track = options.log_options.read("half_bogie", options.track, "");
   scene.track = Track(track);
   scene.duration = scene.track.duration();
-  scene.step = std::llround(1e9 * options.step);
+  scene.step = std::llround(1e9 * options.time_step);
   const auto start = std::chrono::steady_clock::now();
   const History history = runLoop(line, options, scene, components);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const History reference = runVariableStep(scene, components, {});
-  std::cout << fmt::format("{} steps of {:g} ms in {:.3g} s\n", scene.steps(), 1e3 * options.step, elapsed.count());
+  std::cout << fmt::format("{} steps of {:g} ms in {:.3g} s\n", scene.steps(), 1e3 * options.time_step,
+                           elapsed.count());
   std::cout << "displacements against variable steps without delay: "
             << percentages(displacementDifference(history, reference)) << '\n';
-  if (options.loop != "implicit") {
-    const double delay = loopDelay(options.step, options.delay);
+  if (options.forces != "implicit") {
+    const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadStruts(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
     std::cout << fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
@@ -86,7 +87,8 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
     writeHistoryCsv(options.output, history);
   }
   if (!options.plot.empty()) {
-    io::drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.step)), options.plot);
+    io::drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step)),
+                   options.plot);
   }
   return kSuccess;
 }
@@ -141,16 +143,16 @@ void checkOptions(const CLI::App& app, const Options& options) {
     throw UsageError("accepted: one of --track and --stability (see --help)");
   }
   if (options.stability) {
-    refuseUnused(app, {"--loop", "--step", "--delay", "--output", "--reset"}, "with --stability");
+    refuseUnused(app, {"--forces", "--time-step", "--delay", "--output", "--reset"}, "with --stability");
     refuseUnused(app, {"--columns", "--unit", "--sampling-rate"}, "with --stability");
   } else {
     options.log_options.requireUse({options.track});
   }
-  if (options.loop != "topics") {
-    refuseUnused(app, {"--reset"}, "without --loop topics");
+  if (options.forces != "topics") {
+    refuseUnused(app, {"--reset"}, "without --forces topics");
   }
-  if (options.loop == "implicit") {
-    refuseUnused(app, {"--delay"}, "with --loop implicit");
+  if (options.forces == "implicit") {
+    refuseUnused(app, {"--delay"}, "with --forces implicit");
   }
   options.outputs.check(
       {{"--config", options.config}, {"--track", options.track}},
@@ -167,12 +169,12 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--track", options.track, "log whose displacement is the height of the track under the front wheel")
       ->type_name("FILE");
-  app.add_option("--loop", options.loop,
+  app.add_option("--forces", options.forces,
                  "where the forces come from: library and topics at fixed steps, implicit with iterations")
       ->type_name("NAME")
       ->check(CLI::IsMember({"library", "topics", "implicit"}))
       ->capture_default_str();
-  app.add_option("--step", options.step, "step of the loop")
+  app.add_option("--time-step", options.time_step, "step of the loop")
       ->type_name("SECONDS")
       ->check(CLI::Range(1e-6, 0.1))
       ->capture_default_str();

@@ -144,11 +144,19 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
 void checkFiles(const Options& options) {
   std::vector<io::InputFile> inputs;
   addInputs(inputs, "--log", options.logs);
-  options.outputs.check(inputs, {{"--output", options.output, io::FileKind::force_csv},
-                                 {"--gap", options.gap_output, io::FileKind::gap_csv},
-                                 {"--bag", options.bag, io::FileKind::bag},
-                                 {"--plot", options.plot, io::FileKind::figure}});
+  const std::vector<io::OutputFile> outputs = {{"--output", options.output, io::FileKind::force_csv},
+                                               {"--gap", options.gap_output, io::FileKind::gap_csv},
+                                               {"--bag", options.bag, io::FileKind::bag},
+                                               {"--plot", options.plot, io::FileKind::figure}};
+  if (options.folder.empty()) {
+    options.outputs.check(inputs, outputs);
+  } else {
+    options.outputs.checkBesideFolder(inputs, outputs);
+  }
   options.log_options.requireUse(options.logs);
+  if (options.paused && options.step > 0) {
+    throw UsageError("--paused has no effect with --step, which begins paused; accepted: one of them");
+  }
 }
 
 // What --output and its like name may lie in the folder, too.
@@ -228,7 +236,7 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   const log::Log first_log = tracks.front().log;
   ros_interface::BenchPlayer player(handle, options.play, std::move(tracks));
   player.connect();
-  resetSpecimen(handle, options.reset);
+  resetComponent(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
   if (counts.front().complete) {
     warnOf("play_log", options.logs.front(), gap::oddMotion(first_log, player.lastForces(0), {}));

@@ -74,7 +74,7 @@ class StateSpace {
   Lanes state_[kVectors] = {};
 };
 
-// Friction of a block from `first` on: by vectors where the motion goes on, else one by one.
+// Friction of a block from `first` on: by vectors where the motion keeps its direction, else one by one.
 inline Lanes blockFriction(const BareBlock& work, BareFriction& friction, std::size_t first, const Lanes& z,
                            const Lanes& increment) {
   if (friction.direction == 0.0 || any(increment * friction.direction <= 0.0)) {

@@ -1,4 +1,4 @@
-// The yardstick: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand for this alone.
+// The baseline: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand for this alone.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct BareParameters {
   double friction_displacement = 2.2e-3;  ///< z2 [m]
 };
 
-/// So many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].
+/// That many Maxwell elements of 1.9 MN/m together, break frequencies from 0.03 Hz to the highest [Hz].
 BareParameters bareParameters(int maxwell_elements, double highest = 25.0);
 
 /// The same numbers as entries of a component file.

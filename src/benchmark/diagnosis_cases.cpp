@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNoise = 50.0;  // standard deviation of the measured force's noise [N]; the friction is 3 kN
 
-// A component with one Maxwell element; the specimen has friction on top, which the description lacks. It is friction
+// A component with one Maxwell element; the test piece has friction on top, which the description lacks. It is friction
 // with memory, as rubber's: its minor loops close.
 io::ComponentDescription description() {
   return {"benchmark",
@@ -26,8 +26,8 @@ io::ComponentDescription description() {
 log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
   std::vector<element::ElementDescription> elements = description().elements();
   elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
-  const component::Component specimen(elements);
-  component::ComponentState state = specimen.makeState();
+  const component::Component test_piece(elements);
+  component::ComponentState state = test_piece.makeState();
   std::mt19937_64 random(seed);
   log::Log log;
   log.name = name;
@@ -39,7 +39,7 @@ log::Log measuredLog(const std::string& name, std::size_t samples, double scale,
     for (int i = 0; i < 12; ++i) {
       noise += static_cast<double>(random() >> 11) * 0x1p-53;
     }
-    log.force.push_back(specimen.step(state, kStep, z).total + kNoise * (noise - 6.0));
+    log.force.push_back(test_piece.step(state, kStep, z).total + kNoise * (noise - 6.0));
   }
   return log;
 }
@@ -92,8 +92,8 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
 
   Case against_loop = diagnosisCase(six);
   against_loop.name = name;
-  against_loop.yardstick = "one pass of the plain loop, 1 Maxwell";
-  against_loop.yardstick_count = kPasses * six->samples();
+  against_loop.baseline = "one pass of the plain loop, 1 Maxwell";
+  against_loop.baseline_count = kPasses * six->samples();
   const auto force = std::make_shared<std::vector<double>>(samples);
   against_loop.bare = [six, force] {
     for (int i = 0; i < kPasses; ++i) {
@@ -105,15 +105,15 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
 
   Case against_half = diagnosisCase(six);
   against_half.name = name;
-  against_half.yardstick = "the same of three of them";
+  against_half.baseline = "the same of three of them";
   const auto three = std::make_shared<DiagnosisBench>(samples, 3);
-  against_half.yardstick_count = three->samples();
+  against_half.baseline_count = three->samples();
   against_half.bare = [three] { three->run(2); };
 
   Case against_one_thread = diagnosisCase(six);
   against_one_thread.name = name;
-  against_one_thread.yardstick = "the same in 1 thread";
-  against_one_thread.yardstick_count = six->samples();
+  against_one_thread.baseline = "the same in 1 thread";
+  against_one_thread.baseline_count = six->samples();
   against_one_thread.bare = [six] { six->run(1); };
   return {against_loop, against_half, against_one_thread};
 }

@@ -95,9 +95,9 @@ Case estimationCase() {
   bench->specification.set("high_frequency", kHighFrequency);
   Case result;
   result.name = "estimation from five inputs, checks included";
-  result.yardstick = "TOMS 748 alone";
+  result.baseline = "TOMS 748 alone";
   result.unit = "estimation";
-  result.count = result.yardstick_count = kRuns;
+  result.count = result.baseline_count = kRuns;
   result.bare = [bench] {
     for (int i = 0; i < kRuns; ++i) {
       solveByHand(bench->bare);
@@ -213,7 +213,7 @@ Case tableCase(const BenchmarkSize& size) {
   bench->frequencies = response::logSpaced(0.1, 50.0, size.frequencies);
   Case result;
   result.name = fmt::format("K and delta of Berg's model over {} frequencies, settled loops", size.frequencies);
-  result.yardstick = "half loops by hand, loss in closed form";
+  result.baseline = "half loops by hand, loss in closed form";
   result.unit = "table";
   result.bare = [bench] {
     bench->bare.clear();

@@ -84,9 +84,9 @@ Case readCase(std::size_t samples, Dialect dialect) {
   Case result;
   result.name =
       dialect == Dialect::canonical ? "reading a log, `readLog`" : "the same with semicolons and decimal commas";
-  result.yardstick = "file, and `strtod` on each number";
+  result.baseline = "file, and `strtod` on each number";
   result.unit = "row";
-  result.count = result.yardstick_count = static_cast<double>(samples);
+  result.count = result.baseline_count = static_cast<double>(samples);
   result.bare = [file] { file->readNumbersAlone(); };
   result.library = [file] { file->readLog(); };
   result.error = [file] { return std::abs(file->library - file->bare) / file->bare; };

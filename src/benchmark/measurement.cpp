@@ -42,7 +42,7 @@ Pair runPair(const Case& work, bool bare_first) {
   if (!bare_first) {
     pair.bare = secondsOf(work.bare, work.clock);
   }
-  return {pair.bare / work.yardstick_count, pair.library / work.count};
+  return {pair.bare / work.baseline_count, pair.library / work.count};
 }
 
 // Collects the counters of every repetition and prints nothing.
@@ -90,7 +90,7 @@ std::string readableRatio(double ratio) {
 Result measure(const Case& work, int pairs) {
   work.bare();
   work.library();
-  Result result{work.name, work.yardstick, work.unit, 0.0, 0.0, 0.0, 0.0, 0.0, work.error(), work.error_meaning, false};
+  Result result{work.name, work.baseline, work.unit, 0.0, 0.0, 0.0, 0.0, 0.0, work.error(), work.error_meaning, false};
   result.accurate = result.error <= work.tolerance;  // false for not a number
 
   bool bare_first = false;
@@ -133,7 +133,7 @@ std::string markdown(const std::vector<Result>& results) {
       "| work of the library | compared with | ratio (quartiles) | library | compared | error |\n"
       "|---|---|---|---|---|---|\n";
   for (const Result& row : results) {
-    text += fmt::format("| {} | {} | **{}** ({} to {}) | {} per {} | {} | {:.1e} {} |\n", row.name, row.yardstick,
+    text += fmt::format("| {} | {} | **{}** ({} to {}) | {} per {} | {} | {:.1e} {} |\n", row.name, row.baseline,
                         readableRatio(row.ratio), readableRatio(row.lowest), readableRatio(row.highest),
                         readable(row.library), row.unit, readable(row.bare), row.error, row.error_meaning);
   }

@@ -1,4 +1,4 @@
-// Pairs of runs in one process: a yardstick and the library by turns, on Google Benchmark. The ratio of a pair is free
+// Pairs of runs in one process: a baseline and the library by turns, on Google Benchmark. The ratio of a pair is free
 // of what slows the whole machine.
 #pragma once
 
@@ -15,13 +15,13 @@ enum class Clock { thread, wall };
 /// One row of the table before it is measured.
 struct Case {
   std::string name;
-  std::string yardstick;          ///< what the library is compared with
+  std::string baseline;           ///< what the library is compared with
   std::string unit;               ///< what one of `count` is: step, estimation, ...
   double count = 1.0;             ///< units of work in one run of the library
-  double yardstick_count = 1.0;   ///< and in one run of the yardstick
-  std::function<void()> bare;     ///< one run of the yardstick
+  double baseline_count = 1.0;    ///< and in one run of the baseline
+  std::function<void()> bare;     ///< one run of the baseline
   std::function<void()> library;  ///< one run of the library
-  std::function<double()> error;  ///< of the library's last run against that of the yardstick, relative
+  std::function<double()> error;  ///< of the library's last run against that of the baseline, relative
   std::string error_meaning;      ///< what the error is
   double tolerance = 0.0;         ///< the error may be as large
   Clock clock = Clock::thread;
@@ -31,7 +31,7 @@ struct Case {
 /// The same afterwards.
 struct Result {
   std::string name;
-  std::string yardstick;
+  std::string baseline;
   std::string unit;
   double bare = 0.0;     ///< time of one unit of work, median over the pairs [s]
   double library = 0.0;  ///< [s]
@@ -43,7 +43,7 @@ struct Result {
   bool accurate = false;  ///< the error is within the tolerance
 };
 
-/// Run the case once unmeasured, then in so many pairs; which of the two runs first alternates.
+/// Run the case once unmeasured, then in that many pairs; which of the two runs first alternates.
 Result measure(const Case& work, int pairs);
 
 /// Result rows as a Markdown table.

@@ -58,9 +58,9 @@ struct PeerBench {
 Case peerCase(const std::shared_ptr<PeerBench>& bench, const std::string& name, const Solver& solve) {
   Case result;
   result.name = "a log with break frequencies up to 1 kHz, `Component::simulate`";
-  result.yardstick = name;
+  result.baseline = name;
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(bench->work.displacement.size());
+  result.count = result.baseline_count = static_cast<double>(bench->work.displacement.size());
   result.bare = [bench, solve] { bench->runPeer(solve); };
   result.library = [bench] { bench->runLibrary(); };
   result.error = [bench] { return relativeDifference(bench->library, bench->peer); };

@@ -9,7 +9,7 @@ namespace {
 
 // Code is set off by backticks in the table, which a figure does not know.
 std::string rowName(const Result& result) {
-  std::string name = result.name + "\nagainst " + result.yardstick;
+  std::string name = result.name + "\nagainst " + result.baseline;
   name.erase(std::remove(name.begin(), name.end(), '`'), name.end());
   return name;
 }

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::benchmark {
 
-/// The ratio of library to yardstick with its quartiles, one row per result.
+/// The ratio of library to baseline with its quartiles, one row per result.
 io::Figure ratioFigure(const std::vector<Result>& results);
 
 }  // namespace rubber_suspension::benchmark

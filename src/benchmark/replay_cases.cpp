@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRounding = 1e-11;
 
-enum class Yardstick { plain, vectors };
+enum class Baseline { plain, vectors };
 // A log with its stamps, all checked and judged, or displacements at a constant distance alone.
 enum class Offline { log, displacements };
 constexpr int kMaxwellElements = 5;
@@ -41,15 +41,15 @@ struct ReplayBench {
   }
 };
 
-Case replayCase(const BenchmarkSize& size, Offline offline, Yardstick yardstick) {
+Case replayCase(const BenchmarkSize& size, Offline offline, Baseline baseline) {
   const std::size_t samples = std::max<std::size_t>(size.samples, 16) / 8 * 8 + 1;
   const auto bench = std::make_shared<ReplayBench>(samples);
-  const bool plain = yardstick == Yardstick::plain;
+  const bool plain = baseline == Baseline::plain;
   Case result;
   result.name = offline == Offline::log ? "a log offline, `simulateLog`" : "a log offline, `Component::simulate`";
-  result.yardstick = plain ? "plain loop, constant dt" : "state-space form over blocks of samples, by vectors";
+  result.baseline = plain ? "plain loop, constant dt" : "state-space form over blocks of samples, by vectors";
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(samples);
+  result.count = result.baseline_count = static_cast<double>(samples);
   result.bare = [bench, plain] {
     if (plain) {
       bareLoop(bench->parameters, kStep, bench->log.displacement, bench->bare);
@@ -113,7 +113,7 @@ struct ManyBench {
     }
   }
 
-  // The signal again and again; where it starts anew the displacement jumps, for all alike.
+  // The signal again and again; where it starts again the displacement jumps, for all alike.
   void stepAll() {
     for (const double z : displacement) {
       for (std::size_t i = 0; i < components.size(); ++i) {
@@ -133,9 +133,9 @@ Case manyCase(int components, std::size_t ticks) {
   const auto bench = std::make_shared<ManyBench>(components, ticks);
   Case result;
   result.name = fmt::format("{} components at each tick, `Component::step`", components);
-  result.yardstick = "plain loop over as many";
+  result.baseline = "plain loop over as many";
   result.unit = "component and step";
-  result.count = result.yardstick_count = static_cast<double>(ticks) * components;
+  result.count = result.baseline_count = static_cast<double>(ticks) * components;
   result.bare = [bench] { bench->stepPlain(); };
   result.library = [bench] { bench->stepAll(); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
@@ -150,9 +150,9 @@ std::vector<Case> replayCases(const BenchmarkSize& size) {
   constexpr std::size_t kMostTicks = 100;
   std::vector<Case> cases;
   cases.push_back(manyCase(size.components, std::min(kMostTicks, size.samples)));
-  for (const Yardstick yardstick : {Yardstick::plain, Yardstick::vectors}) {
-    cases.push_back(replayCase(size, Offline::displacements, yardstick));
-    cases.push_back(replayCase(size, Offline::log, yardstick));
+  for (const Baseline baseline : {Baseline::plain, Baseline::vectors}) {
+    cases.push_back(replayCase(size, Offline::displacements, baseline));
+    cases.push_back(replayCase(size, Offline::log, baseline));
   }
   return cases;
 }

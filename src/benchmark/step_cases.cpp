@@ -51,20 +51,20 @@ void pushThrough(Bench& bench) {
   }
 }
 
-enum class Yardstick { constant_step, own_steps };
+enum class Baseline { constant_step, own_steps };
 
 Case makeCase(const std::shared_ptr<Bench>& bench, const std::string& name, void (*library)(Bench&),
-              Yardstick yardstick) {
+              Baseline baseline) {
   Case result;
   result.name = name;
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(bench->displacement.size());
+  result.count = result.baseline_count = static_cast<double>(bench->displacement.size());
   result.library = [bench, library] { library(*bench); };
-  if (yardstick == Yardstick::constant_step) {
-    result.yardstick = "plain loop, constant dt";
+  if (baseline == Baseline::constant_step) {
+    result.baseline = "plain loop, constant dt";
     result.bare = [bench] { bareLoop(bench->parameters, kStep, bench->displacement, bench->bare); };
   } else {
-    result.yardstick = "plain loop, every dt its own";
+    result.baseline = "plain loop, every dt its own";
     result.bare = [bench] { bareLoop(bench->parameters, bench->steps, bench->displacement, bench->bare); };
   }
   result.error = [bench] {
@@ -171,14 +171,14 @@ std::vector<Case> stepCases(const BenchmarkSize& size) {
   std::vector<Case> cases;
   const auto even = std::make_shared<Bench>(kUsual, size.samples, true);
   const auto uneven = std::make_shared<Bench>(kUsual, size.samples, false);
-  cases.push_back(makeCase(even, "`SampleStream::push`, constant dt", pushThrough, Yardstick::constant_step));
-  cases.push_back(makeCase(uneven, "`Component::step`, every dt another", stepThrough, Yardstick::own_steps));
-  cases.push_back(makeCase(uneven, "`Component::step`, every dt another", stepThrough, Yardstick::constant_step));
-  cases.push_back(makeCase(uneven, "`SampleStream::push`, every dt another", pushThrough, Yardstick::constant_step));
+  cases.push_back(makeCase(even, "`SampleStream::push`, constant dt", pushThrough, Baseline::constant_step));
+  cases.push_back(makeCase(uneven, "`Component::step`, every dt another", stepThrough, Baseline::own_steps));
+  cases.push_back(makeCase(uneven, "`Component::step`, every dt another", stepThrough, Baseline::constant_step));
+  cases.push_back(makeCase(uneven, "`SampleStream::push`, every dt another", pushThrough, Baseline::constant_step));
   for (const int count : {1, 5, 10, 20}) {
     const auto bench = std::make_shared<Bench>(count, size.samples, true);
     cases.push_back(makeCase(bench, fmt::format("`Component::step`, constant dt, {} Maxwell", count), stepThrough,
-                             Yardstick::constant_step));
+                             Baseline::constant_step));
   }
   for (const bool evenly : {true, false}) {
     for (const bool resonant : {false, true}) {

@@ -10,7 +10,7 @@ namespace {
 
 enum Slot { kRise, kLossForce };
 
-// Far beyond all that softens further; a displacement that no specimen survives must not leave an infinite rise.
+// Far beyond all that softens further; a displacement that no test piece survives must not leave an infinite rise.
 constexpr double kLargestRise = 1e6;
 
 double factorAt(double rise) { return std::clamp(1.0 - rise, SelfHeating::kLeastFactor, 1.0); }

@@ -1,4 +1,4 @@
-// Joint fits of model parameters and basis terms.
+// Simultaneous fits of model parameters and basis terms.
 #include "fit/fitter.h"
 
 #include <algorithm>
@@ -183,7 +183,7 @@ Fit Fitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, int 
     held_out += errors[b] * blocks.weight[b];
   }
   result.block_logs = blocks.record;
-  // A law that gives way under some log (a series mount about a softening component) is no explanation of it.
+  // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.penalty = kPenalty * force_noise_ * result.parameters.model.norm();
   result.gap = gapAt(hypothesis, result.parameters);

@@ -1,4 +1,4 @@
-// Joint fits of a model's parameters and the effects of a hypothesis to a set of logs.
+// Simultaneous fits of a model's parameters and the effects of a hypothesis to a set of logs.
 #pragma once
 
 #include <Eigen/Core>

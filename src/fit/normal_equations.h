@@ -12,8 +12,8 @@ namespace rubber_suspension::fit {
 constexpr int kFolds = 4;
 
 /// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
-/// parameters, atoms, nuisance trends, and last the residual at the point of linearisation. Each log is weighted such
-/// that residuals are in units of its force's standard deviation, and all logs count alike.
+/// parameters, basis terms, nuisance trends, and last the residual at the point of linearisation. Each log is weighted
+/// such that residuals are in units of its force's standard deviation, and all logs count alike.
 struct BlockGrams {
   std::vector<Eigen::MatrixXd> gram;
   std::vector<int> fold;

@@ -34,8 +34,8 @@ struct SteadyColumns {
 /// rate of the displacement; then for each Maxwell element the force at unit stiffness and its derivative by ln(f_b);
 /// then for each Berg friction the force at unit maximum and its derivative by ln(z2).
 ///
-/// The laws are those of Maxwell::step and BergFriction::branch; what they remember, and the derivative of it, goes on
-/// from sample to sample.
+/// The laws are those of Maxwell::step and BergFriction::branch; what they remember, and the derivative of it,
+/// continues from sample to sample.
 class UnitColumns {
  public:
   enum Fixed : Eigen::Index { kForce, kDisplacement, kOne, kRate, kFirstLaw };

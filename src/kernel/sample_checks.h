@@ -12,7 +12,7 @@ bool allFinite(const double* value, std::size_t count);
 /// True where each of the stamps but the first is above the one before it.
 bool allIncreasing(const std::int64_t* stamp, std::size_t count);
 
-/// True where so many steps from stamp[0] on, to stamp[count], are all of one length, more than 0.
+/// True where that many steps from stamp[0] on, to stamp[count], are all of one length, more than 0.
 bool allEven(const std::int64_t* stamp, std::size_t count, std::uint64_t step);
 
 }  // namespace rubber_suspension::kernel

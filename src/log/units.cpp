@@ -104,6 +104,7 @@ void refuseSeparators(const std::string& text, std::size_t length) {
   while (end < text.size() && (isDigit(text[end]) || text[end] == separator)) {
     ++end;
   }
+  end = text.find_last_not_of(separator, end - 1) + 1;
   std::string digits = text.substr(0, end);
   std::string point = digits;
   point[length] = '.';

@@ -31,7 +31,7 @@ struct SlowPart {
   double variance;  // as a share of the whole 1/f part
 };
 
-// Time constants from a quarter of a sample, so that the spectrum goes on to its end, to the length of the log;
+// Time constants from a quarter of a sample, so that the spectrum continues to its end, to the length of the log;
 // variances that add up to a spectrum of 1/f^exponent.
 std::vector<SlowPart> slowParts(double exponent, Index samples) {
   std::vector<SlowPart> parts;

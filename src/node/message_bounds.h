@@ -13,10 +13,10 @@ constexpr std::size_t kLongestComponentName = 100;  ///< bytes; the component fi
 /// True if these bytes are a header and one float64, to the last byte: Displacement and MeasuredForce.
 bool isStampedNumber(const std::uint8_t* data, std::size_t size);
 
-/// True if these bytes are a DisplacementArray, to the last byte, with at most so many names and numbers.
+/// True if these bytes are a DisplacementArray, to the last byte, with at most that many names and numbers.
 bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components);
 
-/// Bytes of the longest DisplacementArray of so many components.
+/// Bytes of the longest DisplacementArray of that number of components.
 std::size_t longestBundle(std::size_t components);
 
 }  // namespace rubber_suspension::node

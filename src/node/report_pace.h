@@ -1,4 +1,4 @@
-// How often something that goes on being wrong is worth a line of log. Knows no ROS.
+// How often something that stays wrong is worth a line of log. Knows no ROS.
 #pragma once
 
 namespace rubber_suspension::node {

@@ -22,7 +22,8 @@ class SequenceWatch {
         const std::uint32_t skipped = sequence - known.last - 1;
         known.last = sequence;
         known.used = clock_;
-        // A number that goes back is a sender that counts anew or in its own way: nothing is known to be lost.
+        // A number that goes back is a sender that counts again from the start or in its own way: nothing is known to
+        // be lost.
         return skipped < (1U << 31) ? skipped : 0;
       }
       if (known.used < place->used) {

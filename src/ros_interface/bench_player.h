@@ -37,7 +37,7 @@ struct BenchCount {
 /// the same for all components, so that they stay side by side.
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks);
 
-/// The log as it is played in a pass: later by so many periods. Time goes on and the component stays the same.
+/// The log as it is played in a pass: later by that many periods. Time continues and the component stays the same.
 log::Log laterLog(const log::Log& log, std::int64_t shift);
 
 class BenchPlayer {

@@ -160,7 +160,7 @@ void LogPlayer::send() {
   }
 }
 
-// While the playback is held or stepped, time stands still: the next sample is due at once, whenever it goes on.
+// While the playback is held or stepped, time stands still: the next sample is due at once, whenever it continues.
 void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {

@@ -35,7 +35,7 @@ Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings);
 /// Write the status of a serving thread that came round so long ago [s]: stale where something holds it up.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// Publishes on a timer of steady time, so that it goes on while simulated time stands still.
+/// Publishes on a timer of steady time, so that it continues while simulated time stands still.
 class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const node::GapSettings& gap_settings);

@@ -19,7 +19,7 @@ namespace rubber_suspension::ros_interface {
 void loadStates(const std::string& path, node::ChannelGroup& group);
 
 /// Replace the models of all channels by those of the descriptions. All or none: throws std::invalid_argument where the
-/// components are not those of the channels or one has no solution. A component whose elements are the same goes on;
+/// components are not those of the channels or one has no solution. A component whose elements are the same continues;
 /// another one starts as new.
 void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
                     node::ChannelGroup& group);

@@ -1,4 +1,4 @@
-// Holds, steps and lets go a playback from outside.
+// Holds, steps and resumes a playback from outside.
 #include "ros_interface/play_control.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Holds, steps and lets go a playback from outside: by the services ~pause and ~step, or by calls.
+// Holds, steps and resumes a playback from outside: by the services ~pause and ~step, or by calls.
 #pragma once
 
 #include <ros/callback_queue.h>

@@ -1,4 +1,4 @@
-// Registers the node anew when the master was restarted.
+// Registers the node again when the master was restarted.
 #include "ros_interface/registration_keeper.h"
 
 #include <fmt/format.h>
@@ -145,7 +145,7 @@ void RegistrationKeeper::check() {
     incomplete_ = incomplete_ || registration == Registration::unknown;
     if (incomplete_ && registration != Registration::no_answer && registerAnew()) {
       incomplete_ = false;
-      ROS_WARN("the master did not know this node any more; registered anew");
+      ROS_WARN("the master did not know this node any more; registered again");
     }
     lost_ = registration == Registration::no_answer;
   } catch (const XmlRpc::XmlRpcException& error) {

@@ -1,4 +1,4 @@
-// Registers the node anew when the master was restarted: without, nobody new would find it, for ever.
+// Registers the node again when the master was restarted: without, nobody new would find it, for ever.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,7 @@ class RegistrationKeeper {
 
   std::vector<std::string> services_;
   bool lost_ = false;        // the master did not answer
-  bool incomplete_ = false;  // registering anew was not finished
+  bool incomplete_ = false;  // registering again was not finished
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::condition_variable stopping_;

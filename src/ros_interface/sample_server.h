@@ -16,7 +16,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Answers that may wait for a subscriber that reads slowly, where so many samples may wait for the node.
+/// Answers that may wait for a subscriber that reads slowly, where that many samples may wait for the node.
 std::uint32_t answerQueueSize(int queue_size);
 
 /// Write the answer to a displacement.

@@ -36,6 +36,8 @@ KEYS = {
     "nlohmann-json-dev": ({"nlohmann_json", "nlohmann"}, {"nlohmann-json3-dev"}),
     "nodelet": ({"nodelet"}, {"libnodelet-dev", "libnodeletlib-dev", "libnodeletlib-tools"}),
     "pluginlib": ({"pluginlib"}, {"pluginlib-dev"}),
+    "pybind11-dev": ({"pybind11"}, {"pybind11-dev"}),
+    "python3-dev": ({"Python3"}, {"python3-dev"}),
     "python3-matplotlib": ({"matplotlib"}, {"python3-matplotlib"}),
     "python3-numpy": ({"numpy"}, {"python3-numpy"}),
     "python3-tk": ({"tkinter"}, {"python3-tk"}),
@@ -75,7 +77,8 @@ TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg
          "slurmd"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
-STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {"rubber_suspension", "mpl_toolkits", "genpy", "actionlib"}
+STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
+    "rubber_suspension", "rubber_suspension_core", "mpl_toolkits", "genpy", "actionlib"}
 
 FIND_PACKAGE = re.compile(r"^\s*find_package\((\w[\w+-]*)([^)]*)\)", re.MULTILINE | re.DOTALL)
 FIND_OTHER = re.compile(r"^\s*(?:find_library|find_path)\((\w+)", re.MULTILINE)

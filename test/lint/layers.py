@@ -25,6 +25,7 @@ BELOW = {
     "campaign": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "command", "diagnosis"},
     "fmi": {"element", "kernel", "component", "response", "estimation", "log", "io"},
+    "python": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},

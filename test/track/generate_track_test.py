@@ -48,7 +48,7 @@ class Track(unittest.TestCase):
         # Each value is a mean of 16 periodograms, each of which spreads as much as its mean; over all lines of the band
         # the ratio comes close to 1. Neighbouring lines of a Hann window share 1.5 lines.
         given = options("--duration", "600", "--sampling-rate", "200")
-        frequency, density = generate_track.measured_density(generate_track.generate(given), given.rate)
+        frequency, density = generate_track.measured_density(generate_track.generate(given), given.sampling_rate)
         # Away from the edges of the band, where the window lets the zero beyond them in.
         band = (frequency > 1.5 * given.speed / given.longest) & (frequency < 0.9 * given.speed / given.shortest)
         ratio = density[band] / generate_track.expected_density(given, frequency[band])

@@ -1,4 +1,4 @@
-// What yields in series with the test piece, and the displacement that this leaves to it.
+// What yields in series with the test piece, and the displacement that this leaves to it. Throws nothing.
 #pragma once
 
 #include <memory>

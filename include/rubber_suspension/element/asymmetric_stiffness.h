@@ -12,9 +12,9 @@ namespace rubber_suspension::element {
 /// coefficients may have either sign, so the tangent stiffness of the component becomes negative where the linear
 /// spring no longer outweighs them, below z = -k/(2 k2) for k2 > 0; keep well within. The last exponential stiffens on
 /// the side of the sign of s, as rubber that is compressed far does; the even one stiffens one side and softens the
-/// other. Neither has a slope at z = 0; beyond |z| = 20 |s| both go on along their tangents. Source: power series of
+/// other. Neither has a slope at z = 0; beyond |z| = 20 |s| both continue along their tangents. Source: power series of
 /// the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1; exponential stiffening of Y.
-/// C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
+/// C. Fung, Am. J. Physiol. 213 (1967) 1532-1544. The type's make() throws std::invalid_argument.
 class AsymmetricStiffness final : public ParallelElement {
  public:
   struct Exponentials {

@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-/// What most components are made of, in parallel. A law that is such a sum adds itself by ParallelElement::addTo.
+/// What most components are made of, in parallel. A law that is such a sum adds itself by addTo(). Throws nothing.
 struct BasicLaws {
   struct MaxwellNumbers {
     double stiffness;  ///< k [N/m]

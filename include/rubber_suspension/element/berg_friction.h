@@ -1,4 +1,4 @@
-// Berg's friction element, with a dead band that keeps measurement noise from being taken for reversals.
+// Berg's friction element, with a dead band against reversals that are noise. Throws nothing.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Bump stop: a further spring that comes into contact beyond a gap.
+// Bump stop: a further spring that comes into contact beyond a gap. Its make() throws std::invalid_argument.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// Numbers of mathematics, spelled once.
+// Numbers of mathematics, spelled once. Throws nothing.
 #pragma once
 
 namespace rubber_suspension::element {

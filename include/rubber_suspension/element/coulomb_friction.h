@@ -1,4 +1,4 @@
-// Coulomb friction with the elasticity of its contact.
+// Coulomb friction with the elasticity of its contact. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include "rubber_suspension/element/slider_bank.h"

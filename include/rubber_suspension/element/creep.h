@@ -10,7 +10,7 @@ namespace rubber_suspension::element {
 /// at the middles (on a log axis) of equal bands; the slope then ripples by less than 0.5 % away from the ends.
 /// Right after the step it adds S z for each decade, so it stiffens what is faster than the shortest time.
 /// Validity: between the two times; before and after the force is constant. Towards the longest time T the slope falls
-/// as exp(-t/T): by 10 % at T/10.
+/// as exp(-t/T): by 10 % at T/10. Its make() throws std::invalid_argument for times out of order.
 /// Source: A. N. Gent, J. Appl. Polym. Sci. 6 (1962) 433-441 (stress relaxation linear in log t).
 class Creep final : public MaxwellBank {
  public:

@@ -1,4 +1,4 @@
-// Linear dashpot.
+// Linear dashpot. Its make() throws std::invalid_argument for an order other than 1 or 2.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// The interfaces that every law implements; a law keeps its parameters, its memory is handed in.
+// The interfaces that every law implements; a law keeps its parameters, its memory is handed in. No law throws.
 #pragma once
 
 #include <complex>
@@ -49,15 +49,15 @@ class Element {
   virtual Action action() const = 0;
 
   /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on
-  /// the specimen's force pass it by.
+  /// the test piece's force pass it by.
   virtual bool onRig() const { return false; }
 
   /// True where the force is linear in the displacement's history, but for a constant or a trend.
   virtual bool linear() const = 0;
 
-  /// True where, from rest on, it never gives back more energy than it was given, by itself or on a passive specimen.
+  /// True where, from rest on, it never gives back more energy than it was given, by itself or on a passive test piece.
   /// What is active: faults of a measuring chain, which have forces of their own or shift them in time; a part of a
-  /// characteristic that needs a spring beside it; a specimen that is loaded cold and unloaded hot.
+  /// characteristic that needs a spring beside it; a test piece that is loaded cold and unloaded hot.
   virtual bool passive() const { return true; }
 };
 

@@ -1,4 +1,4 @@
-// Force of the first loading: what a new test piece carries beyond displacements that were reached before.
+// Force of the first loading: what a new test piece carries beyond displacements that were reached before. make() throws.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// Force that grows with time whatever the displacement: drift of a load cell.
+// Force that grows with time whatever the displacement: drift of a load cell. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// Constant force: zero error of a load cell, or a preload that the displacement does not know of.
+// Constant force: zero error of a load cell, or a preload that the displacement does not know of. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// Free play: a dead zone in which the test piece is not moved.
+// Free play: a dead zone in which the test piece is not moved. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Friction behind a play: a branch that is driven only once its clearance is used up.
+// Friction behind a play: a branch that is driven only once its clearance is used up. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -1,4 +1,4 @@
-// Mass that moves with the actuator: fixture, load cell, or the rubber's own share.
+// Mass that moves with the actuator: fixture, load cell, or the rubber's own share. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -14,14 +14,14 @@ namespace rubber_suspension::element {
 std::vector<JenkinsSlider> iwanSliders(double maximum_force /* F_max [N] */, double displacement /* z2 [m] */,
                                        int count /* n, at least 2 */);
 
-/// Smooth bank with two parameters, as a component file has it under `iwan`. Its law, memory and source: SliderBank.
+/// Smooth bank with two parameters, `iwan`; its make() throws where the count is not whole. Memory, source: SliderBank.
 class Iwan final : public SliderBank {
  public:
   Iwan(double maximum_force, double displacement, int count)
       : SliderBank(iwanSliders(maximum_force, displacement, count)) {}
 };
 
-/// Bank with sliders given one by one, as a component file has it under `iwan_table`.
+/// Sliders one by one, `iwan_table`; its make() throws std::invalid_argument for lists that do not go together.
 class IwanTable final : public SliderBank {
  public:
   using SliderBank::SliderBank;

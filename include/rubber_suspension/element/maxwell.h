@@ -1,4 +1,4 @@
-// Maxwell element: spring and dashpot in series.
+// Maxwell element: spring and dashpot in series. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include <cmath>

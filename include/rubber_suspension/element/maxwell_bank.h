@@ -1,4 +1,4 @@
-// A law that is realised by Maxwell elements in parallel.
+// A law that is realised by Maxwell elements in parallel. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Spring and dashpot in series behind a play: a damper with backlash.
+// Spring and dashpot in series behind a play: a damper with backlash. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

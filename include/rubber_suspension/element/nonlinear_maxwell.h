@@ -13,7 +13,7 @@ namespace rubber_suspension::element {
 /// Stepped by splitting: half of the quadratic relaxation, the exact linear step, the other half. Exact in the limit of
 /// a large y, of second order in dt/tau |F|/(k y) else, and it dissipates at any step. Memory: the force. Source: flow
 /// that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys. Solids 46 (1998) 931-954, in one
-/// dimension and to the second order of the force.
+/// dimension and to the second order of the force. Throws nothing: makeElement() checks the values.
 class NonlinearMaxwell final : public ParallelElement {
  public:
   NonlinearMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,

@@ -1,4 +1,4 @@
-// Dashpot whose force follows a power of the rate.
+// Dashpot whose force follows a power of the rate. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include "rubber_suspension/element/dashpot.h"

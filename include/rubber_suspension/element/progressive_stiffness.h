@@ -11,12 +11,12 @@ namespace rubber_suspension::element {
 /// Under z = A sin(wt) the cubic term adds 3/4 k3 A^2 to the stiffness of the first harmonic and a third harmonic of
 /// -1/4 k3 A^3 (180 degrees). The secant stiffness grows by k2 A + k3 A^2 + k5 A^4.
 /// The hyperbolic sine has no slope at z = 0 either and stiffens more steeply than a polynomial; beyond z = 20 s it
-/// goes on along its tangent. Validity: within the amplitudes that the coefficients were fitted to; a polynomial says
+/// continues along its tangent. Validity: within the amplitudes that the coefficients were fitted to; a polynomial says
 /// nothing beyond. Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979),
 /// section 2.1; exponential stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544, alike in both directions.
 class ProgressiveStiffness final : public ParallelElement {
  public:
-  /// A scale of 0 stands for no exponential.
+  /// A scale of 0 stands for no exponential; the type's make() throws std::invalid_argument where all is 0.
   ProgressiveStiffness(double cubic /* k3 [N/m^3] */, double quintic /* k5 [N/m^5] */,
                        double quadratic = 0.0 /* k2 [N/m^2] */, double exponential = 0.0 /* k_e [N/m] */,
                        double scale = 0.0 /* s [m] */)

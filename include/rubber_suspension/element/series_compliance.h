@@ -6,7 +6,7 @@
 namespace rubber_suspension::element {
 
 /// Deflection u = F/(K_s (1 + |F|/F_c)), towards one side alone if so asked. The component solves for the displacement
-/// of the test piece at each step. Several of them add their deflections.
+/// of the test piece at each step. Several add their deflections. make() throws for a side other than -1, 0 or 1.
 ///
 /// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, alike at all
 /// frequencies. With one, contact closes under load: tangent compliance 1/(K_s (1 + |F|/F_c)^2), half the secant

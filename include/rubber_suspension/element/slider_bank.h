@@ -28,7 +28,7 @@ struct JenkinsSlider {
 /// Sum of Jenkins sliders. Rate-independent; closes its minor loops exactly, obeys Masing's rules: the settled loop is
 /// the backbone (the curve from rest) doubled in both axes. Not misled by noise smaller than the least yield
 /// displacement. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33 (1966) 893-900; G. Masing,
-/// Proc. 2nd Int. Congr. Appl. Mech. (1926).
+/// Proc. 2nd Int. Congr. Appl. Mech. (1926). Throws nothing: makeElement() checks the values.
 class SliderBank : public ParallelElement {
  public:
   explicit SliderBank(std::vector<JenkinsSlider> sliders) : sliders_(std::move(sliders)) {}

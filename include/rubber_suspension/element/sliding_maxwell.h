@@ -1,4 +1,4 @@
-// Maxwell element with a slider: relaxes below a limit of its force and slides at it.
+// Maxwell element with a slider: relaxes below a limit of its force and slides at it. Throws nothing.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Linear spring.
+// Linear spring. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -25,7 +25,7 @@ struct SpringpotLaw {
 /// 1| within the range: below 1e-3 for every order (mostly the grid's exp(-pi^2/ln sqrt(10)) = 2e-4). Below the range
 /// the element relaxes to zero force, above it it stiffens to a finite value; both differ from the law. Source: M.
 /// Sjöberg and L. Kari, Vehicle System Dynamics 37 (2002) 217-236; K. Sedlaczek, S. Dronka and J. Rauh, Vehicle System
-/// Dynamics 49 (2011) 741-759.
+/// Dynamics 49 (2011) 741-759. The type's make() throws std::invalid_argument for a range of frequencies out of sense.
 class Springpot final : public MaxwellBank {
  public:
   explicit Springpot(const SpringpotLaw& law);

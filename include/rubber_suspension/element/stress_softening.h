@@ -1,11 +1,11 @@
-// Stress softening (Mullins effect): softer within displacements that were reached before.
+// Stress softening (Mullins effect): softer within displacements that were reached before. make() throws std::invalid_argument.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::element {
 
-/// Factor on the specimen's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - (z/S)^2 while |z| < S, and 1 at |z| >= S.
+/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - (z/S)^2 while |z| < S, and 1 at |z| >= S.
 ///
 /// S is the softened reach, at most the largest past displacement M. With path length L = 0 it is M at once, so the
 /// factor is 1 on the first loading and on from where a displacement is exceeded. With L > 0 it approaches M along the
@@ -17,7 +17,7 @@ namespace rubber_suspension::element {
 /// beyond zero to all at S/4 on the side itself, so that the force has no jump.
 /// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T; without it softening is
 /// permanent, as it is over the hours of a test.
-/// Validity: displacement stands for the strain energy, which is right for a specimen of one shape under one kind of
+/// Validity: displacement stands for the strain energy, which is right for a test piece of one shape under one kind of
 /// load. Memory: M, S.
 /// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877; their error
 /// function of the energy is a tanh here, u being the energy of a linear spring that lacks to the largest one, over the

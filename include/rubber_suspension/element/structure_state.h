@@ -1,4 +1,4 @@
-// State of a structure that motion breaks down and rest builds up: thixotropy.
+// State of a structure that motion breaks down and rest builds up: thixotropy. Throws nothing.
 #pragma once
 
 #include <cmath>

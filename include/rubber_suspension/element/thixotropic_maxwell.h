@@ -1,4 +1,4 @@
-// Maxwell element whose stiffness breaks down with motion and builds up at rest.
+// Maxwell element whose stiffness breaks down with motion and builds up at rest. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

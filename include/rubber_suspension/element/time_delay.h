@@ -1,4 +1,4 @@
-// Time delay between the measured displacement and force.
+// Time delay between the measured displacement and force. Throws nothing: makeElement() checks the values.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

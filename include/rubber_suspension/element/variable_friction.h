@@ -1,4 +1,4 @@
-// Friction whose limit grows with displacement, wears with travel, and builds up again at rest.
+// Friction whose limit grows with displacement, wears with travel, and builds up again at rest. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"

@@ -54,7 +54,7 @@ struct Identification {
 ///
 /// Parameters that scale a force (stiffnesses, damping, maximum forces) are eliminated by a linear least squares
 /// problem with bounds (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413-432), so that the
-/// search runs over break frequencies and displacements only; with effects in series (mount, free play, delay,
+/// search runs over break frequencies and displacements only; with effects in series (compliance, free play, delay,
 /// softening, heating) it runs over all. Bounds follow from the tables of the elements and from what rate and length of
 /// the logs can show. Whole numbers, switches, tables, dead bands and reference quantities are kept as given.
 ///

@@ -1,4 +1,4 @@
-// Where the gap lies: its squared size by log, frequency, amplitude and quantity.
+// Where the gap lies: its squared size by log, frequency, amplitude and quantity. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Which vector instructions the code for blocks of samples uses.
+// Which vector instructions the code for blocks of samples uses. Throws nothing.
 #pragma once
 
 namespace rubber_suspension::kernel {

@@ -1,4 +1,4 @@
-// The step of many Maxwell elements, two side by side.
+// The step of many Maxwell elements, two side by side. Throws nothing.
 #pragma once
 
 #include <cstddef>

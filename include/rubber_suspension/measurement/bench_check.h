@@ -21,7 +21,7 @@ namespace rubber_suspension::measurement {
 /// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
 ///
 /// Stiffness is judged only where the measured force goes with the displacement; a damper or a seal, whose component
-/// has hardly any spring, is left to the diagnosis.
+/// has hardly any spring, is left to the diagnosis. Throws std::invalid_argument for elements that make no component.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records);
 

@@ -1,4 +1,4 @@
-// Samples that a sensor did not measure: spikes, values held by a dropout, a channel at its stop.
+// Samples that a sensor did not measure: spikes, values held by a dropout, a channel at its stop. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>

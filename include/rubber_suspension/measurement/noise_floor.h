@@ -1,4 +1,4 @@
-// The gap that noise alone leaves, from what the motion does not cause.
+// The gap that noise alone leaves, from what the motion does not cause. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>

@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::measurement {
 
-/// A stationary model of noise: (white + 1/f^exponent), seen through a stable all-pole filter.
+/// A stationary model of noise: (white + 1/f^exponent), seen through a stable all-pole filter. Nothing here throws.
 ///
 /// The 1/f part is a sum of first-order processes whose time constants lie a factor of 4 apart from one sample to the
 /// length of the log (van der Ziel, Physica 16, 1950), so that missing samples and the first ones are treated exactly;
@@ -50,7 +50,7 @@ NoiseModel estimateNoise(const Eigen::VectorXd& signal, const Mask& mask, const 
 /// well: it is as likely outside as the law that was fitted there alone, and has no peaks left inside.
 bool continuesInto(const ExcludedBand& band, const Eigen::VectorXd& signal, const Mask& mask);
 
-/// Turns noise of a model into white noise of standard deviation 1, and every column of a fit alike; starts anew
+/// Turns noise of a model into white noise of standard deviation 1, and every column of a fit alike; starts again
 /// behind samples that do not count. Exact for white + 1/f and for the filter alone.
 class Whitener {
  public:

@@ -37,11 +37,10 @@ struct SettledLoop {
 /// Simulate a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
 ///
 /// Where all elements act in parallel, the linear ones enter by their K*, free of discretisation, Berg friction starts
-/// on its settled loop, and only the others run until they repeat. With effects in series (mount, free play, delay,
-/// softening, heating) the whole component is simulated, displacement linear between samples: a dashpot then lags by
-/// half a sample.
-/// A loop that does not settle within maximum_cycles (self-heating may take minutes) is returned with settled = false.
-/// Throws std::invalid_argument for a frequency, an amplitude or options that make no loop.
+/// on its settled loop, and only the others run until they repeat. With effects in series (compliance, free play,
+/// delay, softening, heating) the whole component is simulated, displacement linear between samples: a dashpot then
+/// lags by half a sample. A loop that does not settle within maximum_cycles (self-heating may take minutes) is returned
+/// with settled = false. Throws std::invalid_argument for a frequency, an amplitude or options that make no loop.
 SettledLoop simulateSettledLoop(const component::Component& component, double frequency, double amplitude,
                                 const LoopOptions& options = {});
 

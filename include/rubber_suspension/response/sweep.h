@@ -1,4 +1,4 @@
-// Stiffness and loss angle over frequency and amplitude.
+// Stiffness and loss angle over frequency and amplitude. All but logSpaced() throw as simulateSettledLoop() does.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::benchmark {
 
-/// A component file with so many components: by turns five Maxwell elements and Berg's model.
+/// A component file with that number of components: by turns five Maxwell elements and Berg's model.
 std::string benchmarkComponents(int count);
 
 /// Names of these components, in the order of the file.

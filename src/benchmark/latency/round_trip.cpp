@@ -73,7 +73,7 @@ class RoundTripMeter::Link {
     }
   }
 
-  // For a run of so many samples, of which this is the first. Not while answers may come.
+  // For a run of that many samples, of which this is the first. Not while answers may come.
   void begin(std::uint64_t first, std::size_t capacity) {
     first_ = first;
     sent_.assign(capacity, kAnswered);
@@ -187,7 +187,7 @@ RoundTrips RoundTripMeter::finish(std::uint64_t ticks, Clock::time_point start) 
   result.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   for (const auto& link : links_) {
     result.surplus += link->surplus();
-    // Only so many as were counted: a straggler may still be at work.
+    // Only as many as were counted: a straggler may still be at work.
     const auto count = static_cast<std::ptrdiff_t>(link->answered());
     result.durations.insert(result.durations.end(), link->trips().begin(), link->trips().begin() + count);
   }

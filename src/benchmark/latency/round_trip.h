@@ -40,7 +40,7 @@ class RoundTripMeter {
   /// Send to all components at once, `rate` times a second [Hz], for a time [s].
   RoundTrips atRate(double rate, double duration);
 
-  /// Send for a time [s] as fast as answers come, so many samples of each component under way and
+  /// Send for a time [s] as fast as answers come, that many samples of each component under way and
   /// `most` of each in all.
   RoundTrips flood(double duration, std::size_t under_way, std::uint64_t most);
 

@@ -38,7 +38,7 @@ constexpr double kAbsoluteTolerance = 1e-2;  // [N]; the forces are some kN
 
 // Each gives the sum of the Maxwell forces [N] at each sample.
 
-/// Boost.odeint, the classical method of Runge and Kutta with so many steps between two samples.
+/// Boost.odeint, the classical method of Runge and Kutta with that many steps between two samples.
 void odeintRungeKutta4(const PeerWork& work, int substeps, std::vector<double>& force);
 
 /// Boost.odeint, Dormand and Prince, with control of the step.
@@ -53,8 +53,8 @@ void cvodeBackwardDifferentiation(const PeerWork& work, std::vector<double>& for
 /// Simbody, Runge-Kutta-Merson with control of the step; the dashpots are auxiliary states of a force.
 void simbodyMerson(const PeerWork& work, std::vector<double>& force);
 
-/// MuJoCo, the classical method of Runge and Kutta with so many steps between two samples; the dashpots are activations
-/// of actuators.
+/// MuJoCo, the classical method of Runge and Kutta with that many steps between two samples; the dashpots are
+/// activations of actuators.
 void mujocoRungeKutta4(const PeerWork& work, int substeps, std::vector<double>& force);
 
 }  // namespace rubber_suspension::benchmark

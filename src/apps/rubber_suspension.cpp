@@ -1,0 +1,110 @@
+// rubber-suspension: one command on PATH whose subcommands are the programs of lib/rubber_suspension.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "element/suggestion.h"
+#include "log/text.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+std::vector<std::string> subcommands() {
+  std::istringstream words(RUBBER_SUSPENSION_COMMANDS);
+  std::vector<std::string> names;
+  for (std::string name; words >> name;) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+// Beside this program's folder, wherever it was installed or linked to.
+fs::path programsFolder() {
+  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "rubber_suspension";
+}
+
+// A devel space has no copies of the scripts: a file says where they are.
+fs::path programPath(const std::string& name) {
+  fs::path program = programsFolder() / name;
+  std::ifstream elsewhere(programsFolder() / "scripts_folder.txt");
+  std::string folder;
+  return !fs::exists(program) && std::getline(elsewhere, folder) ? fs::path(folder) / name : program;
+}
+
+int fail(int status, const std::string& message) {
+  std::cerr << "rubber-suspension: " << rubber_suspension::log::oneLine(message) << '\n';
+  return status;
+}
+
+// Becomes the program, so that its exit status and signals are its own.
+int become(const std::string& name, char** arguments) {
+  const std::string program = programPath(name).string();
+  execv(program.c_str(), arguments);
+  return fail(kFailed, program + ": " + std::strerror(errno));
+}
+
+int printHelp() {
+  std::cout << "Runs a command of the package rubber_suspension: simulates rubber components of vehicle suspensions\n"
+               "and diagnoses the gap to measured logs.\n"
+               "Usage: rubber-suspension COMMAND [OPTIONS]\n\n"
+               "Options:\n"
+               "  -h,--help         Print this help message and exit; behind a command, that of the command\n"
+               "  --version         Print the version and exit\n\n"
+               "Scripts: generate_track, live_plot\n\n"
+               "Commands:\n"
+            << std::flush;
+  std::string reference = "reference";
+  std::string list = "list";
+  char* arguments[] = {reference.data(), list.data(), nullptr};
+  return become(reference, arguments);
+}
+
+std::string accepted(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+int run(int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "--help" || command == "-h") {
+    return printHelp();
+  }
+  if (command == "--version") {
+    std::cout << "rubber-suspension " << RUBBER_SUSPENSION_VERSION << '\n';
+    return 0;
+  }
+  const std::vector<std::string> names = subcommands();
+  for (const std::string& name : names) {
+    if (name == command) {
+      return become(command, argv + 1);
+    }
+  }
+  const std::string what = command.empty() ? "a command is missing"
+                                           : "no command " + rubber_suspension::log::quoted(command) +
+                                                 rubber_suspension::element::didYouMean(command, names);
+  return fail(kWrongUsage, what + "; accepted: " + accepted(names) + ", --help, --version");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    return fail(kFailed, error.what());
+  }
+}

@@ -1,0 +1,39 @@
+// What the parts of the Python module share: how values cross the border, and who adds what.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension::python {
+
+namespace py = pybind11;
+
+/// Anything that NumPy makes an array of doubles.
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The values of an array of one dimension. Throws std::invalid_argument that names the argument where it has another
+/// number of dimensions or holds a number that is not finite.
+std::vector<double> toVector(const Array& array, const std::string& name);
+
+/// An array of its own memory.
+Array toArray(const std::vector<double>& values);
+
+/// A number, or text with a unit, in the parameter's SI unit. Throws std::invalid_argument.
+double toNumber(const py::handle& value, const element::ParameterInfo& parameter);
+
+/// {"type": "friction", "maximum_force": "6 kN", ...}: values as in a component file. Throws std::invalid_argument.
+std::vector<element::ElementDescription> toElements(const py::sequence& entries);
+py::list fromElements(const std::vector<element::ElementDescription>& elements);
+
+void addErrors(py::module_& module);
+void addLogs(py::module_& module);
+void addComponents(py::module_& module);
+void addDiagnosis(py::module_& module);
+
+}  // namespace rubber_suspension::python

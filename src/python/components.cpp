@@ -1,0 +1,172 @@
+// Components in Python: loaded, estimated or listed; stepped, and simulated over arrays.
+#include <fmt/format.h>
+#include <pybind11/complex.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "python/bindings.h"
+#include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::python {
+namespace {
+
+using io::ComponentDescription;
+
+// A component in motion: what keeps its own history.
+class Motion {
+ public:
+  Motion(std::shared_ptr<const component::Component> component, double displacement)
+      : component_(std::move(component)), state_(component_->makeState()) {
+    requireFinite(displacement);
+    force_ = component_->initialise(state_, displacement);
+  }
+
+  double step(double dt, double displacement) {
+    requireFinite(displacement);
+    requirePositive(dt);
+    force_ = component_->step(state_, dt, displacement);
+    return force_.total;
+  }
+
+  static void requireFinite(double displacement) {
+    if (!std::isfinite(displacement)) {
+      throw std::invalid_argument(
+          fmt::format("displacement: {} is not finite; accepted: a finite number in m", displacement));
+    }
+  }
+
+  static void requirePositive(double dt) {
+    if (!(dt > 0.0) || !std::isfinite(dt)) {
+      throw std::invalid_argument(fmt::format("dt: {:g} s; accepted: greater than 0", dt));
+    }
+  }
+
+  const element::ComponentForce& force() const { return force_; }
+
+ private:
+  std::shared_ptr<const component::Component> component_;
+  component::ComponentState state_;
+  element::ComponentForce force_{};
+};
+
+// At rest at the first displacement, then a step to each of the others.
+Array simulate(const ComponentDescription& description, const Array& displacement, double dt) {
+  Motion::requirePositive(dt);
+  const std::vector<double> path = toVector(displacement, "displacement");
+  if (path.empty()) {
+    throw std::invalid_argument("displacement: empty; accepted: at least one value");
+  }
+  std::vector<double> force(path.size());
+  {
+    const py::gil_scoped_release others_run;
+    const component::Component component = description.makeComponent();
+    component::ComponentState state = component.makeState();
+    force[0] = component.initialise(state, path[0]).total;
+    component.simulate(state, dt, path.data() + 1, path.size() - 1, force.data() + 1);
+  }
+  return toArray(force);
+}
+
+Array replay(const ComponentDescription& description, const log::Log& log) {
+  std::vector<double> force;
+  {
+    const py::gil_scoped_release others_run;
+    force = gap::simulateLog(description.makeComponent(), log);
+  }
+  return toArray(force);
+}
+
+ComponentDescription estimate(const std::string& model, const std::string& name, const py::kwargs& inputs) {
+  const std::optional<estimation::Model> found = estimation::modelFromString(model);
+  if (!found || *found == estimation::Model::elements) {
+    throw std::invalid_argument(
+        fmt::format("'{}' is not a model with a specification; accepted: kelvin_voigt, "
+                    "maxwell, maxwell_dashpot, friction, friction_dashpot, berg, multi_maxwell",
+                    model));
+  }
+  estimation::Specification specification;
+  for (const auto& [key, value] : inputs) {
+    const auto input = py::cast<std::string>(key);
+    const element::ParameterInfo* parameter = element::findParameter(estimation::specificationParameters(), input);
+    specification.set(input,
+                      parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below
+  }
+  return {name, *found, std::move(specification)};
+}
+
+ComponentDescription ofElements(const py::sequence& elements, const std::string& name) {
+  ComponentDescription description(name, toElements(elements));
+  description.makeComponent();  // throws where they do not go together
+  return description;
+}
+
+py::dict specificationOf(const ComponentDescription& description) {
+  py::dict result;
+  for (const auto& [key, value] : description.specification().values()) {
+    result[key.c_str()] = value;
+  }
+  return result;
+}
+
+ComponentDescription load(const std::string& path, const std::string& name) {
+  return io::selectComponent(io::loadComponentFile(path), name);
+}
+
+void addMotion(py::module_& module) {
+  py::class_<Motion>(module, "Motion", "A component in motion, which keeps its history; made by Component.start().")
+      .def("step", &Motion::step, py::arg("dt"), py::arg("displacement"),
+           "Advance by dt > 0 [s] to a displacement [m], linear in between; returns the force [N]. Raises ValueError.")
+      .def_property_readonly(
+          "force", [](const Motion& motion) { return motion.force().total; }, "[N]")
+      .def_property_readonly(
+          "elastic", [](const Motion& motion) { return motion.force().elastic; }, "[N]")
+      .def_property_readonly(
+          "viscous", [](const Motion& motion) { return motion.force().viscous; }, "[N]")
+      .def_property_readonly(
+          "friction", [](const Motion& motion) { return motion.force().friction; }, "[N]");
+}
+
+}  // namespace
+
+void addComponents(py::module_& module) {
+  py::register_exception<io::ComponentFileError>(module, "ComponentFileError", PyExc_ValueError);
+  addMotion(module);
+  py::class_<ComponentDescription>(module, "Component", "A component as a component file describes it.")
+      .def(py::init(&ofElements), py::arg("elements"), py::arg("name") = "component",
+           "Of a list of elements, {'type': 'spring', 'stiffness': '3 kN/mm'}. Raises ValueError.")
+      .def_readonly("name", &ComponentDescription::name)
+      .def_property_readonly("model", [](const ComponentDescription& d) { return estimation::toString(d.model()); })
+      .def_property_readonly("specification", &specificationOf, "Inputs of the model in SI units; empty without one.")
+      .def_property_readonly(
+          "elements", [](const ComponentDescription& d) { return fromElements(d.allElements()); },
+          "All elements: those of the model, and those added.")
+      .def(
+          "start",
+          [](const ComponentDescription& d, double displacement) {
+            return Motion(std::make_shared<component::Component>(d.makeComponent()), displacement);
+          },
+          py::arg("displacement") = 0.0, "At rest at a displacement [m], relaxed and never loaded before.")
+      .def("simulate", &simulate, py::arg("displacement"), py::arg("dt"),
+           "Forces [N] of displacements [m] that are dt [s] apart; at rest at the first of them. Raises ValueError.")
+      .def("replay", &replay, py::arg("log"),
+           "Forces [N] at the samples of a log, to the last bit as the command replay and the node. Raises LogError.")
+      .def(
+          "stiffness",
+          [](const ComponentDescription& d, double frequency) { return d.makeComponent().complexStiffness(frequency); },
+          py::arg("frequency"), "Complex dynamic stiffness [N/m] at a frequency [Hz]; None of a nonlinear component.")
+      .def(
+          "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "The text of a component file.")
+      .def("__repr__", [](const ComponentDescription& d) {
+        return fmt::format("<Component {}, model {}>", d.name, estimation::toString(d.model()));
+      });
+  module.def("load", &load, py::arg("path"), py::arg("component") = "",
+             "The component of that name of a component file; without a name the only one. Raises ComponentFileError.");
+  module.def("estimate", &estimate, py::arg("model"), py::pos_only(), py::arg("name") = "component",
+             "A component from its specification: estimate('multi_maxwell', static_stiffness='3 kN/mm', ...). Raises "
+             "ValueError.");
+}
+
+}  // namespace rubber_suspension::python

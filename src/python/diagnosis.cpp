@@ -1,0 +1,47 @@
+// The diagnosis in Python: one call, its result as plain values.
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+#include <memory>
+
+#include "python/bindings.h"
+
+namespace rubber_suspension::python {
+namespace {
+
+using diagnosis::Diagnosis;
+
+Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
+                   const std::vector<log::Log>& hold_out, int threads) {
+  if (threads < 1 || threads > 64) {
+    throw std::invalid_argument("threads: " + std::to_string(threads) + "; accepted: 1 to 64");
+  }
+  diagnosis::DiagnosisOptions options;
+  options.threads = threads;
+  const py::gil_scoped_release others_run;
+  return diagnosis::diagnose(component, logs, hold_out, options);
+}
+
+py::object toReport(const Diagnosis& diagnosis) {
+  return py::module_::import("json").attr("loads")(diagnosis::toJson(diagnosis));
+}
+
+}  // namespace
+
+void addDiagnosis(py::module_& module) {
+  py::class_<Diagnosis>(module, "Diagnosis", "What a diagnosis found.")
+      .def_readonly("verdict", &Diagnosis::verdict)
+      .def_readonly("sentence", &Diagnosis::sentence, "The verdict for an engineer.")
+      .def_readonly("effects", &Diagnosis::effects, "Those named, most important first.")
+      .def_readonly("augmented", &Diagnosis::augmented, "The component with the effects named.")
+      .def_readonly("re_estimated", &Diagnosis::re_estimated, "The component, re-estimated from the logs.")
+      .def("report", &toReport, "All of report.json as a dict.")
+      .def("write", &diagnosis::writeReport, py::arg("folder"),
+           "Write report.json, report.html and augmented.yaml into a folder, which is made. Raises RuntimeError.")
+      .def("__repr__", [](const Diagnosis& diagnosis) { return "<Diagnosis: " + diagnosis.sentence + ">"; });
+  module.def("diagnose", &diagnose, py::arg("component"), py::arg("logs"),
+             py::arg("hold_out") = std::vector<log::Log>(), py::arg("threads") = 2,
+             "Where the component differs from measured logs, which effect it lacks, how much of the gap that closes: "
+             "as the command diagnose. Raises LogError and ValueError.");
+}
+
+}  // namespace rubber_suspension::python

@@ -1,0 +1,83 @@
+// Logs in Python: read from files, or made of arrays.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "python/bindings.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::python {
+namespace {
+
+// As stamps are kept: within 285 years.
+constexpr double kLongestTime = 9.0e9;  // [s]
+
+log::Log readLog(const std::string& path, const std::vector<std::string>& columns, const std::string& unit,
+                 double sampling_rate) {
+  const log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate);
+  const py::gil_scoped_release others_run;
+  return log::readLog(path, format);
+}
+
+log::Log makeLog(const Array& time, const Array& displacement, const std::optional<Array>& force,
+                 const std::string& name) {
+  log::Log log;
+  log.name = name;
+  for (const double t : toVector(time, "time")) {
+    if (std::abs(t) > kLongestTime) {
+      throw std::invalid_argument(
+          fmt::format("time: {:g} s is out of range; accepted: at most {:g} s", t, kLongestTime));
+    }
+    log.stamp.push_back(std::llround(t * 1e9));
+  }
+  log.displacement = toVector(displacement, "displacement");
+  log.force = force ? toVector(*force, "force") : std::vector<double>();
+  log::checkLog(log);
+  return log;
+}
+
+Array timeOf(const log::Log& log) {
+  std::vector<double> time(log.size());
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    time[i] = log.time(i);
+  }
+  return toArray(time);
+}
+
+}  // namespace
+
+void addErrors(py::module_& module) { py::register_exception<log::LogError>(module, "LogError", PyExc_ValueError); }
+
+void addLogs(py::module_& module) {
+  py::class_<log::Log>(module, "Log", "A recorded log in SI units.")
+      .def(py::init(&makeLog), py::arg("time"), py::arg("displacement"), py::arg("force") = py::none(),
+           py::arg("name") = "log",
+           "Of arrays: time [s], which increases, displacement [m] and, if measured, force [N]. Raises LogError and "
+           "ValueError.")
+      .def_readonly("name", &log::Log::name)
+      .def_readonly("notes", &log::Log::notes, "What was ignored or taken for what, and why.")
+      .def_property_readonly("time", &timeOf, "[s]")
+      .def_property_readonly(
+          "displacement", [](const log::Log& log) { return toArray(log.displacement); }, "[m]")
+      .def_property_readonly(
+          "force", [](const log::Log& log) { return toArray(log.force); }, "Measured [N]; empty without.")
+      .def_property_readonly(
+          "temperature", [](const log::Log& log) { return toArray(log.temperature); }, "[degC]; empty without.")
+      .def("__len__", &log::Log::size)
+      .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
+  module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),
+             py::arg("unit") = "", py::arg("sampling_rate") = 0.0,
+             "Read a log of text (CSV), .mat or HDF5; columns, unit and sampling_rate as the options of the commands. "
+             "Raises LogError.");
+  module.def(
+      "gap",
+      [](const Array& measured, const Array& simulated) {
+        return gap::relativeGap(toVector(measured, "measured"), toVector(simulated, "simulated"));
+      },
+      py::arg("measured"), py::arg("simulated"),
+      "RMS of measured minus simulated force over the standard deviation of the measured force. Raises ValueError.");
+}
+
+}  // namespace rubber_suspension::python

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Tests of the command rubber-suspension, of its completion in bash and of its man pages.
+
+Usage: dispatcher_test.py FOLDER_WITH_IT FOLDER_OF_THE_PAGES VERSION COMMAND...
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv[1]) / "rubber-suspension"
+PAGES = pathlib.Path(sys.argv[2])
+VERSION = sys.argv[3]
+COMMANDS = sys.argv[4:]
+CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config" / "example.yaml"
+
+
+def run(*arguments, program=PROGRAM):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60, check=False)
+
+
+def completions(*words):
+    """What bash offers for the last of these words."""
+    script = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); compopt() { :; }; _rubber_suspension; ' \
+             'printf "%s\\n" "${COMPREPLY[@]}"'
+    answer = subprocess.run(["bash", "-c", script, "bash", PAGES / "rubber-suspension", str(PROGRAM), *words],
+                            capture_output=True, text=True, timeout=60, check=True)
+    return answer.stdout.split()
+
+
+class Dispatcher(unittest.TestCase):
+    def test_lists_every_command(self):
+        answer = run("--help")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        for command in [*COMMANDS, "generate_track", "live_plot"]:
+            self.assertIn(command, answer.stdout)
+        self.assertEqual(run("--version").stdout, f"rubber-suspension {VERSION}\n")
+
+    def test_becomes_the_command(self):
+        for command in COMMANDS:
+            self.assertEqual(run(command, "--version").stdout, f"{command} {VERSION}\n")
+        self.assertIn("--sampling-rate", run("generate_track", "--help").stdout)
+        answer = run("estimate", "--config", "/nonexistent.yaml")
+        self.assertEqual(answer.returncode, 1)
+        self.assertTrue(answer.stderr.startswith("estimate: /nonexistent.yaml"), answer.stderr)
+
+    def test_works_by_a_link(self):
+        with tempfile.TemporaryDirectory() as folder:
+            link = pathlib.Path(folder) / "rs"
+            link.symlink_to(PROGRAM)
+            self.assertEqual(run("replay", "--version", program=link).stdout, f"replay {VERSION}\n")
+
+    def test_names_the_command_that_was_meant(self):
+        answer = run("repaly")
+        self.assertEqual(answer.returncode, 2)
+        self.assertRegex(answer.stderr, r"\Arubber-suspension: no command 'repaly' \(did you mean 'replay'\?\); accepted: .*\n\Z")
+        answer = run()
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("a command is missing; accepted: ", answer.stderr)
+
+
+class Completion(unittest.TestCase):
+    def test_of_commands_and_options(self):
+        self.assertEqual(completions("rep"), [c for c in ("replay", "reproduce_paper") if c in COMMANDS])
+        self.assertEqual(completions("replay", "--con"), ["--config"])
+        self.assertIn("--sampling-rate", completions("generate_track", "--s"))
+
+    def test_of_files_and_components(self):
+        self.assertEqual(completions("replay", "--config", str(CONFIG)[:-1]), [str(CONFIG)])
+        self.assertEqual(completions("replay", "--config", str(CONFIG), "--component", "left"), ["left_secondary"])
+        folders = completions("diagnose", "--log", "x", "--output", str(CONFIG.parents[1]) + "/conf")
+        self.assertEqual(folders, [str(CONFIG.parent)])
+
+
+class ManPages(unittest.TestCase):
+    def test_are_all_there(self):
+        names = {path.name for path in PAGES.glob("*.1.gz")}
+        self.assertEqual(names, {"rubber-suspension.1.gz", *(f"rubber-suspension-{c}.1.gz" for c in COMMANDS)})
+
+    @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
+    def test_are_valid(self):
+        for path in PAGES.glob("*.1.gz"):
+            text = subprocess.run(["gzip", "-dc", path], capture_output=True, check=True).stdout
+            answer = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-z"], input=text, capture_output=True, check=False)
+            self.assertEqual((answer.returncode, answer.stderr), (0, b""), path.name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+"""Tests of what commands say of their options: those without an effect are refused, misspelt ones named, odd values warned
+of; all in one line on stderr.
+
+Usage: usage_test.py FOLDER_OF_THE_COMMANDS
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAMS = pathlib.Path(sys.argv[1])
+CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config"
+EXAMPLE = str(CONFIG / "example.yaml")
+BUSH = str(CONFIG / "diagnosis_example" / "component.yaml")
+LOG = str(CONFIG / "diagnosis_example" / "log_1_sweep.csv")
+WRONG_USAGE = 2
+
+# Command line, and what its one line on stderr has to say.
+REFUSED = (
+    ("estimate --data-sheet x.yaml --plot x.svg", "--plot has no effect with --data-sheet"),
+    ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
+    ("estimate --data-sheet x.yaml --json", "--json has no effect with --data-sheet"),
+    (f"estimate --config {EXAMPLE} --output x.yaml", "--output has no effect without --from-log or --data-sheet"),
+    (f"estimate --config {EXAMPLE} --sampling-rate 100", "--sampling-rate has no effect without --from-log"),
+    (f"estimate --config {EXAMPLE} --from-log {LOG} --amplitude 1e-3", "--amplitude has no effect with --from-log"),
+    (f"estimate --config {EXAMPLE} --force", "--force has no effect without a file to write"),
+    ("replay --config c --log x.bag --output o.csv --unit mm", "--unit and --sampling-rate have no effect on a bag"),
+    (f"play_log --component a --log {LOG} --paused --step 1", "--paused has no effect with --step"),
+    (f"play_log --component a --log {LOG} --force", "--force has no effect without a file to write"),
+    (f"check_force --component a --log {LOG} --tolerance 1 --config-component b", "has no effect without --config"),
+    ("benchmark --config x.yaml", "--config has no effect without --work"),
+    ("benchmark_latency --soak 1000 --sampling-rate 100", "--sampling-rate has no effect with --soak"),
+    (f"half_bogie --config c --track {LOG} --forces implicit --delay 1", "--delay has no effect with --forces implicit"),
+    ("half_bogie --config c --stability --columns time=1", "--columns has no effect with --stability"),
+    ("reference effects replay", "a command goes with the page man"),
+    # What was meant.
+    (f"replay --confg {BUSH} --log {LOG}", "no option --confg (did you mean --config?)"),
+    (f"replay --config {BUSH} --log {LOG} --output o --rate 9", "no option --rate (did you mean --sampling-rate?)"),
+    ("reference man repaly", "no command 'repaly' (did you mean 'replay'?)"),
+    (f"estimate --config {BUSH} --amplitude 2,5mm", "--amplitude: a decimal comma (did you mean '2.5mm'?)"),
+    (f"estimate --config {BUSH} --amplitude=-2mm", "'-2mm' is out of range; accepted: greater than 0 mm"),
+    (f"replay --config {BUSH} --log {LOG} --output o --columns froce=2", "(did you mean 'force'?)"),
+)
+
+
+def run(line):
+    command, *arguments = line.split()
+    return subprocess.run([PROGRAMS / command, *arguments], capture_output=True, text=True, timeout=60, check=False)
+
+
+class Usage(unittest.TestCase):
+    def test_refusals(self):
+        for line, message in REFUSED:
+            if not (PROGRAMS / line.split()[0]).exists():  # half_bogie needs Simbody
+                continue
+            with self.subTest(line), tempfile.TemporaryDirectory() as folder:
+                answer = run(line.replace("--output o", f"--output {folder}/o"))
+                self.assertEqual(answer.returncode, WRONG_USAGE, answer.stderr)
+                self.assertIn(message, answer.stderr)
+                self.assertEqual(answer.stderr.count("\n"), 1)
+
+
+class Warnings(unittest.TestCase):
+    """Warnings change neither the exit status nor the result."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, name, text):
+        path = pathlib.Path(self.folder.name) / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def check(self, line, warning):
+        answer = run(line)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertRegex(answer.stderr, warning)
+        return answer
+
+    def test_of_metres(self):
+        self.check(f"estimate --config {BUSH} --amplitude 5 --points 2", "warning: .*5 m is .*; a number without a unit is in metres")
+        usual = run(f"estimate --config {BUSH} --amplitude 2mm --points 2")
+        self.assertNotIn("warning", usual.stderr)
+
+    def test_of_millimetres_in_a_column_of_metres(self):
+        # Each displacement of the example, a log in mm and kN, as if it were in m.
+        text = pathlib.Path(LOG).read_text(encoding="utf-8")
+        self.assertIn("displacement_mm", text)
+        odd = self.write("odd.csv", text.replace("displacement_mm", "displacement_m", 1))
+        output = pathlib.Path(self.folder.name) / "o.csv"
+        self.check(f"replay --config {BUSH} --log {odd} --output {output}", "warning: .*odd.csv: .* softer than the component")
+        self.assertTrue(output.exists())
+        self.assertNotIn("warning", run(f"replay --config {BUSH} --log {LOG} --output {output}").stderr)
+
+    def test_of_stiffnesses_that_nearly_agree(self):
+        config = self.write("c.yaml", "components:\n  b:\n    model: multi_maxwell\n    specification: {static_stiffness: "
+                            "10 kN/mm, dynamic_stiffness: 12.49 kN/mm, nominal_frequency: 4, maximum_stiffness: 12.5 "
+                            "kN/mm, high_frequency: 25}\n")
+        self.check(f"estimate --config {config} --points 2", "warning: b: maximum_stiffness: 12.5 kN/mm is only 0.08 % above")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
