@@ -26,7 +26,7 @@ void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, d
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
 /// components, `COMPONENT/reset` and `COMPONENT/set_enabled` for one. They read and write nothing but the files that
-/// the node's own parameters name: whoever calls a service names no path.
+/// the node's private parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
   /// The group must outlive the object.

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Holds the pages written by hand to the files, commands and launch files that they name.
+"""Holds the pages written by hand to the files, commands and launch files that they name, and pages and comments to the
+words of the field.
 
 Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -17,6 +18,8 @@ FOREIGN = {
     "bear out": "confirm", "goes on": "continues",
 }
 WRITTEN = {"augmented.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
+# These of them have a plain meaning in comments, too.
+PLAIN_IN_COMMENTS = {"own parameter"}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 
 
@@ -93,6 +96,14 @@ def word_violations(text):
             yield f"says '{word}'; the field says: {instead}"
 
 
+def comment_violations(text):
+    """The same words in the comments of a source."""
+    comments = "\n".join(line.split("//", 1)[1] for line in text.splitlines() if "//" in line)
+    for word, instead in FOREIGN.items():
+        if word not in PLAIN_IN_COMMENTS and re.search(rf"\b{word}", comments, re.I):
+            yield f"says '{word}'; the field says: {instead}"
+
+
 def main(root):
     known = {"options": options(root), "sources": sources(root),
              "arguments": {path.name: {arg.get("name") for arg in ElementTree.parse(path).getroot().findall("arg")}
@@ -104,6 +115,8 @@ def main(root):
             found.append(f"{path.relative_to(root)}: {violation}")
     for path in [*(root / "launch").glob("*.launch"), *(root / "config").rglob("*.yaml"), root / "CHANGELOG.rst"]:
         found += [f"{path.relative_to(root)}: {v}" for v in word_violations(path.read_text(encoding="utf-8"))]
+    for path in sorted(path for folder in ("src", "include") for path in (root / folder).rglob("*.[hc]*")):
+        found += [f"{path.relative_to(root)}: {v}" for v in comment_violations(path.read_text(encoding="utf-8"))]
     for path in (root / "docs/images").iterdir():
         if path.stat().st_size > LARGEST_PICTURE:
             size = path.stat().st_size
