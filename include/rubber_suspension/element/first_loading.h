@@ -1,4 +1,4 @@
-// Force of the first loading: what a new test piece carries beyond displacements that were reached before. make() throws.
+// Force of the first loading: what a new test piece carries beyond displacements that were reached before.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
@@ -15,7 +15,8 @@ namespace rubber_suspension::element {
 /// step, dissipates. The reach is permanent: a long rest keeps it. Memory: the reaches of the upper and the lower side.
 /// Source: yielding at a limit that is approached smoothly (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), one-sided and
 /// irreversible; that the first loading alone breaks filler, and the more the farther it goes: J. Diani, B. Fayolle,
-/// P. Gilormini, Eur. Polymer J. 45 (2009) 601-612.
+/// P. Gilormini, Eur. Polymer J. 45 (2009) 601-612. The type's make() throws std::invalid_argument for values that do
+/// not go together.
 class FirstLoading final : public ParallelElement {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };

@@ -1,4 +1,4 @@
-// Stress softening (Mullins effect): softer within displacements that were reached before. make() throws std::invalid_argument.
+// Stress softening (Mullins effect): softer within displacements that were reached before.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
@@ -22,7 +22,7 @@ namespace rubber_suspension::element {
 /// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877; their error
 /// function of the energy is a tanh here, u being the energy of a linear spring that lacks to the largest one, over the
 /// latter. That the reduction grows with the largest strain, and recovers: J. Diani, B. Fayolle, P. Gilormini, Eur.
-/// Polymer J. 45 (2009) 601-612.
+/// Polymer J. 45 (2009) 601-612. The type's make() throws std::invalid_argument for values that do not go together.
 class StressSoftening final : public ForceEffect {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
