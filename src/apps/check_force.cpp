@@ -92,7 +92,8 @@ ros_interface::ForceReference referenceFor(const Options& options, const log::Lo
   }
   const std::string& name = options.config_component.empty() ? options.play.component : options.config_component;
   const auto components = io::loadComponentFile(options.config);
-  return ros_interface::simulatedReference(io::selectComponent(components, name).makeComponent(), log, options.config);
+  return ros_interface::simulatedReference(io::selectComponent(components, name, options.config).makeComponent(), log,
+                                           options.config);
 }
 
 struct Outcome {

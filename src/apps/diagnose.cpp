@@ -122,7 +122,7 @@ int run(const Options& options) {
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
   options.log_options.requireUse(all_logs);
   const auto components = io::loadComponentFile(options.config);
-  io::ComponentDescription component = io::selectComponent(components, options.component);
+  io::ComponentDescription component = io::selectComponent(components, options.component, options.config);
   warnOf("diagnose", component);
   setTolerances(options.rig, component);
   std::optional<diagnosis::EarlierReport> earlier;

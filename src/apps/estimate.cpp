@@ -133,7 +133,7 @@ int convertDataSheet(const Options& options) {
 
 int identifyComponent(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component, options.config);
   warnOf("estimate", description);
   std::vector<log::Log> logs;
   for (const std::string& path : options.logs) {
@@ -192,7 +192,7 @@ int estimateComponents(const Options& options) {
   const command::SweepOptions sweeps = sweepOptions(options);
   std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
   if (!options.component.empty()) {
-    components = {io::selectComponent(components, options.component)};
+    components = {io::selectComponent(components, options.component, options.config)};
   }
   std::vector<command::EstimateReport> reports;
   for (const io::ComponentDescription& component : components) {

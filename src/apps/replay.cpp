@@ -33,7 +33,7 @@ int run(const Options& options) {
       {{"--output", options.output, io::FileKind::force_csv}, {"--plot", options.plot, io::FileKind::figure}});
   options.log_options.requireUse({options.log});
   const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component, options.config);
   warnOf("replay", description);
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);

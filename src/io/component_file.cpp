@@ -535,7 +535,7 @@ std::vector<ComponentDescription> loadComponentFile(const std::string& path) {
 }
 
 const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
-                                            const std::string& name) {
+                                            const std::string& name, const std::string& source) {
   if (name.empty() && components.size() == 1) {
     return components.front();
   }
@@ -546,10 +546,10 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
     }
     names.push_back(component.name);
   }
-  throw ComponentFileError(
-      name.empty()
-          ? fmt::format("more than one component; accepted: the name of one of {}", log::join(names))
-          : fmt::format("no component '{}'{}; accepted: {}", name, element::didYouMean(name, names), log::join(names)));
+  const std::string problem =
+      name.empty() ? "more than one component; accepted: the name of one of "
+                   : fmt::format("no component '{}'{}; accepted: ", name, element::didYouMean(name, names));
+  throw ComponentFileError((source.empty() ? "" : source + ": ") + problem + log::join(names));
 }
 
 std::string toYaml(const std::vector<ComponentDescription>& components) {

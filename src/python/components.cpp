@@ -112,7 +112,7 @@ py::dict specificationOf(const ComponentDescription& description) {
 }
 
 ComponentDescription load(const std::string& path, const std::string& name) {
-  return io::selectComponent(io::loadComponentFile(path), name);
+  return io::selectComponent(io::loadComponentFile(path), name, path);
 }
 
 void addMotion(py::module_& module) {

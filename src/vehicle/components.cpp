@@ -11,7 +11,7 @@ std::vector<component::Component> loadStruts(const std::string& path,
   const auto file = io::loadComponentFile(path);
   std::vector<component::Component> components;
   for (const std::string& name : strutNames()) {
-    std::vector<element::ElementDescription> elements = io::selectComponent(file, name).allElements();
+    std::vector<element::ElementDescription> elements = io::selectComponent(file, name, path).allElements();
     elements.insert(elements.end(), further.begin(), further.end());
     components.emplace_back(elements);
   }

@@ -184,11 +184,12 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   EXPECT_EQ(io::selectComponent(two, "bush").name, "bush");
   EXPECT_THROW(io::selectComponent(two, "brush"), io::ComponentFileError);
   try {
-    io::selectComponent(two, "left_secondry");
+    io::selectComponent(two, "left_secondry", "file.yaml");
     FAIL() << "accepted";
   } catch (const io::ComponentFileError& error) {
-    EXPECT_STREQ(error.what(),
-                 "no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
+    EXPECT_STREQ(
+        error.what(),
+        "file.yaml: no component 'left_secondry' (did you mean 'left_secondary'?); accepted: left_secondary, bush");
   }
   EXPECT_THROW(io::selectComponent(two, ""), io::ComponentFileError);
   const auto one = parse("components: {a: {model: elements, elements: [{type: spring, stiffness: 1}]}}");

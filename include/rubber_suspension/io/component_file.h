@@ -75,9 +75,10 @@ std::vector<ComponentDescription> loadComponentFile(const std::string& path);
 /// The same from text; `source` stands for the file's name in errors.
 std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source);
 
-/// The component of that name; with an empty name the only one. Throws ComponentFileError that lists the names.
+/// The component of that name; with an empty name the only one. Throws ComponentFileError that lists the names and
+/// begins with `source`, the file's name, if given.
 const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
-                                            const std::string& name);
+                                            const std::string& name, const std::string& source = "");
 
 /// YAML that parseComponentFile reads back to the same numbers, bit by bit.
 std::string toYaml(const std::vector<ComponentDescription>& components);
