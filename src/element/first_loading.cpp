@@ -25,7 +25,7 @@ double FirstLoading::initialise(double displacement, double* memory) const {
   return 0.0;
 }
 
-// Rest at a displacement not reached before relaxes the force there: the reach goes on to it.
+// Rest at a displacement not reached before relaxes the force there: the reach continues to it.
 double FirstLoading::relax(double displacement, double* memory) const {
   memory[kUpper] = std::max(memory[kUpper], displacement);
   memory[kLower] = std::max(memory[kLower], -displacement);

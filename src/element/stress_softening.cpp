@@ -46,7 +46,7 @@ void StressSoftening::initialise(double displacement, double* memory) const {
   memory[kLargest] = memory[kReach] = reachOf(displacement);
 }
 
-// A long rest heals what heals at all; else only a displacement beyond all before counts anew.
+// A long rest heals what heals at all; else only a displacement beyond all before counts again.
 double StressSoftening::relax(double displacement, double* memory) const {
   if (parameters_.recovery_time > 0.0) {
     initialise(displacement, memory);
