@@ -1,4 +1,4 @@
-// The jobs file: a strict loader that goes on after a problem, so that all are told at once.
+// The jobs file: a strict loader that continues after a problem, so that all are told at once.
 #include "campaign/jobs_file.h"
 
 #include <fmt/format.h>
