@@ -77,7 +77,7 @@ Case makeCase(const std::shared_ptr<Bench>& bench, const std::string& name, void
   return result;
 }
 
-// A surrogate as a diagnosis writes it, and ten Maxwell elements as the yardstick.
+// A surrogate as a diagnosis writes it, and ten Maxwell elements as the baseline.
 struct SurrogateBench {
   element::ResidualBasis basis;
   Eigen::VectorXd weights;
@@ -153,9 +153,9 @@ Case surrogateCase(std::size_t samples, bool even, bool resonant) {
   Case result;
   result.name = fmt::format("`Component::step`, {}, a surrogate{}", even ? "constant dt" : "every dt another",
                             resonant ? " with resonators" : "");
-  result.yardstick = "`Component::step`, ten Maxwell elements alone";
+  result.baseline = "`Component::step`, ten Maxwell elements alone";
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(samples);
+  result.count = result.baseline_count = static_cast<double>(samples);
   result.library = [bench] { bench->stepThroughAll(bench->surrogate); };
   result.bare = [bench] { bench->stepThroughAll(bench->maxwells); };
   result.error = [bench] { return bench->error(); };
