@@ -125,9 +125,9 @@ std::vector<Case> fmuCases([[maybe_unused]] const BenchmarkSize& size) {
   const auto bench = std::make_shared<FmuBench>(size.samples);
   Case result;
   result.name = "an FMU: `fmi2SetReal`, `fmi2DoStep`, `fmi2GetReal`";
-  result.yardstick = "`Component::step`, constant dt";
+  result.baseline = "`Component::step`, constant dt";
   result.unit = "step";
-  result.count = result.yardstick_count = static_cast<double>(size.samples);
+  result.count = result.baseline_count = static_cast<double>(size.samples);
   result.bare = [bench] { bench->stepComponent(); };
   result.library = [bench] { bench->stepFmu(); };
   result.error = [bench] { return relativeDifference(bench->bare, bench->library); };
