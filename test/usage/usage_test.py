@@ -22,7 +22,7 @@ REFUSED = (
     ("estimate --data-sheet x.yaml --plot x.svg", "--plot has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --json", "--json has no effect with --data-sheet"),
-    (f"estimate --config {EXAMPLE} --output x.yaml", "--output has no effect without --from-log or --data-sheet"),
+    (f"estimate --config {EXAMPLE} --output x.yaml", "--output has no effect without --from-log, --from-table or --data-sheet"),
     (f"estimate --config {EXAMPLE} --sampling-rate 100", "--sampling-rate has no effect without --from-log"),
     (f"estimate --config {EXAMPLE} --from-log {LOG} --amplitude 1e-3", "--amplitude has no effect with --from-log"),
     (f"estimate --config {EXAMPLE} --force", "--force has no effect without a file to write"),
