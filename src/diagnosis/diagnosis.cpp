@@ -133,8 +133,21 @@ std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, 
   return elements[best];
 }
 
+// What the best of all hypotheses leaves.
+double leastScore(const Judged& judged) {
+  const Search& search = judged.workings->search;
+  double least = search.re_estimated.fit.score();
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (const FittedHypothesis& fitted : *list) {
+      least = std::min(least, fitted.fit.score());
+    }
+  }
+  return least;
+}
+
 // Zeros of the displacement show through laws that are not linear, and delays through all: they are known once these
-// are, and taken out.
+// are, and taken out. Under a law that is not the right one they would be wrong: they stay where nothing explains the
+// logs better without them.
 void takeOutRig(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                 const DiagnosisOptions& options, Judged& judged, std::vector<RigFinding>& findings) {
   auto elements = bestWithoutZeros(judged, tolerances, options.threads);
@@ -149,12 +162,16 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
     return;
   }
   takeOut(of_held_out, delay, held_out);
+  Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  if (leastScore(without) >= leastScore(judged)) {
+    return;
+  }
+  judged = std::move(without);
   for (const auto* list : {&parts, &of_held_out}) {
     for (const RigPart& part : *list) {
       findings.insert(findings.end(), part.findings.begin(), part.findings.end());
     }
   }
-  judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
 }
 
 Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {

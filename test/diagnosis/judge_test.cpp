@@ -479,6 +479,16 @@ const std::vector<Row> kRows = {
      },
      Verdict::partly,
      {kOther}},
+    {"a second effect is named that one large trivial effect hides",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = configured(e).held_out = 16.0;
+       for (int effect = 0; effect < kEffects; ++effect) {
+         single(e, effect).held_out = effect == kSimple ? 1.0 : 15.0;
+       }
+       e.hypotheses.push_back(fitted({kSimple, kOther}, 0.012));
+     },
+     Verdict::named,
+     {kSimple, kOther}},
     {"a rest on unseen logs is one, too",
      [](Evidence& e, Criteria&) {
        single(e, kOther).held_out = 0.0105;

@@ -15,7 +15,7 @@ struct Criteria {
   double insignificant_gap = 0.006;   ///< of the force: smaller gaps are within the accuracy of discretisation
   double discretisation = 1.2;        ///< times what the model errs by at these time steps and this noise
   double within_noise = 0.5;          ///< times the floor: less above the floor is noise
-  double share_of_gap_enough = 0.16;  ///< what may remain of the gap without a search for one more effect
+  double share_of_gap_enough = 0.16;  ///< what may remain of the gap without a search for one more effect, within noise
   double trend_penalty = 0.1;         ///< of the gap, on a free trend per log, which follows whatever is slow
 
   // Whether an effect shows in these logs.
@@ -38,7 +38,7 @@ struct Criteria {
   std::size_t few_terms = 3;        ///< an effect of more numbers is no simpler than changed model parameters
 
   // Which effects are named.
-  double chance = 0.05;         ///< that an effect is no better than parameters, where these leave little
+  double chance = 0.05;         ///< that one more effect is no better; or the first, where parameters leave little
   double needs_another = 0.55;  ///< one more effect has to reduce what is left below this part
   double worth_naming = 0.15;   ///< or else by this part of the gap
   double unknown = 0.33;        ///< a gap closed by less than this is not explained

@@ -124,7 +124,9 @@ class Naming {
         continue;
       }
       const double ratio = left(*further) / left(chosen);
-      if (ratio < criteria_.needs_another || left(chosen) - left(*further) > criteria_.worth_naming * gap_) {
+      const bool much =
+          ratio < criteria_.needs_another || left(chosen) - left(*further) > criteria_.worth_naming * gap_;
+      if (much && weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(chosen)) < criteria_.chance) {
         chosen = *further;
       }
     }
@@ -181,7 +183,7 @@ class Naming {
     const HypothesisEvidence& named = evidence_.at(judgement_.model);
     if (judgement_.effects.empty() || weighing_.isBeyondNoise(rest, evidence_.noise_floor) ||
         (weighing_.left(named.held_out) < criteria_.needs_another * rest &&
-         weighing_.chanceOfGain(named) < criteria_.chance)) {
+         weighing_.chanceOfGain(named, evidence_.reEstimated()) < criteria_.chance)) {
       return;
     }
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);

@@ -29,8 +29,9 @@ double Weighing::insignificant() const {
 }
 
 double Weighing::enough() const {
-  return std::max(criteria_.within_noise * evidence_.noise_floor,
-                  criteria_.share_of_gap_enough * left(evidence_.reEstimated()));
+  // However large the gap is: one large trivial effect, such as an offset, must not hide the rest.
+  const double share = criteria_.share_of_gap_enough * left(evidence_.reEstimated());
+  return std::max(criteria_.within_noise * evidence_.noise_floor, std::min(share, beyondNoise(evidence_.noise_floor)));
 }
 
 std::optional<int> Weighing::bestSingle(bool trends) const {
@@ -89,12 +90,14 @@ double Weighing::slowNoise() const {
   return most;
 }
 
-bool Weighing::isBeyondNoise(double rest, double floor) const {
-  return rest > std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
+double Weighing::beyondNoise(double floor) const {
+  return std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
 }
 
-double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis) const {
-  const std::vector<double>& before = evidence_.reEstimated().block_errors;
+bool Weighing::isBeyondNoise(double rest, double floor) const { return rest > beyondNoise(floor); }
+
+double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  const std::vector<double>& before = over.block_errors;
   const auto blocks = static_cast<Eigen::Index>(before.size());
   if (blocks == 0 || hypothesis.block_errors.size() != before.size()) {
     return 0.0;

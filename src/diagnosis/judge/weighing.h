@@ -44,10 +44,11 @@ class Weighing {
 
   /// True if so much is left that it counts as not explained.
   bool isBeyondNoise(double rest, double floor) const;
+  double beyondNoise(double floor) const;
 
-  /// Probability of such a gain over re-estimated parameters where the hypothesis has none: paired by blocks, which of
-  /// one log hang together where there are three logs or more. 0 where errors of blocks are not known.
-  double chanceOfGain(const HypothesisEvidence& hypothesis) const;
+  /// Probability of such a gain over another hypothesis where there is none: paired by blocks, which of one log hang
+  /// together where there are three logs or more. 0 where errors of blocks are not known.
+  double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
   /// The effect that leaves much less than re-estimated parameters where unseen logs, or the logs of the fit, refute
   /// these, if any.
