@@ -101,7 +101,8 @@ std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
     return x->fit.score() < y->fit.score();
   });
   std::vector<const FittedHypothesis*> chosen = {&search.at(judged.workings->judgement.model), &search.re_estimated};
-  chosen.insert(chosen.end(), singles.begin(), singles.begin() + std::min(kSingles, singles.size()));
+  singles.resize(std::min(kSingles, singles.size()));
+  chosen.insert(chosen.end(), singles.begin(), singles.end());
   for (std::size_t i = 0; i < std::min(kPairs, search.pairs.size()); ++i) {
     chosen.push_back(&search.pairs[i]);
   }
