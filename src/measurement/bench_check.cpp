@@ -300,29 +300,6 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
                   e.measured.stiffness, e.configured.stiffness, e.loss));
 }
 
-// The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
-RigFinding energyFinding(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
-  // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
-  // the only force that gives energy.
-  if (!e.isElastic() && !plausible(e.force_ratio)) {
-    return signFinding(record, e);
-  }
-  const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
-  const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
-  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
-  const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
-  const auto [delay, late] = bestDelay(measured, expected, e.period);
-  // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
-  if (late + 0.3 < std::min(sign, swap)) {
-    return fatal(
-        record, finding::kDelay, delay * record.dt,
-        fmt::format("the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring "
-                    "both channels to one time",
-                    std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period));
-  }
-  return sign < swap ? signFinding(record, e) : swapFinding(record, e);
-}
-
 VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
   component::ComponentState state = component.makeState();
   VectorXd force(displacement.size());
@@ -347,6 +324,38 @@ bool looksSwapped(const component::Component& component, const log::Record& reco
     }
   }
   return false;
+}
+
+// The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
+std::optional<RigFinding> energyFinding(const component::Component& component, const log::Record& record,
+                                        const VectorXd& simulated, const Evidence& e) {
+  // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
+  // the only force that gives energy.
+  if (!e.isElastic() && !plausible(e.force_ratio)) {
+    return signFinding(record, e);
+  }
+  const std::vector<Octave> measured = CrossSpectrum(record.displacement, record.force).octaves();
+  const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
+  const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
+  const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
+  const auto [delay, late] = bestDelay(measured, expected, e.period);
+  // As stiff as configured, and not with the columns exchanged: nothing but a delay. What the effect time_delay reaches
+  // is found among the effects.
+  constexpr double kMostBehind = 15.0;  // samples
+  constexpr double kMostAhead = 4.0;
+  const bool only_delay = e.isElastic() && plausible(e.ratio) && !looksSwapped(component, record, e);
+  if (only_delay && delay <= kMostBehind && delay >= -kMostAhead) {
+    return std::nullopt;
+  }
+  // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
+  if (only_delay || late + 0.3 < std::min(sign, swap)) {
+    return fatal(
+        record, finding::kDelay, delay * record.dt,
+        fmt::format("the loops give energy: the force is {:.3g} s {} the displacement, {:.2g} of a cycle: bring "
+                    "both channels to one time",
+                    std::abs(delay * record.dt), delay > 0.0 ? "behind" : "ahead of", std::abs(delay) / e.period));
+  }
+  return sign < swap ? signFinding(record, e) : swapFinding(record, e);
 }
 
 std::optional<RigFinding> stiffnessFinding(const component::Component& component, const log::Record& record,
@@ -443,7 +452,7 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
     return stiffness;
   }
   if (e.givesEnergy()) {
-    return energyFinding(record, simulated, e);
+    return energyFinding(component, record, simulated, e);
   }
   return forceFinding(record, e);
 }

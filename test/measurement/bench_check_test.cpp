@@ -55,6 +55,18 @@ TEST(BenchCheck, NamesSwappedColumns) {
   expectAll(p, finding::kSwappedColumns, "swap");
 }
 
+// A displacement that is recorded late gives loops that give energy, as exchanged columns do; the stiffness tells.
+TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
+  Perturbation late;
+  late.delay = -3.0;  // of the force
+  for (const VirtualRig& rig : allRigs(2)) {
+    for (const RigFinding& finding : check(rig, late, elementsOf(rig))) {
+      EXPECT_NE(finding.finding, finding::kSwappedColumns) << finding.text;
+      EXPECT_NE(finding.finding, finding::kSign) << finding.text;
+    }
+  }
+}
+
 TEST(BenchCheck, NamesUnitFactors) {
   for (const double factor :
        {1e3, 1e-3, 1e6, 1e-6, 9.81, 1.0 / 9.81, 10.0, 0.1, 25.4, 1.0 / 25.4, 4.448, 1.0 / 4.448}) {
