@@ -19,6 +19,7 @@ import random
 import select
 import shutil
 import signal
+import statistics
 import struct
 import subprocess
 import sys
@@ -429,9 +430,9 @@ class Drive:
         require(done, "state: get_loggers was refused")
 
     def stream(self, links):
-        """Until all is answered; the memory after a quarter of the samples and at the end."""
+        """Until all is answered; pairs of samples answered and memory then, after each further eighth."""
         total = sum(link.left for link in links if isinstance(link, Link))
-        early = 0
+        memory = []
         rounds = 0
         while not all(link.done() for link in links):
             require(self.node.process.poll() is None,
@@ -451,9 +452,10 @@ class Drive:
             rounds += 1
             if rounds % self.options.service_rounds == 0:
                 self.serve()
-            if not early and sum(link.answered for link in links if isinstance(link, Link)) > total // 4:
-                early = self.memory()
-        return early, self.memory()
+            answered = sum(link.answered for link in links if isinstance(link, Link))
+            if answered > (len(memory) + 1) * total // 8:
+                memory.append((answered, self.memory()))
+        return memory
 
     def check(self):
         options = self.options
@@ -462,7 +464,7 @@ class Drive:
                  for i, name in enumerate(self.singles)]
         bundles = Bundles(self.network, self.bundled, options.samples // 50, options.seed + 1000)
         report = self.network.subscribe(NODE, "/diagnostics")
-        early, late = self.stream(links + [bundles])
+        memory = self.stream(links + [bundles])
         streams = [link.stream for link in links] + list(bundles.streams.values())
         expected = {stream.name: {key: stream.counts[key] for key in COUNTERS} for stream in streams}
         expected["bundled topics"] = {"answered": bundles.answered, "dropped, malformed": bundles.malformed,
@@ -477,14 +479,16 @@ class Drive:
                     reference(options.programs, self.folder, self.config, stream))
         count = sum(link.answered for link in links)
         if not options.no_memory:
-            # What may still grow after a quarter: queues that had not been as full yet. Sixteen bytes kept of each
-            # sample of the other three quarters would be twice that at the fewest samples that are tested.
-            require(late - early < 6 * count, f"memory: {late - early} bytes more after {count * 3 // 4} samples")
+            # Queues that had not been as full yet grow at once, by megabytes; what is kept of each sample grows in
+            # every part of the run. So the median of the parts, and less than half of sixteen bytes a sample.
+            growth = statistics.median((later - earlier) / (last - first) for (first, earlier), (last, later)
+                                       in zip(memory[1:], memory[2:]))
+            require(growth < 7, f"memory: {growth:.1f} bytes more for each sample")
         status = self.node.end(signal.SIGTERM)
         require(status == 0, f"end: exit status {status} after SIGTERM: {self.node.output()[-300:]}")
         print(f"{count} forces of {len(links)} components and {bundles.answered} bundles, "
-              f"{sum(sum(s.counts[k] for k in COUNTERS[1:]) for s in streams)} faults; memory {late / 2**20:.1f} MiB, "
-              f"{(late - early) / 2**20:+.1f} MiB since a quarter")
+              f"{sum(sum(s.counts[k] for k in COUNTERS[1:]) for s in streams)} faults; memory {memory[-1][1] / 2**20:.1f} MiB, "
+              f"{(memory[-1][1] - memory[1][1]) / 2**20:+.1f} MiB since a quarter")
 
 
 def main():
