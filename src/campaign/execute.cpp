@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "campaign/sha256.h"
 #include "command/identify.h"
+#include "io/sha256.h"
 #include "log/new_file.h"
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -269,7 +269,7 @@ void Executor::keepFewLogs() {
 }
 
 void Executor::requireUnchanged(const InputFile& input) const {
-  const FileHash hash = hashFile(input.path);
+  const io::FileHash hash = io::hashFile(input.path);
   if (hash.sha256 != input.sha256) {
     throw std::runtime_error(fmt::format(
         "{}: has changed since `campaign make` ({} bytes then, {} now); accepted: the file as it was, or `campaign "

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/report/text.h"
+
 namespace rubber_suspension::campaign {
 namespace {
 
@@ -25,35 +27,13 @@ svg { width: 16rem; height: 1.4rem; } .dot { fill: var(--dot); fill-opacity: .5;
 .axis { stroke: var(--line); } .mean { stroke: currentColor; stroke-width: 2; }
 )";
 
-std::string escape(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+using diagnosis::escape;
+using diagnosis::percent;
 
 std::string linkTo(const FleetComponent& component) {
   const std::string name = escape(component.name);
   return component.report.empty() ? name : "<a href=\"" + escape(component.report) + "\">" + name + "</a>";
 }
-
-std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
 
 // Of a logarithm of a ratio, "+3.2 %".
 std::string change(double logarithm) { return fmt::format("{:+.1f} %", 100.0 * std::expm1(logarithm)); }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "campaign/job_json.h"
-#include "campaign/sha256.h"
+#include "io/sha256.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -96,7 +96,7 @@ std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const st
                              {"hold_out", filesJson(job.hold_out, inputs)},
                              {"specification", job.specification},
                              {"options", optionsJson(job.options)}};
-  return sha256(json.dump());
+  return io::sha256(json.dump());
 }
 
 ordered_json jobJson(const Job& job) {

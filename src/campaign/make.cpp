@@ -13,10 +13,10 @@
 
 #include "campaign/jobs_file.h"
 #include "campaign/path_pattern.h"
-#include "campaign/sha256.h"
 #include "campaign/tolerance_draws.h"
 #include "fit/parallel.h"
 #include "io/progress.h"
+#include "io/sha256.h"
 #include "log/text.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -75,7 +75,7 @@ class ComponentFiles {
     std::shared_ptr<const Components> result;
     try {
       const std::string text = log::readFile(path, io::kMaximumComponentFileSize);
-      std::shared_ptr<const Components>& parsed = by_content_[sha256(text)];
+      std::shared_ptr<const Components>& parsed = by_content_[io::sha256(text)];
       if (!parsed) {
         parsed = std::make_shared<const Components>(io::parseComponentFile(text, path));
       }
@@ -348,7 +348,7 @@ class Maker {
 
   static std::string hashInput(InputFile& file) {
     try {
-      const FileHash hash = hashFile(file.path);
+      const io::FileHash hash = io::hashFile(file.path);
       file.sha256 = hash.sha256;
       file.size = hash.size;
       return "";

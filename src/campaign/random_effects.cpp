@@ -7,13 +7,16 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 
+#include "measurement/statistics.h"
+
 namespace rubber_suspension::campaign {
 namespace {
 
-constexpr double kTail = 0.025;             // of a 95 % interval
-constexpr double kFalseAlarm = 0.05;        // fleets in which chance alone makes a component stand out
-constexpr double kMadToDeviation = 1.4826;  // of a normal distribution: 1/Phi^-1(3/4)
-constexpr double kMadEfficiency = 0.37;     // of a scale by the MAD against the standard deviation, normal distribution
+using measurement::kMadToDeviation;
+
+constexpr double kTail = 0.025;          // of a 95 % interval
+constexpr double kFalseAlarm = 0.05;     // fleets in which chance alone makes a component stand out
+constexpr double kMadEfficiency = 0.37;  // of a scale by the MAD against the standard deviation, normal distribution
 
 struct Weighted {
   double mean = 0.0;

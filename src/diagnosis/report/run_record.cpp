@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "io/file_digest.h"
+#include "io/sha256.h"
 #include "log/text.h"
 
 namespace rubber_suspension::diagnosis {
@@ -63,7 +63,7 @@ RunRecord makeRunRecord(const std::string& version, const std::vector<std::strin
     record.command_line += (record.command_line.empty() ? "" : " ") + shellQuoted(argument);
   }
   for (const auto& [option, path] : files) {
-    record.files.push_back({option, std::filesystem::path(path).filename().string(), io::sha256OfFile(path)});
+    record.files.push_back({option, std::filesystem::path(path).filename().string(), io::hashFile(path).sha256});
   }
   return record;
 }

@@ -1,5 +1,5 @@
 // SHA-256 of files and texts, by OpenSSL.
-#include "campaign/sha256.h"
+#include "io/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace rubber_suspension::campaign {
+namespace rubber_suspension::io {
 namespace {
 
 class Digest {
@@ -81,4 +81,4 @@ FileHash hashFile(const std::string& path) {
   return result;
 }
 
-}  // namespace rubber_suspension::campaign
+}  // namespace rubber_suspension::io

@@ -1,10 +1,10 @@
-// SHA-256 of files and texts, by which a campaign knows its inputs and its jobs again.
+// SHA-256 of files and texts, by which a report names what it read and a campaign knows its inputs and jobs again.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-namespace rubber_suspension::campaign {
+namespace rubber_suspension::io {
 
 /// The hash as 64 hexadecimal digits.
 std::string sha256(const std::string& text);
@@ -17,4 +17,4 @@ struct FileHash {
 /// Of a file's content, read piece by piece. Throws std::runtime_error that begins with the path.
 FileHash hashFile(const std::string& path);
 
-}  // namespace rubber_suspension::campaign
+}  // namespace rubber_suspension::io
