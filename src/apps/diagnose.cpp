@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "apps/command.h"
+#include "apps/component_options.h"
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
@@ -27,8 +28,7 @@ using namespace rubber_suspension::apps;
 
 struct Options {
   std::vector<std::string> command_line;
-  std::string config;
-  std::string component;
+  ComponentOptions component;
   std::vector<std::string> logs;
   std::vector<std::string> hold_out;
   std::string output;
@@ -76,7 +76,7 @@ io::FileKind kindOf(const std::string& name) {
 
 // Version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const Options& options) {
-  std::vector<std::pair<std::string, std::string>> files = {{"--config", options.config}};
+  std::vector<std::pair<std::string, std::string>> files = {{"--config", options.component.config}};
   if (!options.compare.empty()) {
     files.emplace_back("--compare", options.compare);
   }
@@ -91,7 +91,7 @@ diagnosis::RunRecord runRecord(const Options& options) {
 
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 void checkOutputs(const Options& options) {
-  std::vector<io::InputFile> inputs = {{"--config", options.config}, {"--compare", options.compare}};
+  std::vector<io::InputFile> inputs = {{"--config", options.component.config}, {"--compare", options.compare}};
   addInputs(inputs, "--log", options.logs);
   addInputs(inputs, "--hold-out", options.hold_out);
   const std::filesystem::path folder(options.output);
@@ -121,9 +121,7 @@ int run(const Options& options) {
   std::vector<std::string> all_logs = options.logs;
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
   options.log_options.requireUse(all_logs);
-  const auto components = io::loadComponentFile(options.config);
-  io::ComponentDescription component = io::selectComponent(components, options.component, options.config);
-  warnOf("diagnose", component);
+  io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
   std::optional<diagnosis::EarlierReport> earlier;
   if (!options.compare.empty()) {
@@ -163,9 +161,7 @@ int main(int argc, char** argv) {
         auto options = std::make_shared<Options>();
         options->command_line = {"rosrun", "rubber_suspension", "diagnose"};
         options->command_line.insert(options->command_line.end(), argv + std::min(argc, 1), argv + argc);
-        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
-        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
-            ->type_name("NAME");
+        options->component.addTo(app);
         app.add_option("--log", options->logs,
                        "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
             ->required()

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/component_options.h"
 #include "apps/output_options.h"
 #include "fmi/export.h"
 #include "log/new_file.h"
@@ -15,17 +16,15 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
 
 struct Options {
-  std::string config;
-  std::string component;
+  ComponentOptions component;
   std::string output;
   int fmi = 2;
   OutputOptions outputs;
 };
 
 int run(const Options& options) {
-  options.outputs.check({{"--config", options.config}}, {{"--output", options.output, io::FileKind::fmu}});
-  const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  options.outputs.check({{"--config", options.component.config}}, {{"--output", options.output, io::FileKind::fmu}});
+  const io::ComponentDescription description = options.component.read("export_fmu");
   const fmi::Version version = options.fmi == 2 ? fmi::Version::fmi2 : fmi::Version::fmi3;
   const std::string fmu = fmi::makeFmu(description, version, fmi::installedParts());
   log::writeNewFile(options.output, fmu);
@@ -42,9 +41,7 @@ int main(int argc, char** argv) {
       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
-        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
-        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
-            ->type_name("NAME");
+        options->component.addTo(app);
         app.add_option("--output", options->output, "FMU to write")->required()->type_name("FILE");
         app.add_option("--fmi", options->fmi, "version of the standard, 2 or 3")
             ->type_name("VERSION")

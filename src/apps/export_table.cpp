@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/component_options.h"
 #include "apps/output_options.h"
 #include "command/characteristic_table.h"
 #include "log/new_file.h"
@@ -16,8 +17,7 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
 
 struct Options {
-  std::string config;
-  std::string component;
+  ComponentOptions component;
   std::string output;
   std::vector<std::string> frequencies;
   std::vector<std::string> amplitudes;
@@ -48,10 +48,9 @@ int run(const Options& options) {
   if (!options.preloads.empty()) {
     grid.preloads = quantities("--preloads", options.preloads, "N", element::Range::any());
   }
-  options.outputs.check({{"--config", options.config}},
+  options.outputs.check({{"--config", options.component.config}},
                         {{"--output", options.output, io::FileKind::characteristics_csv}});
-  const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const io::ComponentDescription description = options.component.read("export_table");
   const auto table = command::makeTable(description.name, description.makeComponent(), grid);
   log::writeNewFile(options.output, command::toCsv(table));
   for (const std::string& note : table.notes) {
@@ -70,9 +69,7 @@ int main(int argc, char** argv) {
       "such a table cannot say of it.",
       [](CLI::App& app) -> CommandBody {
         auto options = std::make_shared<Options>();
-        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
-        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
-            ->type_name("NAME");
+        options->component.addTo(app);
         app.add_option("--output", options->output, "CSV to write, one row per combination")
             ->required()
             ->type_name("FILE");

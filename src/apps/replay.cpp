@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/component_options.h"
 #include "apps/log_options.h"
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
@@ -18,8 +19,7 @@ using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
 
 struct Options {
-  std::string config;
-  std::string component;
+  ComponentOptions component;
   std::string log;
   std::string output;
   std::string plot;
@@ -29,12 +29,10 @@ struct Options {
 
 int run(const Options& options) {
   options.outputs.check(
-      {{"--config", options.config}, {"--log", options.log}},
+      {{"--config", options.component.config}, {"--log", options.log}},
       {{"--output", options.output, io::FileKind::force_csv}, {"--plot", options.plot, io::FileKind::figure}});
   options.log_options.requireUse({options.log});
-  const auto components = io::loadComponentFile(options.config);
-  const io::ComponentDescription& description = io::selectComponent(components, options.component, options.config);
-  warnOf("replay", description);
+  const io::ComponentDescription description = options.component.read("replay");
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
@@ -53,22 +51,20 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(
-      argc, argv, "replay", "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
-      [](CLI::App& app) -> CommandBody {
-        auto options = std::make_shared<Options>();
-        app.add_option("--config", options->config, "component file")->required()->type_name("FILE");
-        app.add_option("--component", options->component, "name of the component; may be left out where there is one")
-            ->type_name("NAME");
-        app.add_option("--log", options->log, "log to simulate: text (CSV), .mat, HDF5 or .bag")
-            ->required()
-            ->type_name("FILE");
-        app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
-            ->required()
-            ->type_name("FILE");
-        addPlotOption(app, options->plot, "forces over time and displacement");
-        options->log_options.addTo(app);
-        options->outputs.addTo(app);
-        return [options] { return run(*options); };
-      });
+  return runCommand(argc, argv, "replay",
+                    "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
+                    [](CLI::App& app) -> CommandBody {
+                      auto options = std::make_shared<Options>();
+                      options->component.addTo(app);
+                      app.add_option("--log", options->log, "log to simulate: text (CSV), .mat, HDF5 or .bag")
+                          ->required()
+                          ->type_name("FILE");
+                      app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
+                          ->required()
+                          ->type_name("FILE");
+                      addPlotOption(app, options->plot, "forces over time and displacement");
+                      options->log_options.addTo(app);
+                      options->outputs.addTo(app);
+                      return [options] { return run(*options); };
+                    });
 }
