@@ -157,11 +157,11 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   std::vector<log::Record> training = judged.prepared->training;
   std::vector<log::Record> held_out = judged.prepared->held_out;
   const std::vector<RigPart> parts = rigParts(elements, tolerances, training);
-  const std::vector<RigPart> of_held_out = rigParts(elements, tolerances, held_out);
   const double delay = commonDelay(parts);
   if (!takeOut(parts, delay, training)) {
     return;
   }
+  const std::vector<RigPart> of_held_out = rigParts(elements, tolerances, held_out);
   takeOut(of_held_out, delay, held_out);
   Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
   if (leastScore(without) >= leastScore(judged)) {

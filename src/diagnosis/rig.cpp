@@ -26,10 +26,6 @@ std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) 
   return masks;
 }
 
-double absolute(const io::RigTolerance& tolerance, double whole) {
-  return tolerance.is_share ? tolerance.value * whole : tolerance.value;
-}
-
 gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
                        const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& displacements) {
   std::vector<log::Record> moved = records;
@@ -85,7 +81,7 @@ bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log:
                         const io::RigTolerance& tolerance) {
   for (std::size_t r = 0; r < zeros.size(); ++r) {
     const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
-    if (std::abs(zeros[r]) <= kTolerated * absolute(tolerance, range)) {
+    if (std::abs(zeros[r]) <= kTolerated * tolerance.of(range)) {
       return false;
     }
   }
@@ -99,7 +95,7 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
       [&](const std::vector<Eigen::VectorXd>& displacements) { return simulateAt(elements, records, displacements); });
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].nuisances = nuisances[r];
-    records[r].slow_noise = kTolerated * absolute(tolerances.slow_noise, records[r].force_deviation);
+    records[r].slow_noise = kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
   }
 }
 
@@ -117,7 +113,6 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
   if (cause) {
     const double common = std::accumulate(zeros.begin(), zeros.end(), 0.0) / static_cast<double>(zeros.size());
     takeOutZeros(zeros, common, training);
-    setNuisances(elements, tolerances, false, held_out);
     takeOutZeros(meansLeft(held_out, gap::simulate(elements, held_out)), common, held_out);
   }
   setNuisances(elements, tolerances, cause, training);
@@ -138,7 +133,7 @@ double leftWithoutZeros(const std::vector<element::ElementDescription>& elements
   double sum = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
-    const double tolerance = absolute(tolerances.displacement_zero, ranges[r]);
+    const double tolerance = tolerances.displacement_zero.of(ranges[r]);
     const Eigen::VectorXd left = record.withoutRig(record.force - forces[r]);
     const Eigen::VectorXd column = record.withoutRig(moved[r] - forces[r]) / (kShift * ranges[r]);
     // The zero of least squares, with the tolerance as prior against what is left.

@@ -307,10 +307,6 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
   return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
 }
 
-double absolute(const io::RigTolerance& tolerance, double whole) {
-  return tolerance.is_share ? tolerance.value * whole : tolerance.value;
-}
-
 }  // namespace
 
 VectorXd delayed(const VectorXd& values, double samples) { return delayed(values, samples, 0.0); }
@@ -362,17 +358,17 @@ RigModel::RigModel(std::vector<log::Record> records, std::vector<Mask> masks, co
 double RigModel::prior(Nuisance nuisance, const log::Record& record) const {
   switch (nuisance) {
     case Nuisance::force_zero:
-      return absolute(tolerances_.force_zero, rangeOf(record.force));
+      return tolerances_.force_zero.of(rangeOf(record.force));
     case Nuisance::displacement_zero:
-      return absolute(tolerances_.displacement_zero, rangeOf(record.displacement));
+      return tolerances_.displacement_zero.of(rangeOf(record.displacement));
     case Nuisance::delay:
-      return absolute(tolerances_.delay, record.dt);
+      return tolerances_.delay.of(record.dt);
     case Nuisance::clock:
       return tolerances_.clock.value;
     case Nuisance::gain:
       return tolerances_.gain.value;
     default:
-      return absolute(tolerances_.initial_state, rangeOf(record.force));
+      return tolerances_.initial_state.of(rangeOf(record.force));
   }
 }
 

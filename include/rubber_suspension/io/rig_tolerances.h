@@ -10,6 +10,9 @@ namespace rubber_suspension::io {
 struct RigTolerance {
   double value = 0.0;     ///< in the unit of its row, or as a share; 0: the rig does not do it
   bool is_share = false;  ///< of what the row of the table says
+
+  /// In the unit of its row, where a share is one of `whole`.
+  double of(double whole) const { return is_share ? value * whole : value; }
 };
 
 /// The tolerances of a rig; a default is that of a bench of which nothing is known.

@@ -107,17 +107,10 @@ class Judge {
       return;
     }
     if (unseenLeft(Evidence::kAsConfigured) < weighing_.insignificant()) {
-      withdraw(Verdict::none, Evidence::kAsConfigured);
+      judgement_.withdraw(Verdict::none, Evidence::kAsConfigured);
     } else if (unseenLeft(Evidence::kReEstimated) < weighing_.insignificant()) {
-      withdraw(Verdict::parameter_error, Evidence::kReEstimated);
+      judgement_.withdraw(Verdict::parameter_error, Evidence::kReEstimated);
     }
-  }
-
-  void withdraw(Verdict verdict, int model) {
-    judgement_.verdict = verdict;
-    judgement_.model = model;
-    judgement_.effects.clear();
-    judgement_.confounded.clear();
   }
 
   // A rest beyond the noise is told; one that the logs of the fit do not show is something that only these lack.
@@ -126,9 +119,7 @@ class Judge {
         lacks({judgement_.model})) {
       return;
     }
-    const UnseenErrors& errors = unseen(judgement_.model);
-    const double rest = gap::residualAboveFloor(std::min(errors.replayed, errors.predicted), errors.noise_floor);
-    if (weighing_.isBeyondNoise(rest, errors.noise_floor)) {
+    if (weighing_.isBeyondNoise(unseen(judgement_.model))) {
       judgement_.only_unseen_logs_differ = judgement_.effects.empty();
       judgement_.verdict = judgement_.effects.empty() ? Verdict::unknown : Verdict::partly;
     }
@@ -154,6 +145,13 @@ std::string toString(Verdict verdict) {
   static const char* const names[] = {"none",    "parameter_error", "named",      "confounded",
                                       "unknown", "partly",          "check_bench"};
   return names[static_cast<int>(verdict)];
+}
+
+void Judgement::withdraw(Verdict without_effects, int without_model) {
+  verdict = without_effects;
+  model = without_model;
+  effects.clear();
+  confounded.clear();
 }
 
 Judgement judge(const Evidence& evidence, const Criteria& criteria) { return Judge(evidence, criteria).run(); }

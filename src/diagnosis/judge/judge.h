@@ -27,6 +27,9 @@ struct Judgement {
   /// A hypothesis whose errors on unseen logs the judgement turns on and the evidence lacks: the judgement is not
   /// finished, and to be asked for again with them.
   std::optional<int> missing;
+
+  /// Name no effect any more, but this verdict and the hypothesis that stands for it.
+  void withdraw(Verdict without_effects, int without_model);
 };
 
 /// A pure function: the same evidence gives the same judgement. Errors on unseen logs, which take simulations, are

@@ -187,10 +187,8 @@ class Naming {
       return;
     }
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
-    judgement_.verdict = rest < criteria_.needs_another * configured ? Verdict::parameter_error : Verdict::unknown;
-    judgement_.model = Evidence::kReEstimated;
-    judgement_.effects.clear();
-    judgement_.confounded.clear();
+    judgement_.withdraw(rest < criteria_.needs_another * configured ? Verdict::parameter_error : Verdict::unknown,
+                        Evidence::kReEstimated);
   }
 
   // Where nothing but slow noise remains, there is no gap, or parameters close it.
@@ -201,8 +199,8 @@ class Naming {
     };
     if (slow > 0.0 && rest(Evidence::kReEstimated) < weighing_.insignificant()) {
       const bool configured = rest(Evidence::kAsConfigured) < weighing_.insignificant();
-      judgement_.verdict = configured ? Verdict::none : Verdict::parameter_error;
-      judgement_.model = configured ? Evidence::kAsConfigured : Evidence::kReEstimated;
+      judgement_.withdraw(configured ? Verdict::none : Verdict::parameter_error,
+                          configured ? Evidence::kAsConfigured : Evidence::kReEstimated);
     }
   }
 

@@ -94,7 +94,10 @@ double Weighing::beyondNoise(double floor) const {
   return std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
 }
 
-bool Weighing::isBeyondNoise(double rest, double floor) const { return rest > beyondNoise(floor); }
+bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
+  const double error = std::min(errors.replayed, errors.predicted);
+  return isBeyondNoise(gap::residualAboveFloor(error, errors.noise_floor), errors.noise_floor);
+}
 
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   const std::vector<double>& before = over.block_errors;
@@ -119,12 +122,8 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
 std::optional<int> Weighing::betterThanParameters() const {
   const HypothesisEvidence& parameters = evidence_.reEstimated();
   const double rest = left(parameters.held_out);
-  bool refuted = isBeyondNoise(rest, evidence_.noise_floor);
-  if (parameters.unseen) {
-    const UnseenErrors& unseen = *parameters.unseen;
-    const double error = std::min(unseen.replayed, unseen.predicted);
-    refuted = refuted || isBeyondNoise(gap::residualAboveFloor(error, unseen.noise_floor), unseen.noise_floor);
-  }
+  const bool refuted =
+      isBeyondNoise(rest, evidence_.noise_floor) || (parameters.unseen && isBeyondNoise(*parameters.unseen));
   const std::optional<int> best = bestSingle();
   const bool better = refuted && best && left(evidence_.at(*best).held_out) < criteria_.needs_another * rest;
   return better ? best : std::nullopt;

@@ -42,9 +42,10 @@ class Weighing {
   /// What only trends explain, and little enough to be slow noise of the rig, as a gap.
   double slowNoise() const;
 
-  /// True if so much is left that it counts as not explained.
-  bool isBeyondNoise(double rest, double floor) const;
-  double beyondNoise(double floor) const;
+  /// True if so much is left that it counts as not explained; of unseen logs, if both the prediction and the component
+  /// leave it, since the latter makes more noise of a sensor's noise.
+  bool isBeyondNoise(double rest, double floor) const { return rest > beyondNoise(floor); }
+  bool isBeyondNoise(const UnseenErrors& errors) const;
 
   /// Probability of such a gain over another hypothesis where there is none: paired by blocks, which of one log hang
   /// together where there are three logs or more. 0 where errors of blocks are not known.
@@ -58,6 +59,8 @@ class Weighing {
   std::optional<int> hiddenEffect() const;
 
  private:
+  double beyondNoise(double floor) const;
+
   const Evidence& evidence_;
   const Criteria& criteria_;
 };
