@@ -79,11 +79,12 @@ ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
   for (const diagnosis::CandidateResult& candidate : d.candidates) {
     probabilities[candidate.effect] = number(candidate.probability);
   }
+  probabilities["parameter_error"] = number(d.posterior.parameter_error);
   return {{"verdict", d.verdict},
           {"effects", d.effects},
           {"confounded", d.confounded},
           {"probabilities", probabilities},
-          {"probability_none_of_these", number(d.probability_none)},
+          {"probability_none_of_these", number(d.posterior.none_of_these)},
           {"ratios", ratiosJson(d.parameter_ratios)},
           {"ratios_by_log", by_log}};
 }

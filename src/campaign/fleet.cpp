@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kJeffreys = 0.5;  // prior count of each cause
+constexpr double kJeffreys = 0.5;                        // prior count of each cause
+constexpr const char* kWrongValues = "parameter_error";  // among the effects of a set
 
 // Nothing for null, which stands for a value that is not finite, and for what has no logarithm.
 std::optional<double> logarithm(const ordered_json& value) {
@@ -179,9 +180,10 @@ class Analysis {
                      [](const EffectShare& a, const EffectShare& b) { return a.sure > b.sure; });
   }
 
+  // Wrong values count as no effect, as in sureCause().
   std::size_t sureOf(const std::string& effect) const {
     for (const EffectShare& share : type_.effects) {
-      if (share.effect == effect) {
+      if (share.effect == (effect == kWrongValues ? std::string() : effect)) {
         return share.sure;
       }
     }
@@ -224,7 +226,8 @@ class Analysis {
       others += i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i], sureOf(set[i]));
     }
     type_.changed.push_back(
-        {place, fmt::format("{}: {}", component.verdict, log::join(set)), "named: " + set[best],
+        {place, fmt::format("{}: {}", component.verdict, log::join(set)),
+         set[best] == kWrongValues ? set[best] : "named: " + set[best],
          fmt::format("of {} components of this type whose own logs leave one cause, {} is it in {}, {}: {:.0f} % "
                      "within the set, by its own logs {:.0f} %",
                      sure_, set[best], sureOf(set[best]), others, 100.0 * weights[best] / sum,

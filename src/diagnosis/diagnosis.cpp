@@ -55,8 +55,11 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
 }
 
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses.
-Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria) {
+Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
+                      const DiagnosisOptions& options) {
   Evidence evidence = evidenceOf(search);
+  evidence.resamplings = options.resamplings;
+  evidence.seed = options.seed;
   evidence.has_unseen_logs = !prepared.held_out.empty();
   evidence.slow_noise = slowNoiseOf(prepared.training);
   const double loudest = loudestNoise(search.record_noise, prepared.training);
@@ -83,7 +86,7 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
                 std::make_shared<Workings>()};
   judged.workings->search =
       search(judged.prepared->fitter, judged.prepared->element_fitter, criteria, options.threads, options.progress);
-  judged.workings->judgement = judgeSearch(*judged.prepared, judged.workings->search, criteria);
+  judged.workings->judgement = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
   return judged;
 }
 

@@ -33,7 +33,8 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
   const gap::Forces replayed = gap::simulateEach(elements, records);
   UnseenErrors errors;
   errors.predicted = gap::gapOfParts(gap::partErrors(records, predict(model, fitted, records)));
-  errors.replayed = gap::gapOfParts(gap::partErrors(records, replayed));
+  errors.parts = gap::partErrors(records, replayed);
+  errors.replayed = gap::gapOfParts(errors.parts);
   errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, loudest));
   return errors;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "checked_diagnosis.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -138,7 +139,7 @@ diagnosis::Diagnosis diagnoseBench(const RigEffect& effect, const Axis& axis, do
   for (unsigned i = 0; i < 3; ++i) {
     logs.push_back(recorded(10 * draw + i, effect, axis, size));
   }
-  return diagnosis::diagnose(rigComponent(), logs, {recorded(10 * draw + 3, effect, axis, size)});
+  return checkedDiagnosis(rigComponent(), logs, {recorded(10 * draw + 3, effect, axis, size)});
 }
 
 class BenchFaults : public testing::TestWithParam<Axis> {};

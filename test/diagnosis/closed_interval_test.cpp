@@ -1,5 +1,5 @@
 // The interval of the closed fraction, by resampling.
-#include "diagnosis/report/closed_interval.h"
+#include "diagnosis/judge/closed_interval.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <random>
 
+#include "checked_diagnosis.h"
 #include "diagnosis/workings.h"
 #include "rig.h"
 #include "rubber_suspension/gap/replay.h"
@@ -18,8 +19,8 @@ namespace rubber_suspension {
 namespace {
 
 diagnosis::Diagnosis diagnoseRig(const RigEffect& effect, const io::ComponentDescription& component = rigComponent()) {
-  return diagnosis::diagnose(component, {runRig("one", 1, effect), runRig("two", 2, effect)},
-                             {runRig("unseen", 3, effect)});
+  return checkedDiagnosis(component, {runRig("one", 1, effect), runRig("two", 2, effect)},
+                          {runRig("unseen", 3, effect)});
 }
 
 double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
@@ -66,7 +67,7 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
 
 // What the logs of the fit do not show cannot be named, but is no agreement either.
 TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
-  const diagnosis::Diagnosis result = diagnosis::diagnose(
+  const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
   EXPECT_GT(result.gap.as_configured, 0.05);
   EXPECT_EQ(result.verdict, "unknown");
@@ -113,8 +114,8 @@ log::Log runOnMount(const std::string& name, unsigned seed, const std::function<
 }
 
 diagnosis::Diagnosis diagnoseOnMount(const std::function<double(double)>& deflection) {
-  return diagnosis::diagnose(rigComponent(), {runOnMount("one", 1, deflection), runOnMount("two", 2, deflection)},
-                             {runOnMount("unseen", 3, deflection)});
+  return checkedDiagnosis(rigComponent(), {runOnMount("one", 1, deflection), runOnMount("two", 2, deflection)},
+                          {runOnMount("unseen", 3, deflection)});
 }
 
 TEST(Diagnosis, FindsAMountThatReEstimationHides) {
@@ -132,7 +133,7 @@ TEST(Diagnosis, FindsAMountBesideStiffening) {
   const auto deflection = [](double force) { return force / kMount; };
   io::ComponentDescription component = rigComponent();
   component.add.push_back({"progressive_stiffness", {{"cubic", {kCubic}}}});
-  const diagnosis::Diagnosis result = diagnosis::diagnose(
+  const diagnosis::Diagnosis result = checkedDiagnosis(
       component, {runOnMount("one", 1, deflection, stiffening), runOnMount("two", 2, deflection, stiffening)},
       {runOnMount("unseen", 3, deflection, stiffening)});
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
@@ -180,7 +181,7 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
     return log;
   };
   const diagnosis::Diagnosis result =
-      diagnosis::diagnose(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
+      checkedDiagnosis(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "inertia") << result.sentence;
   // The node may not look ahead: without the filter that augmented.yaml asks for it would make 190 N of the noise, more
@@ -252,7 +253,11 @@ TEST(Diagnosis, WritesAReportOfTheAgreedSchema) {
   for (const char* key : {"as_configured", "re_estimated", "augmented", "noise_floor"}) {
     EXPECT_TRUE(report.at("gap").at(key).is_number()) << key;
   }
-  double sum = report.at("probability_none_of_these");
+  const auto& posterior = report.at("posterior");
+  EXPECT_NEAR(posterior.at("none").get<double>() + posterior.at("parameter_error").get<double>() +
+                  posterior.at("effects").get<double>() + posterior.at("none_of_these").get<double>(),
+              1.0, 1e-6);
+  double sum = 1.0 - posterior.at("effects").get<double>();
   for (const auto& candidate : report.at("candidates")) {
     sum += candidate.at("probability").get<double>();
     EXPECT_EQ(candidate.at("interval_95").size(), 2u);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -54,7 +55,7 @@ HypothesisEvidence& reEstimated(Evidence& evidence) { return evidence.hypotheses
 void addUnseenLogs(Evidence& evidence) {
   evidence.has_unseen_logs = true;
   for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
-    hypothesis.unseen = UnseenErrors{hypothesis.held_out, hypothesis.held_out, evidence.noise_floor};
+    hypothesis.unseen = UnseenErrors{hypothesis.held_out, hypothesis.held_out, evidence.noise_floor, {}};
   }
 }
 
@@ -90,6 +91,16 @@ void gainInLogs(Evidence& evidence, const std::vector<double>& errors) {
     single(evidence, kOther).block_errors.push_back(errors[log] * errors[log]);
   }
 }
+
+// Ten parts of unseen logs, of which each has so much of the hypothesis's error.
+void scatter(HypothesisEvidence& hypothesis, const std::vector<double>& factors) {
+  hypothesis.unseen->parts.clear();
+  for (const double factor : factors) {
+    hypothesis.unseen->parts.push_back({std::pow(factor * hypothesis.unseen->replayed, 2), 0.1});
+  }
+}
+
+const std::vector<double> kEven(10, 1.0);
 
 struct Row {
   std::string rule;
@@ -357,6 +368,53 @@ const std::vector<Row> kRows = {
      },
      Verdict::none,
      {}},
+    {"a drift that surely makes unseen logs no better is a false positive",
+     [](Evidence& e, Criteria&) {
+       single(e, kDrift).held_out = 0.011;
+       addUnseenLogs(e);
+       single(e, kDrift).unseen->predicted = single(e, kDrift).unseen->replayed = 0.21;
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kDrift), kEven);
+     },
+     Verdict::unknown,
+     {}},
+    {"an effect that gains in one part of unseen logs, and loses in others, may do so by chance",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       addUnseenLogs(e);
+       scatter(reEstimated(e), {3.0, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2});
+       scatter(single(e, kMany), kEven);
+     },
+     Verdict::unknown,
+     {}},
+    {"an effect that gains in all parts of unseen logs does not",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       addUnseenLogs(e);
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kMany), kEven);
+     },
+     Verdict::named,
+     {kMany}},
+    {"a hidden effect that unseen logs do not prefer stands beside wrong values",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       addUnseenLogs(e);
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kSimple), kEven);
+     },
+     Verdict::confounded,
+     {kSimple}},
+    {"an effect that explains unseen logs goes before wrong values that do not",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = 0.0105;
+       single(e, kOther).held_out = 0.0104;
+       addUnseenLogs(e);
+       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
+       single(e, kOther).unseen = UnseenErrors{0.03, 0.03, 0.01, {}};
+     },
+     Verdict::named,
+     {kOther}},
     {"a small residual that unseen logs show as configured only is a parameter error",
      [](Evidence& e, Criteria&) {
        leaveResidualNearNoise(e);
@@ -379,7 +437,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.0105;
        addUnseenLogs(e);
-       configured(e).unseen = UnseenErrors{0.2, 0.2, 0.01};
+       configured(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
      },
      Verdict::unknown,
      {}},
@@ -387,7 +445,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        reEstimated(e).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01};
+       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
      },
      Verdict::unknown,
      {}},
@@ -395,7 +453,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.0105;
        addUnseenLogs(e);
-       configured(e).unseen = UnseenErrors{0.08, 0.08, 0.02};
+       configured(e).unseen = UnseenErrors{0.08, 0.08, 0.02, {}};
      },
      Verdict::none,
      {}},
@@ -444,7 +502,7 @@ const std::vector<Row> kRows = {
        reEstimated(e).held_out = 0.02;
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01};
+       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
      },
      Verdict::named,
      {kOther}},
@@ -453,7 +511,7 @@ const std::vector<Row> kRows = {
        reEstimated(e).held_out = 0.02;
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01};
+       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
        single(e, kOther).unseen->predicted = 0.075;
      },
      Verdict::unknown,
@@ -493,7 +551,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       single(e, kOther).unseen = UnseenErrors{0.08, 0.08, 0.01};
+       single(e, kOther).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
      },
      Verdict::partly,
      {kOther}},
@@ -539,6 +597,13 @@ TEST_P(Judge, AgreesWithItself) {
   const bool names = judgement.verdict == Verdict::named || judgement.verdict == Verdict::confounded ||
                      judgement.verdict == Verdict::partly;
   EXPECT_EQ(names, !judgement.effects.empty());
+  const Posterior& posterior = judgement.posterior;
+  EXPECT_NEAR(posterior.none + posterior.parameter_error + posterior.effects + posterior.none_of_these, 1.0, 1e-12);
+  const double verdict = judgement.verdict == Verdict::none              ? posterior.none
+                         : judgement.verdict == Verdict::parameter_error ? posterior.parameter_error
+                         : names                                         ? posterior.effects
+                                                                         : posterior.none_of_these;
+  EXPECT_EQ(verdict, std::max({posterior.none, posterior.parameter_error, posterior.effects, posterior.none_of_these}));
 }
 
 TEST(Judgement, SaysWhereOnlyUnseenLogsDiffer) {
@@ -546,7 +611,7 @@ TEST(Judgement, SaysWhereOnlyUnseenLogsDiffer) {
   configured(evidence).held_out = 0.0105;
   addUnseenLogs(evidence);
   EXPECT_FALSE(judge(evidence).only_unseen_logs_differ);
-  configured(evidence).unseen = UnseenErrors{0.2, 0.2, 0.01};
+  configured(evidence).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
   EXPECT_TRUE(judge(evidence).only_unseen_logs_differ);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
 #include "support/measured_data.h"
@@ -29,7 +30,7 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
     GTEST_SKIP() << "no measured log: " << path << " is missing";
   }
   const diagnosis::Diagnosis result =
-      diagnosis::diagnose(io::parseComponentFile(kBearing, "bearing").front(), {log::readLog(path)}, {}, {});
+      checkedDiagnosis(io::parseComponentFile(kBearing, "bearing").front(), {log::readLog(path)}, {}, {});
   for (const char* effect : {"friction", "stress_softening"}) {
     EXPECT_EQ(std::count(result.effects.begin(), result.effects.end(), effect), 1) << effect << ": " << result.sentence;
   }

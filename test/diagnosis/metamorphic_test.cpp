@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "checked_diagnosis.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -64,12 +65,14 @@ diagnosis::Diagnosis diagnoseScaled(const std::function<RigEffect()>& effect, co
   for (const log::Log& log : logsOf(effect)) {
     logs.push_back(scaled(log, scale));
   }
-  return diagnosis::diagnose(scaled(rigComponent(), {std::abs(scale.length), std::abs(scale.force), scale.time}), logs,
-                             {scaled(runRig("unseen", 3, effect()), scale)});
+  return checkedDiagnosis(scaled(rigComponent(), {std::abs(scale.length), std::abs(scale.force), scale.time}), logs,
+                          {scaled(runRig("unseen", 3, effect()), scale)});
 }
 
 std::map<std::string, double> probabilities(const diagnosis::Diagnosis& diagnosis) {
-  std::map<std::string, double> result{{"none", diagnosis.probability_none}};
+  std::map<std::string, double> result{{"none", diagnosis.posterior.none},
+                                       {"parameter_error", diagnosis.posterior.parameter_error},
+                                       {"none of these", diagnosis.posterior.none_of_these}};
   for (const diagnosis::CandidateResult& candidate : diagnosis.candidates) {
     result[candidate.effect] = candidate.probability;
   }
@@ -121,8 +124,8 @@ TEST_P(Metamorphic, PulledTheOtherWayItIsTheSame) {
 TEST_P(Metamorphic, TheOrderOfLogsDoesNotMatter) {
   const std::vector<log::Log> logs = logsOf(GetParam().effect);
   const log::Log unseen = runRig("unseen", 3, GetParam().effect());
-  expectTheSame(diagnosis::diagnose(rigComponent(), {logs[0], logs[1], logs[2]}, {unseen}),
-                diagnosis::diagnose(rigComponent(), {logs[2], logs[0], logs[1]}, {unseen}));
+  expectTheSame(checkedDiagnosis(rigComponent(), {logs[0], logs[1], logs[2]}, {unseen}),
+                checkedDiagnosis(rigComponent(), {logs[2], logs[0], logs[1]}, {unseen}));
 }
 
 log::Log part(const log::Log& log, std::size_t begin, std::size_t end, const std::string& name) {
@@ -146,7 +149,7 @@ TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
   }
   const diagnosis::Diagnosis whole = diagnoseScaled(GetParam().effect, {});
   const diagnosis::Diagnosis split =
-      diagnosis::diagnose(rigComponent(), halves, {runRig("unseen", 3, GetParam().effect())});
+      checkedDiagnosis(rigComponent(), halves, {runRig("unseen", 3, GetParam().effect())});
   EXPECT_EQ(whole.verdict, split.verdict) << split.sentence;
   EXPECT_EQ(whole.effects, split.effects) << split.sentence;
 }

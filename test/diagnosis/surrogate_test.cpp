@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "checked_diagnosis.h"
 #include "diagnosis/report/missing_force.h"
 #include "rig.h"
 #include "rubber_suspension/gap/gap.h"
@@ -101,8 +102,9 @@ class Oscillator {
 double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
 
 Diagnosis diagnoseRig(const RigEffect& effect) {
-  return diagnose(rigComponent(), {runRig("one", 1, effect), runRig("two", 2, effect), runRig("four", 4, effect)},
-                  {runRig("unseen", 3, effect)});
+  return checkedDiagnosis(rigComponent(),
+                          {runRig("one", 1, effect), runRig("two", 2, effect), runRig("four", 4, effect)},
+                          {runRig("unseen", 3, effect)});
 }
 
 double replayedGap(const io::ComponentDescription& component, const log::Log& log) {

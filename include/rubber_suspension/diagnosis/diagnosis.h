@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubber_suspension/diagnosis/posterior.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
@@ -157,9 +158,10 @@ struct Diagnosis {
   double closed = 0.0;  ///< fraction of the closable gap
   std::array<double, 2> closed_interval{};
   std::vector<std::vector<std::string>>
-      confounded;                           ///< for each effect named, those that these logs cannot tell from it
+      confounded;                           ///< for each effect named, what these logs cannot tell from it: other
+                                            ///< effects, and `parameter_error` for the model's own values
   std::vector<CandidateResult> candidates;  ///< most probable first
-  double probability_none = 0.0;            ///< that no effect of the list is at work
+  Posterior posterior;                      ///< of the answers; the verdict's is the largest
   std::vector<gap::GapCell> where;
   std::string next_experiment;
   ProposedExperiment proposed;  ///< its displacement

@@ -5,13 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "rubber_suspension/gap/gap.h"
+
 namespace rubber_suspension::diagnosis {
 
 /// A fitted hypothesis on logs that took no part in the fit. Gaps are over all of them.
 struct UnseenErrors {
-  double predicted = 0.0;    ///< gap of its prediction, from the displacement smoothed as for the fits
-  double replayed = 0.0;     ///< gap of its component, replayed from the displacement as recorded
-  double noise_floor = 0.0;  ///< by what this component leaves
+  double predicted = 0.0;             ///< gap of its prediction, from the displacement smoothed as for the fits
+  double replayed = 0.0;              ///< gap of its component, replayed from the displacement as recorded
+  double noise_floor = 0.0;           ///< by what this component leaves
+  std::vector<gap::PartError> parts;  ///< of `replayed`; may be empty
 };
 
 /// A fitted hypothesis. Errors are gaps: RMS residuals in units of the standard deviation of the force.
@@ -43,6 +46,8 @@ struct Evidence {
   double slow_noise = 0.0;            ///< what a rig may add by slow noise and drift, as a gap
   double discretisation = 0.0;        ///< what the model errs by at the time steps of the logs
   bool has_unseen_logs = false;       ///< whether `unseen` of a hypothesis can be had
+  int resamplings = 400;              ///< of parts of the logs, for intervals
+  unsigned seed = 1;                  ///< of these
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
   const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }

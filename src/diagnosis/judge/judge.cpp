@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "diagnosis/judge/naming.h"
+#include "diagnosis/judge/posterior.h"
 #include "diagnosis/judge/weighing.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -25,23 +26,54 @@ class Judge {
       }
     }
     noteTestableEffects();
+    weighAnswers();
     return std::move(judgement_);
   }
 
  private:
-  // Fewer effects, until those that are named hold on unseen logs.
+  // Fewer effects, until those that are named hold on data that took no part in the fit.
   void nameWhatHolds() {
     for (std::size_t most = criteria_.most_effects;; --most) {
       judgement_ = nameEffects(evidence_, criteria_, most);
-      if (!evidence_.has_unseen_logs || judgement_.effects.empty()) {
+      if (judgement_.effects.empty()) {
         return;
       }
-      preferWhatPredictsUnseenLogs(most);
-      if (judgement_.missing || lacks({Evidence::kReEstimated, judgement_.model}) || holdsOnUnseenLogs()) {
+      if (evidence_.has_unseen_logs) {
+        preferWhatPredictsUnseenLogs(most);
+      }
+      if (judgement_.missing || (evidence_.has_unseen_logs && lacks({Evidence::kReEstimated, judgement_.model})) ||
+          holds()) {
         return;
       }
       most = std::min(most, judgement_.effects.size());  // fewer than the false positives
     }
+  }
+
+  // True if what is named closes part of the gap for sure; also where wrong values would do as well and only few
+  // numbers moved far speak against them, which is said.
+  bool holds() {
+    if (evidence_.has_unseen_logs && !holdsOnUnseenLogs()) {
+      return false;
+    }
+    if (weighing_.closesForSure(evidence_.at(judgement_.model))) {
+      return true;
+    }
+    if (judgement_.verdict == Verdict::partly || !valuesWouldDo()) {
+      return false;
+    }
+    judgement_.verdict = Verdict::confounded;
+    judgement_.values_would_do = true;
+    return true;
+  }
+
+  // Re-estimated parameters leave next to nothing, here or on unseen logs.
+  bool valuesWouldDo() const {
+    return weighing_.closedByParameters() ||
+           (evidence_.has_unseen_logs && unseenLogsShowNothing(unseen(judgement_.model).noise_floor));
+  }
+
+  bool unseenLogsShowNothing(double floor) const {
+    return unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * floor;
   }
 
   // True, and noted, where errors of one of these hypotheses are needed and not known.
@@ -78,7 +110,7 @@ class Judge {
     const double before = unseen(Evidence::kReEstimated).predicted;
     const double after = unseen(judgement_.model).predicted;
     const double floor = unseen(judgement_.model).noise_floor;
-    if (before < criteria_.shows_nothing * floor) {
+    if (unseenLogsShowNothing(floor)) {
       return true;
     }
     const double closed = gap::closedFraction(before, after, floor);
@@ -120,6 +152,10 @@ class Judge {
       return;
     }
     if (weighing_.isBeyondNoise(unseen(judgement_.model))) {
+      const std::optional<int> best = weighing_.bestSingle();
+      if (judgement_.verdict == Verdict::parameter_error && best && lacks({*best})) {
+        return;  // it may be better than the values
+      }
       judgement_.only_unseen_logs_differ = judgement_.effects.empty();
       judgement_.verdict = judgement_.effects.empty() ? Verdict::unknown : Verdict::partly;
     }
@@ -130,6 +166,14 @@ class Judge {
     for (int effect = 0; effect < evidence_.effects(); ++effect) {
       judgement_.testable.push_back(weighing_.shows(effect) ||
                                     std::find(named.begin(), named.end(), effect) != named.end());
+    }
+  }
+
+  // An effect is as probable as that effects are at work at all, and this one among them.
+  void weighAnswers() {
+    judgement_.posterior = posterior(evidence_, criteria_, judgement_);
+    for (double& probability : judgement_.probabilities) {
+      probability *= judgement_.posterior.effects;
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
+#include "rubber_suspension/diagnosis/posterior.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -17,11 +18,12 @@ std::string toString(Verdict verdict);
 
 struct Judgement {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;            ///< named, most important first
-  int model = Evidence::kReEstimated;  ///< the hypothesis that the augmented component is made of
-  std::vector<double> probabilities;   ///< of each effect to be the (most important) one
-  double probability_none_of_these = 0.0;
+  std::vector<int> effects;                  ///< named, most important first
+  int model = Evidence::kReEstimated;        ///< the hypothesis that the augmented component is made of
+  Posterior posterior;                       ///< of the answers; the verdict's is the largest
+  std::vector<double> probabilities;         ///< of each effect to be the (most important) one
   std::vector<std::vector<int>> confounded;  ///< for each effect named, the set that holds it at 90 %
+  bool values_would_do = false;              ///< wrong values cannot be told from what is named
   std::vector<bool> testable;                ///< of each effect: these logs would show it, or it is named
   bool only_unseen_logs_differ = false;      ///< the logs of the fit confirm the model, unseen ones do not
   /// A hypothesis whose errors on unseen logs the judgement turns on and the evidence lacks: the judgement is not

@@ -70,16 +70,14 @@ class Naming {
   }
 
   // Probability of each effect from what it leaves against what its absence leaves: a power of the ratio, softened
-  // by the noise, within which nothing can be told apart, less that of an effect that changes nothing. The last entry
-  // is that of none of them, of weight `none`.
-  std::vector<double> probabilities(const std::vector<double>& rests, double absent, double none) const {
+  // by the noise, within which nothing can be told apart, less that of an effect that changes nothing.
+  std::vector<double> shares(const std::vector<double>& rests, double absent) const {
     const double blur = std::pow(criteria_.noise_blur * evidence_.noise_floor + criteria_.gap_blur * gap_, 2);
     std::vector<double> weights;
     for (const double rest : rests) {
       const double ratio = (absent * absent + blur) / (rest * rest + blur);
       weights.push_back(std::isfinite(rest) ? std::max(0.0, std::pow(ratio, criteria_.sharpness) - 1.0) : 0.0);
     }
-    weights.push_back(none);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (double& weight : weights) {
       weight = sum > 0.0 ? weight / sum : 0.0;
@@ -93,9 +91,7 @@ class Naming {
       const int single = Evidence::kFirstSingle + effect;
       rests.push_back(allowed(single) ? left(single) : kInfinity);
     }
-    const std::vector<double> weights = probabilities(rests, gap_, 1.0);
-    std::copy(weights.begin(), weights.end() - 1, judgement_.probabilities.begin());
-    judgement_.probability_none_of_these = weights.back();
+    judgement_.probabilities = shares(rests, gap_);
   }
 
   // The best hypothesis of so many effects.
@@ -249,8 +245,7 @@ class Naming {
     const std::vector<int>& members = evidence_.at(hypothesis).members;
     for (const int effect : judgement_.effects) {
       const double absent = std::min(leftWithout(hypothesis, effect), gap_);
-      std::vector<double> weights = probabilities(leftInPlaceOf(effect, members), absent, 0.0);
-      weights.pop_back();
+      const std::vector<double> weights = shares(leftInPlaceOf(effect, members), absent);
       if (members.size() > 1) {  // beside others, an effect is as sure as its place is
         judgement_.probabilities[static_cast<std::size_t>(effect)] = weights[static_cast<std::size_t>(effect)];
       }

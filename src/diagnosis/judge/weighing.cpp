@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/judge/paired_losses.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -26,6 +27,14 @@ double Weighing::left(const HypothesisEvidence& hypothesis) const {
 double Weighing::insignificant() const {
   return std::max({criteria_.within_noise * evidence_.noise_floor, criteria_.insignificant_gap,
                    criteria_.discretisation * evidence_.discretisation});
+}
+
+double Weighing::tolerated() const {
+  const double configured = left(evidence_.at(Evidence::kAsConfigured).held_out);
+  const double little = std::min(criteria_.above_noise_by_parameters * evidence_.noise_floor,
+                                 criteria_.share_left_by_parameters * configured);
+  const double rest = closedByParameters() ? left(evidence_.reEstimated().held_out) : 0.0;
+  return std::max({insignificant(), little, rest});
 }
 
 double Weighing::enough() const {
@@ -94,9 +103,12 @@ double Weighing::beyondNoise(double floor) const {
   return std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
 }
 
+double Weighing::leftUnseen(const UnseenErrors& errors) {
+  return gap::residualAboveFloor(std::min(errors.replayed, errors.predicted), errors.noise_floor);
+}
+
 bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
-  const double error = std::min(errors.replayed, errors.predicted);
-  return isBeyondNoise(gap::residualAboveFloor(error, errors.noise_floor), errors.noise_floor);
+  return isBeyondNoise(leftUnseen(errors), errors.noise_floor);
 }
 
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
@@ -119,14 +131,40 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
   return compare(losses, 0, 1).pValueOfNoGain();
 }
 
+bool Weighing::closesForSure(const HypothesisEvidence& hypothesis) const {
+  std::vector<gap::PartError> before = partsOf(evidence_.reEstimated());
+  std::vector<gap::PartError> after = partsOf(hypothesis);
+  if (before.empty() || before.size() != after.size()) {
+    return true;
+  }
+  return closedInterval(before, after, evidence_.noise_floor, evidence_.resamplings, evidence_.seed)[0] > 0.0;
+}
+
+std::vector<gap::PartError> Weighing::partsOf(const HypothesisEvidence& hypothesis) const {
+  if (evidence_.has_unseen_logs) {
+    return hypothesis.unseen ? hypothesis.unseen->parts : std::vector<gap::PartError>{};
+  }
+  std::vector<gap::PartError> parts;
+  for (std::size_t i = 0; i < std::min(hypothesis.block_errors.size(), evidence_.block_weights.size()); ++i) {
+    parts.push_back({hypothesis.block_errors[i], evidence_.block_weights[i]});
+  }
+  return parts;
+}
+
 std::optional<int> Weighing::betterThanParameters() const {
   const HypothesisEvidence& parameters = evidence_.reEstimated();
   const double rest = left(parameters.held_out);
   const bool refuted =
       isBeyondNoise(rest, evidence_.noise_floor) || (parameters.unseen && isBeyondNoise(*parameters.unseen));
   const std::optional<int> best = bestSingle();
-  const bool better = refuted && best && left(evidence_.at(*best).held_out) < criteria_.needs_another * rest;
-  return better ? best : std::nullopt;
+  if (!refuted || !best) {
+    return std::nullopt;
+  }
+  const HypothesisEvidence& effect = evidence_.at(*best);
+  const bool better_here = left(effect.held_out) < criteria_.needs_another * rest;
+  const bool better_unseen = parameters.unseen && effect.unseen &&
+                             leftUnseen(*effect.unseen) < criteria_.needs_another * leftUnseen(*parameters.unseen);
+  return better_here || better_unseen ? best : std::nullopt;
 }
 
 std::optional<int> Weighing::hiddenEffect() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
@@ -21,6 +22,9 @@ class Weighing {
 
   /// Less above the floor cannot be told from noise and discretisation.
   double insignificant() const;
+
+  /// Less above the floor, left by re-estimated parameters, calls for no effect.
+  double tolerated() const;
 
   /// Less above the floor calls for no further effect.
   double enough() const;
@@ -47,9 +51,16 @@ class Weighing {
   bool isBeyondNoise(double rest, double floor) const { return rest > beyondNoise(floor); }
   bool isBeyondNoise(const UnseenErrors& errors) const;
 
+  /// What is left of unseen logs above their floor, by the better of prediction and component.
+  static double leftUnseen(const UnseenErrors& errors);
+
   /// Probability of such a gain over another hypothesis where there is none: paired by blocks, which of one log hang
   /// together where there are three logs or more. 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+
+  /// True if a hypothesis closes part of the gap that re-estimated parameters leave of data that took no part in the
+  /// fit, beyond chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
+  bool closesForSure(const HypothesisEvidence& hypothesis) const;
 
   /// The effect that leaves much less than re-estimated parameters where unseen logs, or the logs of the fit, refute
   /// these, if any.
@@ -60,6 +71,7 @@ class Weighing {
 
  private:
   double beyondNoise(double floor) const;
+  std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 
   const Evidence& evidence_;
   const Criteria& criteria_;

@@ -94,9 +94,11 @@ std::string candidateSection(const Diagnosis& d) {
   }
   std::string html = shown.empty() ? "<p>No candidate reaches a probability of 1 %.</p>\n" : shown.html();
   html += fmt::format(
-      "<p>None of these: {} %. All candidates at once, as a flexible fit without claim to a cause, "
+      "<p>No gap: {} %. Wrong values of the model alone: {} %. None of these: {} %. All candidates at once, as a "
+      "flexible fit without claim to a cause, "
       "would leave a gap of {} on blocks of these logs held out.</p>\n",
-      chance(d.probability_none), percent(d.workings->search.surrogate_gap));
+      chance(d.posterior.none), chance(d.posterior.parameter_error), chance(d.posterior.none_of_these),
+      percent(d.workings->search.surrogate_gap));
   html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, escape(notTestable(d)));
   return rest.empty() ? html
                       : html + folded(fmt::format("{} candidates below 1 %, and why they are out", count), rest.html());

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "diagnosis/augmented.h"
+#include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/characteristics.h"
-#include "diagnosis/report/closed_interval.h"
 #include "diagnosis/report/model_parameters_by_log.h"
 #include "diagnosis/report/sentence.h"
 #include "diagnosis/report/sizes.h"
@@ -44,6 +44,7 @@ class Describer {
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
     result_.augmented = augmentedDescription(prepared_.model, judged_);
     simulateAll();
+    measureCandidates();
     measureGap();
     measureParts();
     mapGap();
@@ -87,6 +88,28 @@ class Describer {
     return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
   }
 
+  // Errors with each effect alone, on the data that the gap is of.
+  void measureCandidates() {
+    of_candidates_.resize(search_.singles.size());
+    fit::parallelFor(of_candidates_.size(), options_.threads, [&](std::size_t c) {
+      const FittedHypothesis& single = search_.singles[c];
+      of_candidates_[c] = single.fit.blocks;
+      if (hasUnseenLogs()) {
+        const auto elements = augmentedDescription(prepared_.model, single).allElements();
+        of_candidates_[c] = gap::partErrors(prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
+      }
+    });
+  }
+
+  // Noise is no more than what any of the models leaves.
+  void boundFloor() {
+    Gap& gap = result_.gap;
+    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
+    for (const auto& errors : of_candidates_) {
+      gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
+    }
+  }
+
   void measureGap() {
     noise_ = search_.record_noise;
     result_.noise_source = search_.noise_source;
@@ -106,6 +129,7 @@ class Describer {
       after_ = judged_.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
+    boundFloor();
     result_.gap_as_recorded = {asRecorded(prepared_.component), asRecorded(result_.re_estimated),
                                asRecorded(result_.augmented)};
     result_.closed = closed(result_.gap.augmented);
@@ -193,11 +217,7 @@ class Describer {
 
   CandidateResult describeCandidate(std::size_t c) const {
     const FittedHypothesis& single = search_.singles[c];
-    std::vector<gap::PartError> errors = single.fit.blocks;
-    if (hasUnseenLogs()) {
-      const auto elements = augmentedDescription(prepared_.model, single).allElements();
-      errors = gap::partErrors(prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
-    }
+    const std::vector<gap::PartError>& errors = of_candidates_[c];
     CandidateResult candidate;
     candidate.effect = search_.candidates[c].effect;
     candidate.documentation = search_.candidates[c].documentation;
@@ -223,10 +243,13 @@ class Describer {
   }
 
   void describeJudgement() {
-    result_.probability_none = judgement_.probability_none_of_these;
+    result_.posterior = judgement_.posterior;
     result_.effects = names(judgement_.effects);
     for (const auto& set : judgement_.confounded) {
       result_.confounded.push_back(names(set));
+    }
+    if (judgement_.values_would_do) {
+      result_.confounded.front().push_back(toString(Verdict::parameter_error));
     }
     NextExperiment next = nextExperiment(search_, judgement_, prepared_.model, stroke());
     result_.next_experiment = std::move(next.text);
@@ -279,6 +302,7 @@ class Describer {
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   std::vector<gap::PartError> after_;
+  std::vector<std::vector<gap::PartError>> of_candidates_;
   Diagnosis result_;
 };
 

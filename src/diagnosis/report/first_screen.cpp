@@ -69,7 +69,7 @@ std::string sureHtml(const Diagnosis& d) {
     return "";
   }
   if (d.verdict == "unknown") {
-    return fmt::format("{} % that it is no effect of the list", chance(d.probability_none));
+    return fmt::format("{} % that it is no effect of the list", chance(d.posterior.none_of_these));
   }
   if (d.effects.empty()) {
     const double above = d.gap.as_configured - d.gap.noise_floor;

@@ -1,5 +1,5 @@
 // Bootstrap of the closed fraction.
-#include "diagnosis/report/closed_interval.h"
+#include "diagnosis/judge/closed_interval.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,11 @@ std::array<double, 2> closedInterval(const std::vector<gap::PartError>& before,
       a.push_back(before[chosen]);
       b.push_back(after[chosen]);
     }
-    fractions.push_back(
-        gap::closedFraction(gap::gapOfParts(a), gap::gapOfParts(b), floor * std::exp(floor_error(generator))));
+    const double gap_before = gap::gapOfParts(a);
+    const double gap_after = gap::gapOfParts(b);
+    // Noise is no more than what a model leaves.
+    const double drawn = std::min({floor * std::exp(floor_error(generator)), gap_before, gap_after});
+    fractions.push_back(gap::closedFraction(gap_before, gap_after, drawn));
   }
   std::sort(fractions.begin(), fractions.end());
   const auto at = [&](double share) {

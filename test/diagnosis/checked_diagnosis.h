@@ -1,0 +1,24 @@
+// A diagnosis whose statements have to agree with each other: what tests of this folder make goes through here.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/report/contradictions.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+
+inline diagnosis::Diagnosis checkedDiagnosis(const io::ComponentDescription& component,
+                                             const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
+                                             const diagnosis::DiagnosisOptions& options = {}) {
+  diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, hold_out, options);
+  for (const std::string& contradiction : diagnosis::contradictions(result)) {
+    ADD_FAILURE() << contradiction << ": " << result.sentence;
+  }
+  return result;
+}
+
+}  // namespace rubber_suspension
