@@ -34,6 +34,7 @@ struct Options {
   std::string output;
   std::string plot;
   std::string compare;
+  bool evidence = false;
   std::vector<std::string> rig;
   int threads = 2;
   LogOptions log_options;
@@ -58,7 +59,7 @@ void showStage(const std::string& stage, double fraction) {
 }
 
 io::FileKind kindOf(const std::string& name) {
-  if (name == "report.json") {
+  if (name == "report.json" || name == "evidence.json") {
     return io::FileKind::report_json;
   }
   const std::string extension = std::filesystem::path(name).extension().string();
@@ -130,6 +131,7 @@ int run(const Options& options) {
   diagnosis::DiagnosisOptions settings;
   settings.threads = options.threads;
   settings.progress = showStage;
+  settings.evidence = options.evidence;
   showStage("reading the logs", 0.0);
   const std::vector<log::Log> logs = readLogs(options.logs, component.name, options);
   const std::vector<log::Log> hold_out = readLogs(options.hold_out, component.name, options);
@@ -180,6 +182,8 @@ int main(int argc, char** argv) {
         app.add_option("--compare", options->compare,
                        "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
             ->type_name("FILE");
+        app.add_flag("--evidence", options->evidence,
+                     "also write evidence.json: what every hypothesis leaves, of which the judgement is made");
         addPlotOption(app, options->plot, "loops, residuals and the gap over frequency, amplitude and time");
         app.add_option("--threads", options->threads, "number of threads")
             ->type_name("COUNT")

@@ -54,23 +54,29 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
-// Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses.
-Judgement judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
-                      const DiagnosisOptions& options) {
+// Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses; of all where the
+// evidence is asked for.
+std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
+                                           const DiagnosisOptions& options) {
   Evidence evidence = evidenceOf(search);
   evidence.resamplings = options.resamplings;
   evidence.seed = options.seed;
   evidence.has_unseen_logs = !prepared.held_out.empty();
   evidence.slow_noise = slowNoiseOf(prepared.training);
   const double loudest = loudestNoise(search.record_noise, prepared.training);
+  const auto ask = [&](std::size_t hypothesis) {
+    evidence.hypotheses[hypothesis].unseen =
+        unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, loudest);
+  };
   Judgement judgement = judge(evidence, criteria);
   while (judgement.missing) {
-    const int hypothesis = *judgement.missing;
-    evidence.hypotheses[static_cast<std::size_t>(hypothesis)].unseen =
-        unseenErrors(prepared.model, search.at(hypothesis), prepared.held_out, loudest);
+    ask(static_cast<std::size_t>(*judgement.missing));
     judgement = judge(evidence, criteria);
   }
-  return judgement;
+  if (options.evidence && evidence.has_unseen_logs) {
+    fit::parallelFor(evidence.hypotheses.size(), options.threads, ask);
+  }
+  return {std::move(judgement), std::move(evidence)};
 }
 
 // A search and what it comes to.
@@ -86,7 +92,11 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
                 std::make_shared<Workings>()};
   judged.workings->search =
       search(judged.prepared->fitter, judged.prepared->element_fitter, criteria, options.threads, options.progress);
-  judged.workings->judgement = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
+  auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
+  judged.workings->judgement = std::move(judgement);
+  if (options.evidence) {
+    judged.workings->evidence = std::move(evidence);
+  }
   return judged;
 }
 

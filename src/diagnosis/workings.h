@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/judge/judge.h"
@@ -46,7 +47,8 @@ struct Workings {
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
-  gap::Forces force_surrogate;  ///< empty without a surrogate
+  gap::Forces force_surrogate;       ///< empty without a surrogate
+  std::optional<Evidence> evidence;  ///< complete, where it was asked for
 };
 
 }  // namespace rubber_suspension::diagnosis

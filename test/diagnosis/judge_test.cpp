@@ -7,9 +7,11 @@
 #include <cmath>
 #include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/judge/weighing.h"
 
 namespace rubber_suspension::diagnosis {
@@ -656,6 +658,27 @@ TEST(Weighing, CallsForFurtherEffectsWhereMuchIsLeft) {
   EXPECT_TRUE(needsFurtherEffects(evidence, criteria));
   reEstimated(evidence).held_out = 0.0105;
   EXPECT_FALSE(needsFurtherEffects(evidence, criteria));
+}
+
+// Evidence that went through a file is judged as it was.
+TEST(EvidenceJson, GivesTheSameJudgement) {
+  Evidence evidence = unexplained();
+  single(evidence, kMany).held_out = 0.011;
+  gainInLogs(evidence, {0.009, 0.01, 0.011});
+  addUnseenLogs(evidence);
+  scatter(reEstimated(evidence), kEven);
+  const NamedEvidence written{evidence, {"many", "simple", "drift", "last", "other"}};
+  const NamedEvidence read = parseEvidence(toJson(written));
+  EXPECT_EQ(toJson(read), toJson(written));
+  EXPECT_EQ(read.effects, written.effects);
+  EXPECT_EQ(judge(read.evidence).probabilities, judge(evidence).probabilities);
+}
+
+TEST(EvidenceJson, RefusesWhatIsNone) {
+  for (const char* text : {"", "[]", "{}", R"({"schema": "rubber_suspension/gap_report/1"})",
+                           R"({"schema": "rubber_suspension/evidence/1", "effects": 3})"}) {
+    EXPECT_THROW(parseEvidence(text), std::invalid_argument) << text;
+  }
 }
 
 }  // namespace

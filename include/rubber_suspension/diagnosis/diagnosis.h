@@ -27,6 +27,7 @@ struct DiagnosisOptions {
   std::function<void(const std::string& stage, double fraction)> progress;
   unsigned seed = 1;  ///< of the resampling for intervals
   int resamplings = 400;
+  bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
 };
 
 /// What the diagnosis says of one candidate effect.
@@ -203,9 +204,9 @@ std::string toHtml(const Diagnosis& diagnosis);
 std::vector<std::string> reportFiles();
 
 /// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, surrogate.yaml and
-/// missing_force.csv where there is a surrogate, the numbers of its figures, and report.html last. Nothing takes its
-/// name before all are written; what an earlier report left there and this one lacks is removed. Throws
-/// std::runtime_error.
+/// missing_force.csv where there is a surrogate, evidence.json where it was asked for, the numbers of its figures, and
+/// report.html last. Nothing takes its name before all are written; what an earlier report left there and this one
+/// lacks is removed. Throws std::runtime_error.
 void writeReport(const Diagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

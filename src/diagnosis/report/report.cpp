@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/report/figure_data.h"
 #include "diagnosis/report/missing_force.h"
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/workings.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/log.h"
@@ -24,6 +26,7 @@ constexpr const char* kExperiment = "next_experiment.csv";
 constexpr const char* kComponent = "augmented.yaml";
 constexpr const char* kSurrogate = "surrogate.yaml";
 constexpr const char* kMissingForce = "missing_force.csv";
+constexpr const char* kEvidence = "evidence.json";
 constexpr const char* kPage = "report.html";
 
 // Files that are written, not yet in place: the report is complete or the older one stays. A signal removes them.
@@ -72,6 +75,14 @@ class NewReport {
   std::vector<std::pair<std::string, std::unique_ptr<log::NewFile>>> files_;
 };
 
+NamedEvidence namedEvidence(const Workings& workings) {
+  NamedEvidence named{*workings.evidence, {}};
+  for (const fit::Candidate& candidate : workings.search.candidates) {
+    named.effects.push_back(candidate.effect);
+  }
+  return named;
+}
+
 std::string experimentCsv(const ProposedExperiment& experiment) {
   std::string text = "time_s,displacement_m\n";
   for (std::size_t i = 0; i < experiment.displacement.size(); ++i) {
@@ -83,7 +94,7 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
 }  // namespace
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent, kExperiment, kSurrogate, kMissingForce};
+  std::vector<std::string> names = {"report.json", kComponent, kExperiment, kSurrogate, kMissingForce, kEvidence};
   const std::vector<std::string> figures = figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
@@ -104,6 +115,9 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   if (diagnosis.surrogate) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
     report.write(kMissingForce, toCsv(missingForce(diagnosis)));
+  }
+  if (diagnosis.workings && diagnosis.workings->evidence) {
+    report.write(kEvidence, toJson(namedEvidence(*diagnosis.workings)));
   }
   if (!diagnosis.proposed.displacement.empty()) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));

@@ -1,0 +1,126 @@
+// Evidence to JSON and back.
+#include "diagnosis/judge/evidence_json.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kSchema = "rubber_suspension/evidence/1";
+
+ordered_json partsJson(const std::vector<gap::PartError>& parts) {
+  ordered_json list = ordered_json::array();
+  for (const gap::PartError& part : parts) {
+    list.push_back({part.error, part.weight});
+  }
+  return list;
+}
+
+ordered_json unseenJson(const UnseenErrors& unseen) {
+  return {{"predicted", unseen.predicted},
+          {"replayed", unseen.replayed},
+          {"noise_floor", unseen.noise_floor},
+          {"parts", partsJson(unseen.parts)}};
+}
+
+UnseenErrors unseenOf(const ordered_json& value) {
+  UnseenErrors unseen;
+  value.at("predicted").get_to(unseen.predicted);
+  value.at("replayed").get_to(unseen.replayed);
+  value.at("noise_floor").get_to(unseen.noise_floor);
+  for (const ordered_json& part : value.at("parts")) {
+    unseen.parts.push_back({part.at(0), part.at(1)});
+  }
+  return unseen;
+}
+
+ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
+  ordered_json value = {{"members", hypothesis.members},
+                        {"terms", hypothesis.terms},
+                        {"free_trends", hypothesis.free_trends},
+                        {"last_resort", hypothesis.last_resort},
+                        {"held_out", hypothesis.held_out},
+                        {"penalty", hypothesis.penalty},
+                        {"largest_change", hypothesis.largest_change},
+                        {"block_errors", hypothesis.block_errors}};
+  if (hypothesis.unseen) {
+    value["unseen"] = unseenJson(*hypothesis.unseen);
+  }
+  return value;
+}
+
+HypothesisEvidence hypothesisOf(const ordered_json& value) {
+  HypothesisEvidence hypothesis;
+  value.at("members").get_to(hypothesis.members);
+  value.at("terms").get_to(hypothesis.terms);
+  value.at("free_trends").get_to(hypothesis.free_trends);
+  value.at("last_resort").get_to(hypothesis.last_resort);
+  value.at("held_out").get_to(hypothesis.held_out);
+  value.at("penalty").get_to(hypothesis.penalty);
+  value.at("largest_change").get_to(hypothesis.largest_change);
+  value.at("block_errors").get_to(hypothesis.block_errors);
+  if (value.contains("unseen")) {
+    hypothesis.unseen = unseenOf(value.at("unseen"));
+  }
+  return hypothesis;
+}
+
+NamedEvidence evidenceOf(const ordered_json& value) {
+  if (value.at("schema") != kSchema) {
+    throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kSchema);
+  }
+  NamedEvidence named;
+  Evidence& evidence = named.evidence;
+  value.at("effects").get_to(named.effects);
+  for (const ordered_json& hypothesis : value.at("hypotheses")) {
+    evidence.hypotheses.push_back(hypothesisOf(hypothesis));
+  }
+  value.at("block_logs").get_to(evidence.block_logs);
+  value.at("block_weights").get_to(evidence.block_weights);
+  value.at("testable").get_to(evidence.testable);
+  value.at("element_level").get_to(evidence.element_level);
+  value.at("noise_floor").get_to(evidence.noise_floor);
+  value.at("slow_noise").get_to(evidence.slow_noise);
+  value.at("discretisation").get_to(evidence.discretisation);
+  value.at("has_unseen_logs").get_to(evidence.has_unseen_logs);
+  value.at("resamplings").get_to(evidence.resamplings);
+  value.at("seed").get_to(evidence.seed);
+  return named;
+}
+
+}  // namespace
+
+std::string toJson(const NamedEvidence& named) {
+  const Evidence& evidence = named.evidence;
+  ordered_json hypotheses = ordered_json::array();
+  for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    hypotheses.push_back(hypothesisJson(hypothesis));
+  }
+  const ordered_json value = {{"schema", kSchema},
+                              {"effects", named.effects},
+                              {"noise_floor", evidence.noise_floor},
+                              {"slow_noise", evidence.slow_noise},
+                              {"discretisation", evidence.discretisation},
+                              {"element_level", evidence.element_level},
+                              {"has_unseen_logs", evidence.has_unseen_logs},
+                              {"resamplings", evidence.resamplings},
+                              {"seed", evidence.seed},
+                              {"testable", evidence.testable},
+                              {"block_logs", evidence.block_logs},
+                              {"block_weights", evidence.block_weights},
+                              {"hypotheses", hypotheses}};
+  return value.dump() + "\n";
+}
+
+NamedEvidence parseEvidence(const std::string& text) {
+  try {
+    return evidenceOf(ordered_json::parse(text));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(std::string("not evidence of a diagnosis: ") + error.what());
+  }
+}
+
+}  // namespace rubber_suspension::diagnosis
