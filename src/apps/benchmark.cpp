@@ -1,4 +1,5 @@
 // The command `benchmark`: how fast the library is against plain loops written by hand, with the error beside it.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <memory>
@@ -29,8 +30,9 @@ struct Options {
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part : {benchmark::stepCases, benchmark::fmuCases, benchmark::logCases, benchmark::replayCases,
-                          benchmark::peerCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
+  for (const auto part :
+       {benchmark::stepCases, benchmark::fmuCases, benchmark::logCases, benchmark::bundleCases, benchmark::replayCases,
+        benchmark::peerCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }
@@ -61,6 +63,11 @@ int run(const Options& options) {
     results.push_back(benchmark::measure(work, pairs));
     if (!results.back().accurate) {
       printError("benchmark", work.name + ": the error is beyond its tolerance");
+      accurate = false;
+    }
+    if (results.back().slow) {
+      printError("benchmark", fmt::format("{}: {:.3g} times the time of {}; accepted: {:g} times", work.name,
+                                          results.back().lowest, work.baseline, work.most));
       accurate = false;
     }
   }

@@ -28,6 +28,9 @@ std::vector<Case> logCases(const BenchmarkSize& size);
 /// A component through its FMU, where the command `export_fmu` is built; none where not.
 std::vector<Case> fmuCases(const BenchmarkSize& size);
 
+/// Bundles of the node under the lock that makes a saved state one instant, against bundles without it; a save.
+std::vector<Case> bundleCases(const BenchmarkSize& size);
+
 /// A log offline; many components at each tick.
 std::vector<Case> replayCases(const BenchmarkSize& size);
 

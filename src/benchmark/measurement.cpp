@@ -90,7 +90,8 @@ std::string readableRatio(double ratio) {
 Result measure(const Case& work, int pairs) {
   work.bare();
   work.library();
-  Result result{work.name, work.baseline, work.unit, 0.0, 0.0, 0.0, 0.0, 0.0, work.error(), work.error_meaning, false};
+  Result result{work.name, work.baseline, work.unit,          0.0,   0.0,  0.0, 0.0,
+                0.0,       work.error(),  work.error_meaning, false, false};
   result.accurate = result.error <= work.tolerance;  // false for not a number
 
   bool bare_first = false;
@@ -125,6 +126,8 @@ Result measure(const Case& work, int pairs) {
   result.ratio = quantile(ratio, 0.5);
   result.lowest = quantile(ratio, 0.25);
   result.highest = quantile(ratio, 0.75);
+  constexpr std::size_t kFewest = 15;  // pairs; fewer only show that the case runs
+  result.slow = ratio.size() >= kFewest && result.lowest > work.most;
   return result;
 }
 
