@@ -1,10 +1,13 @@
 // Jobs, their ids, and their lines in a manifest.
 #include "campaign/job.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <vector>
 
 #include "campaign/job_json.h"
+#include "element/suggestion.h"
 #include "io/sha256.h"
 
 namespace rubber_suspension::campaign {
@@ -39,13 +42,24 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
   return result;
 }
 
+// Those of optionsJson(); a manifest of another version may have others, which must not go unheard.
+void checkOptionNames(const nlohmann::json& json) {
+  const std::vector<std::string> known = {"reports", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
+  for (const auto& entry : json.items()) {
+    if (std::find(known.begin(), known.end(), entry.key()) == known.end()) {
+      throw std::invalid_argument("'" + entry.key() + "' is unknown" + element::didYouMean(entry.key(), known));
+    }
+  }
+}
+
 JobOptions optionsFromJson(const nlohmann::json& json) {
+  checkOptionNames(json);
   JobOptions options;
   const std::string reports = json.value("reports", toString(options.reports));
   options.reports = require(reportsFromString(reports), reports);
   options.columns = json.value("columns", options.columns);
   options.unit = json.value("unit", options.unit);
-  options.rate = json.value("rate", options.rate);
+  options.sampling_rate = json.value("sampling_rate", options.sampling_rate);
   options.rig = json.value("rig", options.rig);
   options.hold = json.value("hold", options.hold);
   if (json.contains("starts")) {
@@ -72,8 +86,8 @@ ordered_json optionsJson(const JobOptions& options) {
   if (!options.unit.empty()) {
     json["unit"] = options.unit;
   }
-  if (options.rate > 0.0) {
-    json["rate"] = options.rate;
+  if (options.sampling_rate > 0.0) {
+    json["sampling_rate"] = options.sampling_rate;
   }
   if (!options.rig.empty()) {
     json["rig"] = options.rig;

@@ -35,7 +35,7 @@ struct JobOptions {
   Reports reports = Reports::data;
   std::vector<std::string> columns;        ///< as --columns
   std::string unit;                        ///< as --unit
-  double rate = 0.0;                       ///< as --sampling-rate [Hz]; 0: not given
+  double sampling_rate = 0.0;              ///< as --sampling-rate [Hz]; 0: not given
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
   std::optional<int> starts;               ///< as --starts, of estimate

@@ -9,6 +9,7 @@
 #include <functional>
 #include <set>
 
+#include "element/suggestion.h"
 #include "io/yaml_nesting.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/specification.h"
@@ -24,7 +25,7 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 using Keys = std::vector<std::string>;
 
 // What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "columns", "unit", "rate", "rig", "hold", "starts"};
+const Keys kOptionKeys = {"reports", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
 const Keys kGroupKeys = {"command", "folders",  "config",          "component",  "type",
                          "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -97,7 +98,8 @@ class Reader {
     for (const auto& entry : node) {
       if (entry.first.IsScalar() && std::find(keys.begin(), keys.end(), entry.first.Scalar()) == keys.end()) {
         report(entry.first, child(path, log::oneLine(entry.first.Scalar())),
-               fmt::format("unknown key; accepted: {}", log::join(keys)));
+               fmt::format("unknown key{}; accepted: {}", element::didYouMean(entry.first.Scalar(), keys),
+                           log::join(keys)));
       }
     }
     return true;
@@ -230,9 +232,10 @@ class Reader {
                fmt::format("{}; accepted: none, data, full", log::quoted(name)));
       }
     }
-    if (node["rate"]) {
+    if (node["sampling_rate"]) {
       constexpr double kFastest = 1e9;  // [Hz]: a stamp is a whole number of nanoseconds
-      options.rate = number(node["rate"], child(path, "rate"), 1e-9, kFastest, false).value_or(0.0);
+      options.sampling_rate =
+          number(node["sampling_rate"], child(path, "sampling_rate"), 1e-9, kFastest, false).value_or(0.0);
     }
     if (node["starts"]) {
       if (const auto starts = number(node["starts"], child(path, "starts"), 1, 1000, true)) {
@@ -254,7 +257,7 @@ class Reader {
 
   void checkFormat(const YAML::Node& node, const std::string& path, const JobOptions& options) {
     try {
-      log::makeLogFormat(options.columns, options.unit, options.rate);
+      log::makeLogFormat(options.columns, options.unit, options.sampling_rate);
     } catch (const std::invalid_argument& error) {
       report(node, path, error.what());
     }

@@ -270,7 +270,7 @@ class Maker {
     job.options = group.options;
     job.config = inputs_.indexOf(place.config);
     const std::string reading = fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay,
-                                            log::join(job.options.columns), job.options.unit, job.options.rate);
+                                            log::join(job.options.columns), job.options.unit, job.options.sampling_rate);
     for (const std::string& path : place.logs) {
       job.logs.push_back(addLog(path, job, reading));
     }
@@ -391,7 +391,7 @@ BadInputs::BadInputs(std::vector<std::string> problems)
     : std::runtime_error(summaryOf(problems)), problems_(std::move(problems)) {}
 
 log::LogFormat logFormat(const JobOptions& options) {
-  return log::makeLogFormat(options.columns, options.unit, options.rate);
+  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate);
 }
 
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,

@@ -20,7 +20,7 @@ std::vector<std::string> problemsOf(const std::string& text) {
 TEST(JobsFile, IsRead) {
   std::vector<std::string> problems;
   const campaign::JobsFile file = campaign::parseJobsFile(
-      "settings: {reports: none, rate: 1000}\n"
+      "settings: {reports: none, sampling_rate: 1000}\n"
       "jobs:\n"
       "  fleet:\n"
       "    command: diagnose\n"
@@ -45,7 +45,7 @@ TEST(JobsFile, IsRead) {
   EXPECT_EQ(fleet.line, 3);
   EXPECT_THAT(fleet.logs, ElementsAre("sweep*.csv", "track.csv"));
   EXPECT_EQ(fleet.options.reports, campaign::Reports::none);
-  EXPECT_EQ(fleet.options.rate, 1000.0);
+  EXPECT_EQ(fleet.options.sampling_rate, 1000.0);
   EXPECT_EQ(fleet.options.rig.at("gain"), "1 %");
   const campaign::JobGroup& study = file.groups[1];
   EXPECT_EQ(study.options.reports, campaign::Reports::data);
@@ -72,7 +72,7 @@ TEST(JobsFile, TellsEveryProblemAtOnce) {
                  "    hold_out: b.csv\n"
                  "    monte_carlo: {runs: 1.5, tolerances: {static_stiffness: {uniform: 5 kg}}}\n"),
       ElementsAre(AllOf(HasSubstr("jobs.yaml:1: settings.reports: 'all'"), HasSubstr("accepted: none, data, full")),
-                  AllOf(HasSubstr("jobs.yaml:6: jobs.one.logs: unknown key; accepted: command,")),
+                  AllOf(HasSubstr("jobs.yaml:6: jobs.one.logs: unknown key (did you mean 'log'?); accepted: command,")),
                   AllOf(HasSubstr("jobs.yaml:4: jobs.one.command: 'diagnoze'"),
                         HasSubstr("accepted: diagnose, estimate, replay")),
                   HasSubstr("jobs.one.log: missing; accepted: text"),
@@ -80,6 +80,12 @@ TEST(JobsFile, TellsEveryProblemAtOnce) {
                   HasSubstr("jobs.two.monte_carlo.seed: missing; accepted: a whole number from 0"),
                   AllOf(HasSubstr("jobs.two.monte_carlo.tolerances.static_stiffness"), HasSubstr("5 kg")),
                   AllOf(HasSubstr("jobs.yaml:11: jobs.two.hold_out: has no effect on replay"))));
+}
+
+TEST(JobsFile, TheSamplingRateHasOneName) {
+  EXPECT_THAT(problemsOf("settings: {rate: 1000}\njobs:\n  a:\n    command: replay\n    config: c\n    log: l\n"),
+              ElementsAre("jobs.yaml:1: settings.rate: unknown key (did you mean 'sampling_rate'?); accepted: reports, "
+                          "columns, unit, sampling_rate, rig, hold, starts"));
 }
 
 TEST(JobsFile, RefusesWhatIsNone) {
@@ -101,7 +107,8 @@ TEST(JobsFile, RefusesATolerancesThatIsNone) {
   EXPECT_THAT(problem("{static_stiffness: {uniform: -1 %}}"), ElementsAre(HasSubstr("greater than 0")));
   EXPECT_THAT(problem("{static_stiffness: {uniform: nan}}"), ElementsAre(HasSubstr("greater than 0")));
   EXPECT_THAT(problem("{static_stiffness: {uniform: 1 %, normal: 1 %}}"), ElementsAre(HasSubstr("one of uniform")));
-  EXPECT_THAT(problem("{static_stifness: {uniform: 1 %}}"), ElementsAre(HasSubstr("unknown key; accepted: ")));
+  EXPECT_THAT(problem("{static_stifness: {uniform: 1 %}}"),
+              ElementsAre(HasSubstr("unknown key (did you mean 'static_stiffness'?); accepted: ")));
   EXPECT_THAT(problem("{}"), ElementsAre(HasSubstr("missing or empty")));
 }
 

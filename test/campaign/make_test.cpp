@@ -84,13 +84,25 @@ TEST_F(MakeCampaign, TheIdIsThatOfContentsOptionsAndVersion) {
   EXPECT_EQ(changed[1], first.jobs[1].id);
 }
 
+TEST_F(MakeCampaign, AnOptionOfAnotherVersionIsRefused) {
+  writeFleet();
+  nlohmann::json job = campaign::jobJson(make(kFleet).jobs.at(0));
+  job["options"]["rate"] = 200.0;
+  try {
+    campaign::jobFromJson(job);
+    FAIL() << "taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "'rate' is unknown (did you mean 'sampling_rate'?)");
+  }
+}
+
 TEST_F(MakeCampaign, TheManifestReadsBack) {
   writeFleet();
   folder_.writeLog("fleet/truck_1/last.csv", 20);
   folder_.writeLog("fleet/truck_2/last.csv", 21);
   const campaign::Manifest manifest =
       make(std::string(kFleet) +
-           "    hold_out: last.csv\n    rig: {gain: 1 %}\n    reports: none\n    rate: 200\n"
+           "    hold_out: last.csv\n    rig: {gain: 1 %}\n    reports: none\n    sampling_rate: 200\n"
            "    columns: [time=time_s]\n    unit: mm,kN\n");
   std::filesystem::create_directories(folder_.path("out"));
   campaign::writeManifest(manifest, folder_.path("out"));
