@@ -269,8 +269,9 @@ class Maker {
     job.component = component.name;
     job.options = group.options;
     job.config = inputs_.indexOf(place.config);
-    const std::string reading = fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay,
-                                            log::join(job.options.columns), job.options.unit, job.options.sampling_rate);
+    const std::string reading =
+        fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay, log::join(job.options.columns),
+                    job.options.unit, job.options.sampling_rate);
     for (const std::string& path : place.logs) {
       job.logs.push_back(addLog(path, job, reading));
     }
