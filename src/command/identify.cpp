@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "command/rig_of_logs.h"
 #include "gap/last_cycles.h"
 #include "rubber_suspension/gap/replay.h"
 
@@ -55,7 +56,25 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   if (spread) {
     options.held.emplace_back("maxwell.break_frequency");
   }
-  fit::Identification result = fit::identify(description.allElements(), logs, options);
+  std::vector<measurement::RigFinding> findings;
+  const std::vector<log::Log> repaired = repairedLogs(logs, findings);
+  fit::Identification result = fit::identify(description.allElements(), repaired, options);
+  // What a start in motion leaves depends on the parameters: a second look suffices, since it is a small part.
+  constexpr int kLooks = 2;
+  for (int look = 0; look < kLooks; ++look) {
+    RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired);
+    if (look == 0) {
+      findings.insert(findings.end(), rig.findings.begin(), rig.findings.end());
+    }
+    if (rig.columns.empty()) {
+      break;
+    }
+    options.rig = std::move(rig.columns);
+    result = fit::identify(description.allElements(), repaired, options);
+  }
+  for (const measurement::RigFinding& finding : findings) {
+    result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
+  }
   if (spread) {
     result.notes.emplace_back("break frequencies of multi_maxwell are kept as estimated");
   }

@@ -86,7 +86,7 @@ LogScales scalesOf(const std::vector<log::Log>& logs) {
 }
 
 ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
-                       const std::vector<std::string>& held)
+                       const std::vector<std::string>& held, const std::vector<Eigen::MatrixXd>& rig)
     : elements_(std::move(elements)), logs_(logs), held_(held), scales_(scalesOf(logs)) {
   for (const log::Log& log : logs_) {
     size_ += static_cast<Eigen::Index>(log.stamp.size());
@@ -98,7 +98,24 @@ ForceModel::ForceModel(std::vector<element::ElementDescription> elements, const 
   } else {
     addWhole();
   }
-  signed_columns_.push_back(true);
+  addRig(rig);
+}
+
+void ForceModel::addRig(const std::vector<Eigen::MatrixXd>& rig) {
+  Eigen::Index columns = 1;
+  for (const Eigen::MatrixXd& of_log : rig) {
+    columns += of_log.cols();
+  }
+  rig_ = Eigen::MatrixXd::Zero(size_, columns);
+  rig_.col(0).setOnes();
+  Eigen::Index row = 0;
+  Eigen::Index column = 1;
+  for (std::size_t i = 0; i < rig.size(); ++i) {
+    rig_.block(row, column, rig[i].rows(), rig[i].cols()) = rig[i];
+    row += static_cast<Eigen::Index>(logs_[i].stamp.size());
+    column += rig[i].cols();
+  }
+  signed_columns_.insert(signed_columns_.end(), static_cast<std::size_t>(columns), true);
 }
 
 bool ForceModel::isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const {
@@ -231,7 +248,8 @@ Eigen::VectorXd ForceModel::derivative(const Eigen::VectorXd& search, Eigen::Ind
 
 void ForceModel::evaluate(const Eigen::VectorXd& search) {
   if (basis_.rows() != size_) {
-    basis_ = Eigen::MatrixXd::Ones(size_, static_cast<Eigen::Index>(signed_columns_.size()));
+    basis_.resize(size_, static_cast<Eigen::Index>(signed_columns_.size()));
+    basis_.rightCols(rig_.cols()) = rig_;
   }
   rest_ = Eigen::VectorXd::Zero(size_);
   for (Part& part : parts_) {

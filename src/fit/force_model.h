@@ -35,13 +35,14 @@ struct LogScales {
 
 LogScales scalesOf(const std::vector<log::Log>& logs);
 
-/// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; the
-/// last column of the basis is the constant 1, the force offset.
+/// force = rest(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 is the linear unknown as given; after
+/// the linear unknowns, the basis has the constant 1, the force offset, and what else the rig may have added.
 class ForceModel {
  public:
   /// The elements have to be complete, `held` to name parameters as "type.name".
+  /// `rig`: of each log, as IdentificationOptions::rig.
   ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
-             const std::vector<std::string>& held);
+             const std::vector<std::string>& held, const std::vector<Eigen::MatrixXd>& rig = {});
 
   const std::vector<Unknown>& nonlinear() const { return nonlinear_; }
   const std::vector<Unknown>& linear() const { return linear_; }
@@ -70,6 +71,7 @@ class ForceModel {
     Eigen::VectorXd force;
   };
 
+  void addRig(const std::vector<Eigen::MatrixXd>& rig);
   bool isHeld(const element::ElementDescription& element, const element::ParameterInfo& parameter) const;
   void addWhole();
   void addElement(std::size_t position);
@@ -89,6 +91,7 @@ class ForceModel {
   std::vector<Unknown> linear_;
   std::vector<bool> signed_columns_;
   std::vector<Part> parts_;
+  Eigen::MatrixXd rig_;  // the constant, and what else the rig may have added
   Eigen::MatrixXd basis_;
   Eigen::VectorXd rest_;
 };

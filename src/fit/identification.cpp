@@ -81,6 +81,16 @@ void checkHeld(const std::vector<element::ElementDescription>& elements, const s
   }
 }
 
+void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<Eigen::Index>& runs) {
+  bool fits = rig.empty() || rig.size() == runs.size();
+  for (std::size_t i = 0; fits && i < rig.size(); ++i) {
+    fits = rig[i].cols() == 0 || rig[i].rows() == runs[i];
+  }
+  if (!fits) {
+    throw std::invalid_argument("rig: needs columns over the samples of each log");
+  }
+}
+
 Eigen::VectorXd stackedForce(const std::vector<log::Log>& logs) {
   std::vector<double> all;
   for (const log::Log& log : logs) {
@@ -166,7 +176,7 @@ BestFit bestFit(ForceModel& model, const Eigen::VectorXd& force, const std::vect
   result.starts = static_cast<int>(starts.size());
   const double force_square = force.squaredNorm();
   ResidualFit by_residuals(model, force);
-  if (!options.by_products || !ProductFit::appliesTo(model, logs)) {
+  if (!options.by_products || !options.rig.empty() || !ProductFit::appliesTo(model, logs)) {
     const Searches searches = searchFrom(starts, by_residuals, force_square);
     result.starts_at_best = searches.at_best;
     return describeFit(by_residuals, by_residuals.fitAt(searches.best.search), runs);
@@ -285,9 +295,14 @@ class Summary {
     result.parameters.push_back(parameter);
   }
 
-  // Weights of a direction by name, the largest 1; the offset is no parameter.
+  // What the rig added is no parameter.
+  Eigen::Index parameters() const {
+    return static_cast<Eigen::Index>(model_.nonlinear().size() + model_.linear().size());
+  }
+
+  // Weights of a direction by name, the largest 1.
   UndeterminedDirection direction(const Eigen::VectorXd& vector, double standard_deviation) const {
-    const Eigen::Index count = vector.size() - 1;
+    const Eigen::Index count = parameters();
     Eigen::Index largest = 0;
     vector.head(count).cwiseAbs().maxCoeff(&largest);
     UndeterminedDirection result;
@@ -308,7 +323,7 @@ class Summary {
     for (const Eigen::VectorXd& vector : covariance_.unseen) {
       result.undetermined.push_back(direction(vector, HUGE_VAL));
     }
-    const Eigen::Index count = covariance_.matrix.rows() - 1;
+    const Eigen::Index count = parameters();
     if (count == 0) {
       return;
     }
@@ -316,9 +331,7 @@ class Summary {
     for (Eigen::Index i = count - 1; i >= 0; --i) {
       const double standard_deviation = std::sqrt(std::max(0.0, eigen.eigenvalues()[i]));
       if (standard_deviation >= kUndetermined) {
-        Eigen::VectorXd vector = Eigen::VectorXd::Zero(count + 1);
-        vector.head(count) = eigen.eigenvectors().col(i);
-        result.undetermined.push_back(direction(vector, standard_deviation));
+        result.undetermined.push_back(direction(eigen.eigenvectors().col(i), standard_deviation));
       }
     }
   }
@@ -419,13 +432,14 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   }
   checkHeld(completed, options.held);
   addDeadBands(completed, logs, result.notes);
-  ForceModel model(completed, logs, options.held);
+  checkRig(options.rig, runs);
+  ForceModel model(completed, logs, options.held, options.rig);
   if (model.nonlinear().empty() && model.linear().empty()) {
     throw std::invalid_argument("no parameter is left to be found; all are held");
   }
   const Eigen::VectorXd force = stackedForce(logs);
   const BestFit best = bestFit(model, force, logs, runs, options, result);
-  result.force_offset = best.fit.coefficients[best.fit.coefficients.size() - 1];
+  result.force_offset = best.fit.coefficients[static_cast<Eigen::Index>(model.linear().size())];
   Covariance covariance = covarianceOf(best.products, best.noise_products);
   allowForFewSamples(covariance, independentSamples(best.fit.residual, best.noise));
   Summary(model, best.fit, covariance).describe(result);

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -73,6 +75,65 @@ TEST(IdentifyFromLogs, ReportsInTextAndJson) {
   EXPECT_EQ(json["parameters"][1]["value"], result.parameters[1].value);
   EXPECT_EQ(json["parameters"][1]["interval_95"][1], result.parameters[1].upper);
   EXPECT_EQ(command::identificationFigure(description(), result, {measuredLog()}).axes.size(), 2u);
+}
+
+// A bench that records while the machine runs, with zeros that nobody set and a bad contact.
+log::Log benchLog(const std::string& name, unsigned seed, double zero) {
+  constexpr int kBefore = 900;
+  constexpr int kSamples = 3000;
+  constexpr double kNoise = 5.0;
+  log::Log all;
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, kNoise);
+  for (int i = 0; i < kBefore + kSamples; ++i) {
+    const double t = i * 0.005;
+    all.stamp.push_back(static_cast<std::int64_t>(i) * 5000000);
+    all.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * (2.0 + 0.1 * seed) * t) +
+                               1e-3 * std::sin(2.0 * element::kPi * 0.31 * t + seed));
+  }
+  all.force = gap::simulateLog(description().makeComponent(), all);
+  log::Log log;
+  log.name = name;
+  for (int i = 0; i < kSamples; ++i) {
+    log.stamp.push_back(all.stamp[static_cast<std::size_t>(i)]);
+    log.displacement.push_back(all.displacement[static_cast<std::size_t>(kBefore + i)]);
+    log.force.push_back(1.2 * all.force[static_cast<std::size_t>(kBefore + i)] + zero + normal(generator));
+  }
+  log.force[1500] += 9000.0;
+  return log;
+}
+
+double worstRatio(const fit::Identification& result) {
+  const auto given = description().allElements();
+  double worst = 0.0;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    worst = std::max(worst, std::abs(result.elements[i].value("stiffness") / given[i].value("stiffness") - 1.2));
+  }
+  return worst;
+}
+
+TEST(IdentifyFromLogs, TakesOutWhatTheRigDid) {
+  const std::vector<log::Log> logs = {benchLog("one", 1, 400.0), benchLog("two", 2, -700.0)};
+  fit::IdentificationOptions held;
+  held.held = {"maxwell.break_frequency"};
+  const double without = worstRatio(fit::identify(description().allElements(), logs, held));
+  const fit::Identification result = command::identifyFromLogs(description(), logs, {});
+  // Ten times less than without: what is left is the noise, which the intervals hold.
+  EXPECT_LT(worstRatio(result), 0.1 * without);
+  int outside = 0;
+  for (const fit::IdentifiedParameter& parameter : result.parameters) {
+    const double truth = 1.2 * parameter.given;
+    outside += truth < parameter.lower || truth > parameter.upper ? 1 : 0;
+  }
+  EXPECT_EQ(outside, 0);
+  EXPECT_THAT(result.notes, testing::Contains(HasSubstr("spike")));
+  EXPECT_THAT(result.notes, testing::Contains(HasSubstr("zero")));
+}
+
+TEST(IdentifyFromLogs, LeavesLogsWithoutFaultsAsTheyAre) {
+  const fit::Identification result = command::identifyFromLogs(description(), {measuredLog(), measuredLog()}, {});
+  EXPECT_LT(worstRatio(result), 1e-6);
+  EXPECT_THAT(result.notes, testing::SizeIs(1)) << "of the break frequencies";
 }
 
 TEST(IdentifyFromLogs, NeedsAForce) {

@@ -1,6 +1,7 @@
 // Parameters of a component's elements from measured displacement and force, with intervals.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ struct IdentificationOptions {
   unsigned seed = 1;              ///< of the starts
   /// Search by products of columns where the elements and the logs allow it: the same result, many times as fast.
   bool by_products = true;
+  /// For each log, what its rig may have added to the force besides the constant that all have in common: columns over
+  /// its samples, whose shares are found along. Empty: nothing.
+  std::vector<Eigen::MatrixXd> rig;
 };
 
 struct IdentifiedParameter {
