@@ -24,6 +24,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 import numpy
 
@@ -370,12 +371,38 @@ def check_link(link, programs, folder, config):
     compare(stream.name, stamps, numpy.ascontiguousarray(rows["force"]), reference(programs, folder, config, stream))
 
 
-def wait_for_counts(sock, expected):
+class Reports:
+    """The node's /diagnostics. To be read while samples flow, too: minutes of reports fill a socket, and are old."""
+
+    def __init__(self, sock):
+        self.input = sock
+        self.data = b""
+
+    def take(self):
+        """What has come; returns the last report that is complete."""
+        latest = None
+        piece = self.input.recv(1 << 18)
+        if not piece:
+            raise tcpros.WireError("the connection of the diagnostics was closed")
+        self.data += piece
+        while len(self.data) >= 4 and len(self.data) >= 4 + struct.unpack_from("<I", self.data)[0]:
+            end = 4 + struct.unpack_from("<I", self.data)[0]
+            latest, self.data = self.data[4:end], self.data[end:]
+        return latest
+
+    def next(self):
+        latest = None
+        while latest is None:
+            latest = self.take()
+        return tcpros.diagnostics(latest)
+
+
+def wait_for_counts(diagnostics, expected):
     """Diagnostics come once per second: all counters must be there sooner or later, and none beyond."""
     reports = 0
     while True:
         wrong = []
-        report = tcpros.diagnostics(tcpros.next_message(sock))
+        report = diagnostics.next()
         for name, counts in expected.items():
             if name not in report:
                 wrong.append(f"{name} is missing")
@@ -429,21 +456,26 @@ class Drive:
         done, _ = self.network.call(NODE + "/get_loggers")
         require(done, "state: get_loggers was refused")
 
-    def stream(self, links):
+    def stream(self, links, report):
         """Until all is answered; pairs of samples answered and memory then, after each further eighth."""
         total = sum(link.left for link in links if isinstance(link, Link))
         memory = []
         rounds = 0
+        moved = time.monotonic()
         while not all(link.done() for link in links):
             require(self.node.process.poll() is None,
                     f"end: the node ended with status {self.node.process.poll()}: {self.node.output()[-300:]}")
             for link in links:
                 link.produce()
-            reading, writing, _ = select.select([link.input for link in links],
+            reading, writing, _ = select.select([link.input for link in links] + [report.input],
                                                 [link.output for link in links if link.pending], [], 20.0)
-            require(reading or writing, "force: " + ", ".join(
+            if writing or any(link.input in reading for link in links):
+                moved = time.monotonic()
+            require(time.monotonic() - moved < 20.0, "force: " + ", ".join(
                 f"{link.stream.name} {link.answered} forces for {link.stream.expected} accepted samples"
                 for link in links if isinstance(link, Link) and not link.done()) + "; and none any more")
+            if report.input in reading:
+                report.take()
             for link in links:
                 if link.output in writing:
                     link.send()
@@ -463,8 +495,8 @@ class Drive:
         links = [Link(self.network, Stream(name, options.seed + i), options.window, share)
                  for i, name in enumerate(self.singles)]
         bundles = Bundles(self.network, self.bundled, options.samples // 50, options.seed + 1000)
-        report = self.network.subscribe(NODE, "/diagnostics")
-        memory = self.stream(links + [bundles])
+        report = Reports(self.network.subscribe(NODE, "/diagnostics"))
+        memory = self.stream(links + [bundles], report)
         streams = [link.stream for link in links] + list(bundles.streams.values())
         expected = {stream.name: {key: stream.counts[key] for key in COUNTERS} for stream in streams}
         expected["bundled topics"] = {"answered": bundles.answered, "dropped, malformed": bundles.malformed,
