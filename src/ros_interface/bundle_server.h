@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ class BundleServer {
   std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
   std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are no bundles
   std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
+  std::map<std::string, std::uint64_t> undeliveredTo() const { return publisher_.undeliveredTo(); }
 
  private:
   void serve(const ros::MessageEvent<const DisplacementArray>& event);

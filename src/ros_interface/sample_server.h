@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "node/component_channel.h"
 #include "node/sequence_watch.h"
@@ -37,6 +39,7 @@ class SampleServer {
 
   /// Forces that a subscriber did not get because it reads too slowly.
   std::uint64_t undelivered() const { return publisher_.undelivered(); }
+  std::map<std::string, std::uint64_t> undeliveredTo() const { return publisher_.undeliveredTo(); }
 
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);

@@ -174,13 +174,13 @@ class Network:
             self.waiting[fields["topic"]] = connection
         return self.waiting.pop(topic)
 
-    def subscribe(self, node, topic, receive_buffer=0):
+    def subscribe(self, node, topic, receive_buffer=0, caller=CALLER):
         """A socket on which the messages of a node's topic come in; nothing that it publishes from now on is missed."""
         api = self.node_api(node)
-        return until(lambda: self.connect(api, topic, receive_buffer), f"{node} to publish {topic}")
+        return until(lambda: self.connect(api, topic, receive_buffer, caller), f"{node} to publish {topic}")
 
     @staticmethod
-    def connect(api, topic, receive_buffer):
+    def connect(api, topic, receive_buffer, caller):
         """None while the topic does not exist."""
         code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
         if code != 1:
@@ -190,7 +190,7 @@ class Network:
             sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
         sock.settimeout(PATIENCE)
         sock.connect((protocol[1], protocol[2]))
-        send_header(sock, {"callerid": CALLER, "topic": topic, "md5sum": "*", "type": "*", "tcp_nodelay": "1"})
+        send_header(sock, {"callerid": caller, "topic": topic, "md5sum": "*", "type": "*", "tcp_nodelay": "1"})
         error = receive_header(sock).get("error")
         if error is None:
             return sock
