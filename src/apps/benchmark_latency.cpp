@@ -118,6 +118,9 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("COUNT")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app.add_flag("--diagnose", benchmark.diagnose,
+               "compare a node that diagnoses while it runs (~diagnose) with one that does not, both with measured "
+               "forces, in the place of node and echo node");
   app.add_option("--soak", options.soak,
                  "number of samples to send as fast as the node answers, to the first number of --components; "
                  "reports the memory of the node instead of the latency")
@@ -146,7 +149,8 @@ int main(int argc, char** argv) {
         options->outputs.addTo(app);
         return [&line, &app, options] {
           if (options->soak > 0) {
-            refuseUnused(app, {"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs"}, "with --soak");
+            refuseUnused(app, {"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
+                         "with --soak");
           }
           options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
           return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "io/sha256.h"
 
 namespace rubber_suspension::node {
 namespace {
@@ -34,12 +37,57 @@ component::StreamCounters sum(const component::StreamCounters& a, const componen
 class ComponentChannel::Model {
  public:
   Model(const io::ComponentDescription& description, double max_gap)
-      : component(description.makeComponent()), stream(component, max_gap) {}
+      : described(std::make_shared<const io::ComponentDescription>(description)),
+        sha256(io::sha256(io::toYaml({description}))),
+        component(description.makeComponent()),
+        stream(component, max_gap) {}
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
+  const std::shared_ptr<const io::ComponentDescription> described;
+  const std::string sha256;
   const component::Component component;
   component::SampleStream stream;
+};
+
+// The model beside the configured one. It is fed with the samples that this one accepts.
+class ComponentChannel::Promotion {
+ public:
+  Promotion(io::ComponentDescription of, double max_gap, const PromotionSettings& settings, RunStage stage,
+            double weight)
+      : description(std::move(of)), model(makeModel(description, max_gap)), fade(settings, stage, weight) {}
+
+  // Take a sample that the configured model answered; returns the published force, and in `beside` the total of the
+  // model that does not give it.
+  element::ComponentForce push(std::int64_t stamp, double displacement, const element::ComponentForce& configured,
+                               double& beside) {
+    fade.advance(stamp);
+    const component::StreamForce answer = model->stream.push(stamp, displacement);
+    if (!component::isAccepted(answer.acceptance)) {
+      fade.end();
+      note = "its force was not finite";
+      return configured;
+    }
+    const bool in_place = fade.stage() == RunStage::promoting || fade.stage() == RunStage::promoted;
+    beside = in_place ? configured.total : answer.force.total;
+    return fade.blend(configured, answer.force);
+  }
+
+  // Out of the shadow, by what was measured meanwhile.
+  void judgeShadow(const PairedErrors& errors) {
+    note = describeErrors(errors);
+    if (isNoWorse(errors)) {
+      fade.take();
+    } else {
+      note = "not promoted: in the shadow " + note;
+      fade.end();
+    }
+  }
+
+  const io::ComponentDescription description;
+  const std::shared_ptr<Model> model;
+  CrossFade fade;
+  std::string note;
 };
 
 std::shared_ptr<ComponentChannel::Model> ComponentChannel::makeModel(const io::ComponentDescription& description,
@@ -47,10 +95,16 @@ std::shared_ptr<ComponentChannel::Model> ComponentChannel::makeModel(const io::C
   return std::make_shared<Model>(description, max_gap);
 }
 
-ComponentChannel::ComponentChannel(const io::ComponentDescription& description, double max_gap)
-    : name_(description.name), model_(makeModel(description, max_gap)) {}
+ComponentChannel::ComponentChannel(const io::ComponentDescription& description, double max_gap,
+                                   const PromotionSettings& promotion_settings, std::size_t samples_kept)
+    : name_(description.name),
+      max_gap_(max_gap),
+      promotion_settings_(promotion_settings),
+      model_(makeModel(description, max_gap)),
+      gap_(samples_kept) {}
 
 bool ComponentChannel::push(std::int64_t stamp, double displacement, element::ComponentForce& force) {
+  double beside = std::numeric_limits<double>::quiet_NaN();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!enabled_) {
@@ -62,8 +116,14 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
       return false;
     }
     force = answer.force;
+    if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
+      force = promotion_->push(stamp, displacement, answer.force, beside);
+      if (promotion_->fade.shadowIsOver()) {
+        promotion_->judgeShadow(gap_.pairedErrors());
+      }
+    }
   }
-  gap_.addSimulated(stamp, displacement, force.total);
+  gap_.addSimulated(stamp, displacement, force.total, beside);
   return true;
 }
 
@@ -81,6 +141,9 @@ void ComponentChannel::reset() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     model_->stream.reset();
+    if (promotion_) {
+      promotion_->model->stream.reset();
+    }
   }
   gap_.clear();
 }
@@ -93,12 +156,44 @@ void ComponentChannel::setEnabled(bool enabled) {
 SavedState ComponentChannel::save() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const component::SampleStream& stream = model_->stream;
-  return {name_,
-          model_->component.elements(),
-          stream.started(),
-          stream.lastStamp(),
-          stream.state().displacement(),
-          stream.state().memory()};
+  SavedState saved{name_,
+                   model_->component.elements(),
+                   stream.started(),
+                   stream.lastStamp(),
+                   stream.state().displacement(),
+                   stream.state().memory(),
+                   {}};
+  if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
+    const component::SampleStream& beside = promotion_->model->stream;
+    saved.promotion = SavedPromotion{io::toYaml({promotion_->description}),
+                                     promotion_->fade.stage(),
+                                     promotion_->fade.weight(),
+                                     beside.started(),
+                                     beside.lastStamp(),
+                                     beside.state().displacement(),
+                                     beside.state().memory()};
+  }
+  return saved;
+}
+
+// The model beside the configured one of a state. Throws std::invalid_argument.
+std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::restored(const SavedState& state) const {
+  if (!state.promotion) {
+    return {};
+  }
+  const SavedPromotion& saved = *state.promotion;
+  try {
+    const auto parsed = io::parseComponentFile(saved.description, "promotion");
+    auto promotion = std::make_shared<Promotion>(io::selectComponent(parsed, name_, "promotion"), max_gap_,
+                                                 promotion_settings_, saved.stage, saved.weight);
+    if (saved.started) {
+      promotion->model->stream.deserialise(saved.stamp, saved.displacement, saved.memory);
+      promotion->fade.resume(saved.stamp);
+    }
+    return promotion;
+  } catch (const io::ComponentFileError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
+  }
 }
 
 void ComponentChannel::checkState(const SavedState& state) const {
@@ -118,12 +213,15 @@ void ComponentChannel::checkState(const SavedState& state) const {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
   }
+  restored(state);
 }
 
 void ComponentChannel::load(const SavedState& state) {
   checkState(state);
+  std::shared_ptr<Promotion> promotion = restored(state);
   gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
+  std::swap(promotion_, promotion);  // freed after the lock
   if (state.started) {
     model_->stream.deserialise(state.stamp, state.displacement, state.memory);
   } else {
@@ -133,19 +231,82 @@ void ComponentChannel::load(const SavedState& state) {
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   std::shared_ptr<Model> old = model;  // freed after the lock
+  std::shared_ptr<Promotion> promotion;
   gap_.clear();
   const std::lock_guard<std::mutex> lock(mutex_);
   const component::SampleStream& stream = model_->stream;
-  if (stream.started() && sameElements(model_->component.elements(), model->component.elements())) {
+  if (!sameElements(model_->component.elements(), model->component.elements())) {
+    std::swap(promotion_, promotion);
+    note_ = promotion ? "the component file was read again and has another model" : "";
+    since_ = stream.lastStamp();
+  } else if (stream.started()) {
     model->stream.deserialise(stream.lastStamp(), stream.state().displacement(), stream.state().memory());
   }
   earlier_ = sum(earlier_, stream.counters());
   std::swap(model_, old);
 }
 
+void ComponentChannel::promote(const io::ComponentDescription& description) {
+  auto promotion = std::make_shared<Promotion>(description, max_gap_, promotion_settings_, RunStage::shadow, 0.0);
+  std::shared_ptr<Promotion> finished;
+  gap_.clearPairedErrors();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  dropFinished(finished);
+  if (promotion_) {
+    throw std::invalid_argument(fmt::format("{}: another model is {} already; accepted: after a rollback", name_,
+                                            toString(promotion_->fade.stage())));
+  }
+  promotion_ = std::move(promotion);
+  note_.clear();
+}
+
+void ComponentChannel::rollBack() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool beside = promotion_ && promotion_->fade.stage() != RunStage::configured &&
+                      promotion_->fade.stage() != RunStage::rolling_back;
+  if (!beside) {
+    throw std::invalid_argument(fmt::format("{}: the configured model gives the force, nothing is promoted", name_));
+  }
+  promotion_->note.clear();
+  promotion_->fade.giveBack();
+}
+
+// A model that has left its place is of no use any more; `finished` is to be freed after the lock.
+void ComponentChannel::dropFinished(std::shared_ptr<Promotion>& finished) {
+  if (promotion_ && promotion_->fade.stage() == RunStage::configured) {
+    note_ = promotion_->note;
+    since_ = promotion_->fade.since();
+    std::swap(promotion_, finished);
+  }
+}
+
+std::shared_ptr<const io::ComponentDescription> ComponentChannel::configured() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return model_->described;
+}
+
+RunningModel ComponentChannel::running() const {
+  RunningModel running;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running.configured_sha256 = model_->sha256;
+  running.note = promotion_ ? promotion_->note : note_;
+  running.since = promotion_ ? promotion_->fade.since() : since_;
+  if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
+    running.stage = promotion_->fade.stage();
+    running.weight = promotion_->fade.weight();
+    running.other_sha256 = promotion_->model->sha256;
+    for (const element::ElementDescription& element : promotion_->description.add) {
+      running.added.push_back(element.type);
+    }
+  }
+  return running;
+}
+
 ChannelReport ComponentChannel::report() {
   ChannelReport result;
+  std::shared_ptr<Promotion> finished;  // freed after the lock
   const std::lock_guard<std::mutex> lock(mutex_);
+  dropFinished(finished);
   const component::SampleStream& stream = model_->stream;
   result.counters = sum(earlier_, stream.counters());
   result.disabled = disabled_;

@@ -5,15 +5,28 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "node/gap_monitor.h"
 #include "node/latency_histogram.h"
+#include "node/promotion.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::node {
+
+/// The state of a model beside the configured one as it is saved.
+struct SavedPromotion {
+  std::string description;  ///< of the model, as a component file
+  RunStage stage = RunStage::configured;
+  double weight = 0.0;  ///< of its force in the published one
+  bool started = false;
+  std::int64_t stamp = 0;     ///< [ns] of the last accepted sample
+  double displacement = 0.0;  ///< [m] at that sample
+  std::vector<double> memory;
+};
 
 /// The state of a component as it is saved, with what is needed to refuse it where it does not belong.
 struct SavedState {
@@ -23,6 +36,24 @@ struct SavedState {
   std::int64_t stamp = 0;                             ///< [ns] of the last accepted sample
   double displacement = 0.0;                          ///< [m] at that sample
   std::vector<double> memory;
+  std::optional<SavedPromotion> promotion;  ///< of the model beside, where there is one
+};
+
+/// What gives the force of a component.
+struct RunningModel {
+  RunStage stage = RunStage::configured;
+  double weight = 0.0;             ///< of the other model's force in the published one
+  std::int64_t since = 0;          ///< stamp of the stage's first sample [ns]
+  std::string configured_sha256;   ///< of the description in YAML
+  std::string other_sha256;        ///< likewise; empty: there is no other model
+  std::vector<std::string> added;  ///< types of the elements that the other model adds
+  std::string note;                ///< why a stage was left, where it did not go on as asked
+
+  friend bool operator==(const RunningModel& a, const RunningModel& b) {
+    return a.stage == b.stage && a.since == b.since && a.configured_sha256 == b.configured_sha256 &&
+           a.other_sha256 == b.other_sha256 && a.note == b.note;
+  }
+  friend bool operator!=(const RunningModel& a, const RunningModel& b) { return !(a == b); }
 };
 
 /// What a channel did since it was made, and since the last report.
@@ -44,8 +75,9 @@ struct ChannelReport {
 /// a file is read, a model is estimated or a message is published.
 class ComponentChannel {
  public:
-  /// Throws std::invalid_argument where the description has no solution. max_gap in [s].
-  ComponentChannel(const io::ComponentDescription& description, double max_gap);
+  /// Throws std::invalid_argument where the description has no solution. max_gap in [s]; samples_kept as in GapMonitor.
+  ComponentChannel(const io::ComponentDescription& description, double max_gap,
+                   const PromotionSettings& promotion_settings = {}, std::size_t samples_kept = GapMonitor::kCapacity);
 
   const std::string& name() const { return name_; }
 
@@ -77,6 +109,20 @@ class ComponentChannel {
   /// Go on with another model. One of the same elements takes the state over; any other starts as new.
   void exchange(const std::shared_ptr<Model>& model);
 
+  /// Compute another model beside the configured one, in its shadow; after that it takes its place by a
+  /// cross-fade, unless its error was the greater one or its force not finite. Throws std::invalid_argument where
+  /// another model is there already, or this one cannot be built.
+  void promote(const io::ComponentDescription& description);
+
+  /// Back to the configured model by a cross-fade, or out of the shadow. Throws std::invalid_argument where no other
+  /// model is there.
+  void rollBack();
+
+  RunningModel running() const;
+
+  /// The configured component; another object after exchange().
+  std::shared_ptr<const io::ComponentDescription> configured() const;
+
   /// Measured forces go here; what is accepted and answered is already there.
   GapMonitor& gap() { return gap_; }
 
@@ -84,10 +130,20 @@ class ComponentChannel {
   ChannelReport report();
 
  private:
+  class Promotion;
+
+  std::shared_ptr<Promotion> restored(const SavedState& state) const;
+  void dropFinished(std::shared_ptr<Promotion>& finished);
+
   std::string name_;
+  double max_gap_;
+  PromotionSettings promotion_settings_;
   mutable std::mutex mutex_;
   std::shared_ptr<Model> model_;
-  component::StreamCounters earlier_;  // of the models before a reload
+  std::shared_ptr<Promotion> promotion_;  // the model beside, if any
+  std::string note_;                      // how the last promotion ended
+  std::int64_t since_ = 0;                // and with which sample
+  component::StreamCounters earlier_;     // of the models before a reload
   std::uint64_t disabled_ = 0;
   std::uint64_t lost_ = 0;
   bool enabled_ = true;

@@ -3,17 +3,21 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <vector>
+
+#include "node/promotion.h"
 
 namespace rubber_suspension::node {
 
 /// A displacement with simulated and measured force at one stamp.
 struct MatchedSample {
-  std::int64_t stamp = 0;     ///< [ns]
-  double displacement = 0.0;  ///< [m]
-  double simulated = 0.0;     ///< [N]
-  double measured = 0.0;      ///< [N]; NaN until it has come
+  std::int64_t stamp = 0;                                    ///< [ns]
+  double displacement = 0.0;                                 ///< [m]
+  double simulated = 0.0;                                    ///< [N]
+  double measured = 0.0;                                     ///< [N]; NaN until it has come
+  double beside = std::numeric_limits<double>::quiet_NaN();  ///< [N] of the model beside the published one, if any
 };
 
 struct MatchCounters {
@@ -26,11 +30,16 @@ struct MatchCounters {
 /// until the first measured force comes; from then on it allocates nothing and holds its lock for one sample's time.
 class GapMonitor {
  public:
-  static constexpr std::size_t kCapacity = 32768;  ///< samples kept: 32 s at 1 kHz, 3 s at 10 kHz
+  static constexpr std::size_t kCapacity = 32768;  ///< samples kept by default: 32 s at 1 kHz, 3 s at 10 kHz
   static constexpr std::size_t kWaiting = 4096;    ///< measured forces ahead of their samples, kept at most
 
+  /// Keeps `capacity` samples, at least kCapacity; where that is more, it takes their memory at once.
+  explicit GapMonitor(std::size_t capacity = kCapacity);
+
   /// A sample that the component accepted. A stamp that steps back is a new replay: all earlier samples are forgotten.
-  void addSimulated(std::int64_t stamp, double displacement, double force);
+  /// `beside` is the force [N] of a model that is computed beside the published one, if any.
+  void addSimulated(std::int64_t stamp, double displacement, double force,
+                    double beside = std::numeric_limits<double>::quiet_NaN());
 
   /// Returns false where the force is not finite.
   bool addMeasured(std::int64_t stamp, double force);
@@ -41,7 +50,15 @@ class GapMonitor {
   /// The matched samples of the last `window` [s], in order. Takes the lock piece by piece, so that nobody waits long.
   std::vector<MatchedSample> window(double window) const;
 
+  /// Append the matched samples from number `next` on, in order, about `most` at most, and move `next` behind them. A
+  /// reader that comes too late misses what was overwritten. Takes the lock piece by piece, as window().
+  void read(std::uint64_t& next, std::size_t most, std::vector<MatchedSample>& samples) const;
+
   MatchCounters counters() const;
+
+  /// Errors of the published force and of the one beside it, since they were cleared.
+  PairedErrors pairedErrors() const;
+  void clearPairedErrors();
 
  private:
   struct Waiting {
@@ -49,21 +66,25 @@ class GapMonitor {
     double force;
   };
 
-  MatchedSample& at(std::uint64_t number) { return samples_[number % kCapacity]; }
-  const MatchedSample& at(std::uint64_t number) const { return samples_[number % kCapacity]; }
-  std::uint64_t oldest() const { return count_ > kCapacity + first_ ? count_ - kCapacity : first_; }
-  MatchedSample* find(std::int64_t stamp);
-  void match(MatchedSample& sample, double force);
-  void takeWaiting(MatchedSample& sample);
+  MatchedSample& at(std::uint64_t number) { return samples_[number % capacity_]; }
+  const MatchedSample& at(std::uint64_t number) const { return samples_[number % capacity_]; }
+  std::uint64_t oldest() const { return count_ > capacity_ + first_ ? count_ - capacity_ : first_; }
+  std::uint64_t firstFrom(std::int64_t stamp) const;
+  void match(std::uint64_t number, double force);
+  void takeWaiting(std::uint64_t number);
+  void copyPiece(std::uint64_t& next, std::uint64_t end, std::vector<MatchedSample>& samples) const;
   void forget();
 
+  const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::atomic<bool> wanted_{false};
   std::vector<MatchedSample> samples_;  // a ring; sample number n lies at n modulo its size
   std::uint64_t first_ = 0;             // number of the first sample since the last restart
   std::uint64_t count_ = 0;             // number of the next sample
+  std::uint64_t matched_end_ = 0;       // number behind the newest that is matched
   std::vector<Waiting> waiting_;
   MatchCounters counters_;
+  PairedErrors paired_;
 };
 
 }  // namespace rubber_suspension::node

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kFewest = 100;   // samples; as few as the diagnosis takes
 constexpr std::size_t kHistory = 600;  // reports that the trend is taken over, at most
 
-log::Log logOf(const std::vector<MatchedSample>& samples, double MatchedSample::*force) {
+log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) {
   log::Log log;
   log.name = "live";
   for (const MatchedSample& sample : samples) {
@@ -26,9 +27,9 @@ log::Log logOf(const std::vector<MatchedSample>& samples, double MatchedSample::
 }
 
 // Both forces on one even time base: the records are of the same stamps.
-void measure(const std::vector<MatchedSample>& samples, LiveGap& gap) {
+void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, LiveGap& gap) {
   const log::Record measured = log::makeRecord(logOf(samples, &MatchedSample::measured));
-  const log::Record simulated = log::makeRecord(logOf(samples, &MatchedSample::simulated));
+  const log::Record simulated = log::makeRecord(logOf(samples, force));
   const Eigen::VectorXd residual = measured.force - simulated.force;
   gap.gap = gap::gapOfResidual(residual, measured.force_deviation);
   gap.noise_floor = std::min(gap::whiteNoiseFloor(measured, residual), gap.gap);
@@ -50,7 +51,10 @@ GapLevel LiveGap::level(const GapSettings& settings) const {
                                          : GapLevel::ok;
 }
 
-LiveGap measureGap(const std::vector<MatchedSample>& samples, const GapSettings& settings) {
+LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings, SimulatedForce force) {
+  std::vector<MatchedSample> samples;
+  std::copy_if(window.begin(), window.end(), std::back_inserter(samples),
+               [&](const MatchedSample& sample) { return !std::isnan(sample.*force); });
   LiveGap gap;
   gap.samples = samples.size();
   if (samples.empty()) {
@@ -65,7 +69,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& samples, const GapSettings&
     return gap;
   }
   try {
-    measure(samples, gap);
+    measure(samples, force, gap);
     gap.known = true;
   } catch (const log::LogError& error) {
     gap.reason = error.what();
@@ -73,8 +77,8 @@ LiveGap measureGap(const std::vector<MatchedSample>& samples, const GapSettings&
   return gap;
 }
 
-LiveGap GapTracker::update(const GapMonitor& monitor) {
-  LiveGap gap = measureGap(monitor.window(settings_.window), settings_);
+LiveGap GapTracker::update(const GapMonitor& monitor, SimulatedForce force) {
+  LiveGap gap = measureGap(monitor.window(settings_.window), settings_, force);
   if (!gap.known) {
     return gap;
   }

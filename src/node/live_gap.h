@@ -37,8 +37,13 @@ struct LiveGap {
   GapLevel level(const GapSettings& settings) const;
 };
 
-/// The gap of one window of matched samples, split as the diagnosis splits it; without trend.
-LiveGap measureGap(const std::vector<MatchedSample>& samples, const GapSettings& settings);
+/// Which force of a sample is compared with the measured one.
+using SimulatedForce = double MatchedSample::*;
+
+/// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that
+/// force are left out.
+LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
+                   SimulatedForce force = &MatchedSample::simulated);
 
 /// Follows the gap from report to report.
 class GapTracker {
@@ -46,7 +51,7 @@ class GapTracker {
   explicit GapTracker(const GapSettings& settings) : settings_(settings) {}
 
   /// Measure the gap of the monitor's window and its trend.
-  LiveGap update(const GapMonitor& monitor);
+  LiveGap update(const GapMonitor& monitor, SimulatedForce force = &MatchedSample::simulated);
 
  private:
   struct Point {

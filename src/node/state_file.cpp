@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "io/sha256.h"
+
 namespace rubber_suspension::node {
 namespace {
 
@@ -18,18 +20,33 @@ constexpr const char* kSchema = "rubber_suspension/state/1";
 constexpr std::int64_t kLatestStamp =
     std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 
+json toJson(const SavedPromotion& promotion) {
+  return {{"component_file", promotion.description},
+          {"sha256", io::sha256(promotion.description)},
+          {"stage", toString(promotion.stage)},
+          {"weight", promotion.weight},
+          {"started", promotion.started},
+          {"stamp_ns", promotion.stamp},
+          {"displacement_m", promotion.displacement},
+          {"memory", promotion.memory}};
+}
+
 // JSON keeps a finite double to the last bit: it is written with as many digits as that takes.
 json toJson(const SavedState& state) {
   json elements = json::array();
   for (const element::ElementDescription& element : state.elements) {
     elements.push_back({{"type", element.type}, {"values", element.values}});
   }
-  return {{"component", state.component},
-          {"elements", elements},
-          {"started", state.started},
-          {"stamp_ns", state.stamp},
-          {"displacement_m", state.displacement},
-          {"memory", state.memory}};
+  json entry = {{"component", state.component},
+                {"elements", elements},
+                {"started", state.started},
+                {"stamp_ns", state.stamp},
+                {"displacement_m", state.displacement},
+                {"memory", state.memory}};
+  if (state.promotion) {
+    entry["promotion"] = toJson(*state.promotion);
+  }
+  return entry;
 }
 
 std::invalid_argument wrong(const std::string& key, const json& value, const std::string& accepted) {
@@ -77,6 +94,40 @@ element::ElementDescription elementOf(const json& entry) {
   return element;
 }
 
+bool isWeightOf(RunStage stage, double weight) {
+  switch (stage) {
+    case RunStage::configured:
+      return false;  // no model is beside
+    case RunStage::shadow:
+      return weight == 0.0;
+    case RunStage::promoted:
+      return weight == 1.0;
+    case RunStage::promoting:
+    case RunStage::rolling_back:
+      break;
+  }
+  return weight >= 0.0 && weight <= 1.0;
+}
+
+// The hash says whether the description is the one that was saved.
+SavedPromotion promotionOf(const json& entry) {
+  SavedPromotion promotion;
+  promotion.description = entry.at("component_file").get<std::string>();
+  if (entry.at("sha256") != io::sha256(promotion.description)) {
+    throw wrong("promotion: sha256", entry.at("sha256"), "that of its component_file");
+  }
+  promotion.stage = runStageOf(entry.at("stage").get<std::string>());
+  promotion.weight = numberOf("weight", entry.at("weight"));
+  if (!isWeightOf(promotion.stage, promotion.weight)) {
+    throw wrong("weight", entry.at("weight"), "0 in the stage shadow, 1 when promoted, from 0 to 1 in between");
+  }
+  promotion.started = entry.at("started").get<bool>();
+  promotion.stamp = stampOf(entry.at("stamp_ns"));
+  promotion.displacement = numberOf("displacement_m", entry.at("displacement_m"));
+  promotion.memory = numbersOf("memory", entry.at("memory"));
+  return promotion;
+}
+
 SavedState fromJson(const json& entry) {
   SavedState state;
   state.component = entry.at("component").get<std::string>();
@@ -87,6 +138,9 @@ SavedState fromJson(const json& entry) {
   state.stamp = stampOf(entry.at("stamp_ns"));
   state.displacement = numberOf("displacement_m", entry.at("displacement_m"));
   state.memory = numbersOf("memory", entry.at("memory"));
+  if (entry.contains("promotion")) {
+    state.promotion = promotionOf(entry.at("promotion"));
+  }
   return state;
 }
 

@@ -2,6 +2,7 @@
 #include "ros_interface/node_diagnostics.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ros/console.h>
 
 #include <algorithm>
@@ -161,6 +162,26 @@ Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
   return message;
 }
 
+Running runningMessage(const std::string& component, const node::RunningModel& running) {
+  Running message;
+  message.header.stamp.fromNSec(static_cast<std::uint64_t>(running.since));
+  message.stage = static_cast<std::uint8_t>(running.stage);
+  message.component = component;
+  const bool in_place = running.stage == node::RunStage::promoting || running.stage == node::RunStage::promoted;
+  message.sha256 = in_place ? running.other_sha256 : running.configured_sha256;
+  message.other_sha256 = in_place ? running.configured_sha256 : running.other_sha256;
+  message.added = running.added;
+  message.note = running.note;
+  return message;
+}
+
+void addRunning(const node::RunningModel& running, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  status.add("running", node::toString(running.stage));
+  if (!running.added.empty()) {
+    status.add("running, elements added", fmt::format("{}", fmt::join(running.added, ", ")));
+  }
+}
+
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   if (silence > kStale) {
@@ -190,11 +211,17 @@ void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer&
                       node::GapTracker(gap_settings_),
                       {},
                       {},
-                      handle_.advertise<Gap>(channel.name() + "/gap", 10)});
+                      handle_.advertise<Gap>(channel.name() + "/gap", 10),
+                      node::GapTracker(gap_settings_),
+                      handle_.advertise<Gap>(channel.name() + "/shadow_gap", 10),
+                      channel.running(),
+                      handle_.advertise<Running>(channel.name() + "/running", 10, true)});
   const Watched& watched = watched_.back();
+  watched.running_publisher.publish(runningMessage(channel.name(), watched.running));
   updater_.add(channel.name(), [this, &watched](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillStatus(watched.before, watched.now, elapsed_, status);
     addGap(watched.gap, watched.matches, gap_settings_, status);
+    addRunning(watched.running, status);
   });
 }
 
@@ -226,6 +253,12 @@ void NodeDiagnostics::watch(const ServingThread& thread) {
   });
 }
 
+void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& component) {
+  updater_.add("diagnosis of " + component, [&live, component](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    fillDiagnosisStatus(live.findings(component), status);
+  });
+}
+
 // In turn, as many as a fraction of the period allows: with many components each gap is measured less often.
 void NodeDiagnostics::updateGaps() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
@@ -236,9 +269,27 @@ void NodeDiagnostics::updateGaps() {
     const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
     watched.matches = matches;
     if (news) {
-      watched.gap = watched.tracker.update(watched.channel->gap());
-      watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+      updateGap(watched);
     }
+  }
+}
+
+void NodeDiagnostics::updateGap(Watched& watched) const {
+  watched.gap = watched.tracker.update(watched.channel->gap());
+  watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+  if (!watched.running.other_sha256.empty()) {
+    const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
+    watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+  }
+}
+
+void NodeDiagnostics::updateRunning(Watched& watched) {
+  const node::RunningModel running = watched.channel->running();
+  if (running != watched.running) {
+    watched.running = running;
+    watched.running_publisher.publish(runningMessage(watched.channel->name(), running));
+    ROS_INFO("%s: %s%s%s", watched.channel->name().c_str(), node::toString(running.stage).c_str(),
+             running.note.empty() ? "" : ": ", running.note.c_str());
   }
 }
 
@@ -256,6 +307,7 @@ void NodeDiagnostics::update() {
   last_update_ = now;
   for (Watched& watched : watched_) {
     watched.now = reportOf(watched);
+    updateRunning(watched);
   }
   updateGaps();
   updater_.force_update();

@@ -4,6 +4,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <rubber_suspension/Gap.h>
+#include <rubber_suspension/Running.h>
 
 #include <chrono>
 #include <deque>
@@ -13,6 +14,7 @@
 #include "node/live_gap.h"
 #include "node/report_pace.h"
 #include "ros_interface/bundle_server.h"
+#include "ros_interface/live_diagnoser.h"
 #include "ros_interface/sample_server.h"
 #include "ros_interface/serving_thread.h"
 
@@ -32,6 +34,10 @@ void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const
 /// The live gap as a message.
 Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings);
 
+/// What gives the force as a message, and in the status of the component.
+Running runningMessage(const std::string& component, const node::RunningModel& running);
+void addRunning(const node::RunningModel& running, diagnostic_updater::DiagnosticStatusWrapper& status);
+
 /// Write the status of a serving thread that came round so long ago [s]: stale where something holds it up.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
 
@@ -45,6 +51,9 @@ class NodeDiagnostics {
   void watch(const BundleServer& bundle);
   void watch(const ServingThread& thread);
 
+  /// Report on what the live diagnosis says of a component.
+  void watch(const LiveDiagnoser& live, const std::string& component);
+
  private:
   struct Watched {
     node::ComponentChannel* channel;
@@ -56,11 +65,17 @@ class NodeDiagnostics {
     node::MatchCounters matches;
     node::LiveGap gap;
     ros::Publisher publisher;
+    node::GapTracker shadow_tracker;
+    ros::Publisher shadow_publisher;
+    node::RunningModel running;
+    ros::Publisher running_publisher;  // latched
   };
 
   static node::ChannelReport reportOf(const Watched& watched);
   void update();
   void updateGaps();
+  void updateGap(Watched& watched) const;
+  static void updateRunning(Watched& watched);
   void logFaults(double now);
 
   ros::NodeHandle handle_;

@@ -3,6 +3,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <fmt/format.h>
+#include <rubber_suspension/Diagnosis.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/Force.h>
@@ -10,6 +11,7 @@
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/GapShare.h>
 #include <rubber_suspension/MeasuredForce.h>
+#include <rubber_suspension/Running.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -73,6 +75,13 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
                            "optional: with the force of the real component the node watches the gap"),
       topic<Gap>("COMPONENT/gap", Kind::published, "once per second, with a measured force: level, where and trend"),
+      topic<Gap>("COMPONENT/shadow_gap", Kind::published,
+                 "the same for the model that is computed beside the one that gives the force, while there is one"),
+      topic<Running>("COMPONENT/running", Kind::published,
+                     "latched: whether the configured or a promoted model gives the force, and its hash"),
+      topic<Diagnosis>("COMPONENT/diagnosis", Kind::published,
+                       "latched: where ~diagnose is true, which effect the model lacks, since when, and how sure that "
+                       "is"),
       topic<DisplacementArray>("displacements", Kind::subscribed, "all components in one message"),
       topic<ForceArray>("forces", Kind::published, "the answer to it"),
       topic<diagnostic_msgs::DiagnosticArray>("/diagnostics", Kind::published,
@@ -84,6 +93,10 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement and keeps its state"),
       service<std_srvs::Trigger>("COMPONENT/reset", "reset one component: at rest, as new"),
       service<std_srvs::SetBool>("COMPONENT/set_enabled", "as ~set_enabled, for one component"),
+      service<std_srvs::Trigger>("COMPONENT/promote",
+                                 "put the model of ~promote_file in the place of the configured one, or the one that "
+                                 "the live diagnosis found: first in its shadow, then by a cross-fade"),
+      service<std_srvs::Trigger>("COMPONENT/rollback", "back to the configured model, by a cross-fade"),
   };
   return table;
 }
@@ -98,7 +111,8 @@ std::string topicReference() {
       topicTable() + "\n## Services\n\n" + serviceTable() + "\n## Private parameters\n\n```\n" +
       describeNodeSettings() + "```\n\n## Messages\n";
   text += definition<Displacement>() + definition<Force>() + definition<MeasuredForce>() + definition<Gap>() +
-          definition<GapShare>() + definition<DisplacementArray>() + definition<ForceArray>();
+          definition<GapShare>() + definition<Running>() + definition<Diagnosis>() + definition<DisplacementArray>() +
+          definition<ForceArray>();
   return text;
 }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "node/regular_file.h"
 #include "node/state_file.h"
 #include "ros_interface/timed_call.h"
 
@@ -70,8 +72,8 @@ void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, d
 }
 
 NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-                           node::ChannelGroup& group)
-    : private_handle_(private_handle), settings_(settings), group_(group) {
+                           node::ChannelGroup& group, FoundModel found_model)
+    : private_handle_(private_handle), settings_(settings), group_(group), found_model_(std::move(found_model)) {
   advertise(private_handle, "reset", [this] {
     group_.reset();
     return fmt::format("{} components are reset: at rest, as new", group_.channels().size());
@@ -87,6 +89,11 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
     });
     advertiseSwitch(handle, channel->name() + "/set_enabled",
                     [channel](bool enabled) { channel->setEnabled(enabled); });
+    advertise(handle, channel->name() + "/promote", [this, channel] { return promote(*channel); });
+    advertise(handle, channel->name() + "/rollback", [this, channel] {
+      channel->rollBack();
+      return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
+    });
   }
 }
 
@@ -148,6 +155,21 @@ std::string NodeServices::reload() const {
   }
   exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
   return fmt::format("{} components reloaded", group_.channels().size());
+}
+
+std::string NodeServices::promote(node::ComponentChannel& channel) const {
+  std::string source = settings_.promote_file;
+  io::ComponentDescription model;
+  if (source.empty()) {
+    source = "what the live diagnosis found";
+    model = found_model_(channel.name());
+  } else {
+    node::requireRegularFile(source);
+    model = io::selectComponent(io::loadComponentFile(source), channel.name(), source);
+  }
+  channel.promote(model);
+  return fmt::format("{}: in the shadow for {:g} s of stamps, then a cross-fade of {:g} s", source,
+                     settings_.promotion.shadow, settings_.promotion.fade);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -24,14 +24,17 @@ void loadStates(const std::string& path, node::ChannelGroup& group);
 void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, double max_gap,
                     node::ChannelGroup& group);
 
+/// What the live diagnosis found for a component; throws std::invalid_argument that says why there is nothing.
+using FoundModel = std::function<io::ComponentDescription(const std::string& component)>;
+
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
-/// components, `COMPONENT/reset` and `COMPONENT/set_enabled` for one. They read and write nothing but the files that
-/// the node's private parameters name: whoever calls a service names no path.
+/// components, `COMPONENT/reset`, `COMPONENT/set_enabled`, `COMPONENT/promote` and `COMPONENT/rollback` for one. They
+/// read and write nothing but the files that the node's private parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
   /// The group must outlive the object.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
-               node::ChannelGroup& group);
+               node::ChannelGroup& group, FoundModel found_model);
 
   /// Resolved names of all services.
   std::vector<std::string> names() const;
@@ -47,10 +50,12 @@ class NodeServices {
   std::string save() const;
   std::string load() const;
   std::string reload() const;
+  std::string promote(node::ComponentChannel& channel) const;
 
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
   node::ChannelGroup& group_;
+  FoundModel found_model_;
   std::vector<ros::ServiceServer> servers_;
 };
 

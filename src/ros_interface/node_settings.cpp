@@ -40,16 +40,20 @@ bool readNumber(const XmlRpcValue& value, double& result) {
   return false;
 }
 
-template <class Member>
-std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(Member member, int lower, int upper) {
+std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(const std::function<int&(NodeSettings&)>& member,
+                                                                 int lower, int upper) {
   return [=](const XmlRpcValue& value, NodeSettings& settings) {
     if (value.getType() != XmlRpcValue::TypeInt) {
       return false;
     }
-    const int number = static_cast<int>(value);
-    settings.*member = number;
+    int& number = member(settings);
+    number = static_cast<int>(value);
     return number >= lower && number <= upper;
   };
+}
+
+std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(int NodeSettings::*member, int lower, int upper) {
+  return integerIn([=](NodeSettings& settings) -> int& { return settings.*member; }, lower, upper);
 }
 
 std::function<bool(const XmlRpcValue&, NodeSettings&)> flag(bool NodeSettings::*member) {
@@ -70,12 +74,14 @@ std::function<bool(const XmlRpcValue&, NodeSettings&)> positive(const std::funct
   };
 }
 
-bool readStateFile(const XmlRpcValue& value, NodeSettings& settings) {
-  if (value.getType() != XmlRpcValue::TypeString) {
-    return false;
-  }
-  settings.state_file = static_cast<const std::string&>(value);
-  return true;
+std::function<bool(const XmlRpcValue&, NodeSettings&)> path(std::string NodeSettings::*member) {
+  return [=](const XmlRpcValue& value, NodeSettings& settings) {
+    if (value.getType() != XmlRpcValue::TypeString) {
+      return false;
+    }
+    settings.*member = static_cast<const std::string&>(value);
+    return true;
+  };
 }
 
 const std::vector<SettingInfo>& settingsTable() {
@@ -95,7 +101,7 @@ const std::vector<SettingInfo>& settingsTable() {
       {"lock_memory", "true or false", "keep the process in memory where permitted (default false)",
        flag(&NodeSettings::lock_memory)},
       {"state_file", "text, the path of a file", "where ~save_state and ~load_state keep the state (default none)",
-       readStateFile},
+       path(&NodeSettings::state_file)},
       {"load_state", "true or false", "continue from state_file at the start, if it exists (default false)",
        flag(&NodeSettings::load_state)},
       {"gap_window", "a number of seconds greater than 0, at most 1e5",
@@ -107,6 +113,26 @@ const std::vector<SettingInfo>& settingsTable() {
       {"gap_error", "a number greater than 0, at most 1e6",
        "live gap beyond noise at which to report an error (default 0.3)",
        positive([](NodeSettings& settings) -> double& { return settings.gap.error; }, 1e6)},
+      {"diagnose", "true or false",
+       "diagnose the gap to the measured force while the bench runs, on COMPONENT/diagnosis (default false)",
+       flag(&NodeSettings::diagnose)},
+      {"diagnose_memory", "a whole number from 32768 to 10000000",
+       "samples with a measured force that the live diagnosis keeps of each component (default 300000); about 70 bytes "
+       "each",
+       integerIn([](NodeSettings& settings) -> int& { return settings.live.memory; }, 32768, 10000000)},
+      {"diagnose_nice", "a whole number from 0 to 19",
+       "niceness of the thread that diagnoses; 19 takes what others leave (default 19)",
+       integerIn([](NodeSettings& settings) -> int& { return settings.live.nice; }, 0, 19)},
+      {"promote_file", "text, the path of a file",
+       "component file with the models that COMPONENT/promote puts in place (default none: what the live diagnosis "
+       "found)",
+       path(&NodeSettings::promote_file)},
+      {"promote_shadow", "a number of seconds greater than 0, at most 1e5",
+       "time that a model is computed beside the configured one before it takes its place (default 5)",
+       positive([](NodeSettings& settings) -> double& { return settings.promotion.shadow; }, 1e5)},
+      {"promote_fade", "a number of seconds greater than 0, at most 1e5",
+       "time of the cross-fade from one model to the other (default 1)",
+       positive([](NodeSettings& settings) -> double& { return settings.promotion.fade; }, 1e5)},
   };
   return table;
 }

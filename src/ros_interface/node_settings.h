@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "node/live_gap.h"
+#include "node/promotion.h"
+#include "ros_interface/live_diagnoser.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::ros_interface {
@@ -21,6 +23,10 @@ struct NodeSettings {
   std::string state_file;     ///< where ~save_state and ~load_state keep the state; empty: services refuse
   bool load_state = false;    ///< go on from state_file at the start, if the file is there
   node::GapSettings gap;      ///< window and thresholds of the live gap
+  node::PromotionSettings promotion;
+  bool diagnose = false;  ///< diagnose while the bench runs
+  LiveDiagnoserSettings live;
+  std::string promote_file;  ///< component file with what COMPONENT/promote puts in place; empty: what was found live
 };
 
 /// Read and check all private parameters but those of the components. Throws std::invalid_argument: parameter, value

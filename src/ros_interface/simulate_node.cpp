@@ -52,6 +52,7 @@ void SimulateNode::start() {
 
 SimulateNode::~SimulateNode() {
   registration_.reset();
+  live_.reset();
   for (auto& server : servers_) {
     server->shutdown();
   }
@@ -62,8 +63,11 @@ SimulateNode::~SimulateNode() {
 }
 
 void SimulateNode::makeChannels() {
+  const std::size_t kept =
+      settings_.diagnose ? static_cast<std::size_t>(settings_.live.memory) : node::GapMonitor::kCapacity;
   for (const io::ComponentDescription& description : readComponents(private_handle_)) {
-    channels_.push_back(std::make_unique<node::ComponentChannel>(description, settings_.max_gap));
+    channels_.push_back(
+        std::make_unique<node::ComponentChannel>(description, settings_.max_gap, settings_.promotion, kept));
   }
   std::vector<node::ComponentChannel*> pointers;
   for (const auto& channel : channels_) {
@@ -122,16 +126,31 @@ void SimulateNode::startThreads() {
   }
 }
 
+io::ComponentDescription SimulateNode::foundModel(const std::string& component) const {
+  if (!live_) {
+    throw std::invalid_argument(
+        fmt::format("{}: nothing to promote: neither the parameter ~promote_file nor ~diagnose is set", component));
+  }
+  return live_->found(component);
+}
+
 void SimulateNode::advertiseServices() {
   diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, settings_.gap);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     diagnostics_->watch(*channels_[i], *servers_[i]);
   }
+  if (settings_.diagnose) {
+    live_ = std::make_unique<LiveDiagnoser>(handle_, group_->channels(), settings_.live);
+    for (const auto& channel : channels_) {
+      diagnostics_->watch(*live_, channel->name());
+    }
+  }
   diagnostics_->watch(*bundle_);
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     diagnostics_->watch(*threads_[i]);
   }
-  services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_);
+  services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_,
+                                             [this](const std::string& component) { return foundModel(component); });
   std::vector<std::string> services = LoggerService::names();
   for (const std::string& name : services_->names()) {
     services.push_back(name);

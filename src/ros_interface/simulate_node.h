@@ -8,6 +8,7 @@
 
 #include "node/channel_group.h"
 #include "ros_interface/bundle_server.h"
+#include "ros_interface/live_diagnoser.h"
 #include "ros_interface/logger_service.h"
 #include "ros_interface/node_diagnostics.h"
 #include "ros_interface/node_services.h"
@@ -35,6 +36,7 @@ class SimulateNode {
   void startServing();
   void startThreads();
   void advertiseServices();
+  io::ComponentDescription foundModel(const std::string& component) const;
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
@@ -44,6 +46,7 @@ class SimulateNode {
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
   std::unique_ptr<BundleServer> bundle_;
+  std::unique_ptr<LiveDiagnoser> live_;  // where ~diagnose is true
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<LoggerService> loggers_;

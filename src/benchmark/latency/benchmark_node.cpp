@@ -32,8 +32,9 @@ std::string benchmarkComponents(int count) {
   return text;
 }
 
-TemporaryFile::TemporaryFile(const std::string& text)
-    : path_(std::filesystem::temp_directory_path() / fmt::format("rubber_suspension_benchmark_{}.yaml", getpid())) {
+TemporaryFile::TemporaryFile(const std::string& text, const std::string& mark)
+    : path_(std::filesystem::temp_directory_path() /
+            fmt::format("rubber_suspension_benchmark_{}{}.yaml", getpid(), mark)) {
   std::ofstream file(path_);
   file << text;
   if (!file.flush()) {
@@ -46,10 +47,11 @@ TemporaryFile::~TemporaryFile() {
   std::filesystem::remove(path_, ignored);
 }
 
-BenchmarkNode::BenchmarkNode(int components, bool bundled)
-    : file_(benchmarkComponents(components)),
-      process_({ros_interface::siblingProgram("simulate"), "__ns:=/node", "_config_file:=" + file_.path()}),
-      meter_("/node", benchmarkNames(components), bundled) {
+BenchmarkNode::BenchmarkNode(int components, bool bundled, const BenchmarkNodeOptions& options)
+    : file_(benchmarkComponents(components), "_" + options.name),
+      process_({ros_interface::siblingProgram("simulate"), "__ns:=/" + options.name, "_config_file:=" + file_.path(),
+                fmt::format("_diagnose:={}", options.diagnose)}),
+      meter_("/" + options.name, benchmarkNames(components), bundled, options.measured) {
   meter_.connect();
 }
 

@@ -16,10 +16,11 @@ std::string benchmarkComponents(int count);
 /// Names of these components, in the order of the file.
 std::vector<std::string> benchmarkNames(int count);
 
-/// A file with this text that goes with this object. Throws std::runtime_error where it cannot be written.
+/// A file with this text that goes with this object, one of each mark. Throws std::runtime_error where it cannot be
+/// written.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text);
+  explicit TemporaryFile(const std::string& text, const std::string& mark = "");
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -30,11 +31,18 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-/// `simulate` in the namespace /node, and what drives it. Needs a master.
+/// How a node is run.
+struct BenchmarkNodeOptions {
+  std::string name = "node";  ///< of its namespace
+  bool measured = false;      ///< measured forces are sent
+  bool diagnose = false;      ///< with ~diagnose
+};
+
+/// `simulate` in a namespace of its own, and what drives it. Needs a master.
 class BenchmarkNode {
  public:
   /// Starts the program that lies beside the running one and waits until it serves. Throws std::runtime_error.
-  BenchmarkNode(int components, bool bundled);
+  BenchmarkNode(int components, bool bundled, const BenchmarkNodeOptions& options = {});
 
   RoundTripMeter& meter() { return meter_; }
   pid_t process() const { return process_.id(); }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -19,24 +20,41 @@ constexpr double kWarmUp = 0.5;                  // [s], before the runs that co
 
 double medianOf(std::vector<double> values) { return summariseRatios(std::move(values)).median; }
 
-// Both nodes at once, each in its namespace; the one that has nothing to do sleeps.
-class Contest {
+// An echo node, and what drives it.
+class Echo {
  public:
-  Contest(int components, bool bundled)
-      : echo_process_(
+  Echo(int components, bool bundled)
+      : process_(
             {ros_interface::siblingProgram("benchmark_latency"), "--echo", std::to_string(components), "__ns:=/echo"}),
-        echo_("/echo", benchmarkNames(components), bundled),
-        node_(components, bundled) {
-    echo_.connect();
+        meter_("/echo", benchmarkNames(components), bundled) {
+    meter_.connect();
   }
 
-  RoundTripMeter& echo() { return echo_; }
+  RoundTripMeter& meter() { return meter_; }
+
+ private:
+  ros_interface::ChildProcess process_;
+  RoundTripMeter meter_;
+};
+
+// Both nodes at once, each in its namespace; the one that has nothing to do sleeps. The baseline is an echo node, or,
+// of a node that diagnoses, one that does not.
+class Contest {
+ public:
+  Contest(int components, bool bundled, bool diagnose)
+      : node_(components, bundled, {"node", diagnose, diagnose}),
+        plain_(diagnose
+                   ? std::make_unique<BenchmarkNode>(components, bundled, BenchmarkNodeOptions{"plain", true, false})
+                   : nullptr),
+        echo_(diagnose ? nullptr : std::make_unique<Echo>(components, bundled)) {}
+
+  RoundTripMeter& echo() { return plain_ ? plain_->meter() : echo_->meter(); }
   RoundTripMeter& node() { return node_.meter(); }
 
  private:
-  ros_interface::ChildProcess echo_process_;
-  RoundTripMeter echo_;
   BenchmarkNode node_;
+  std::unique_ptr<BenchmarkNode> plain_;
+  std::unique_ptr<Echo> echo_;
 };
 
 void measureLatency(Contest& contest, const BenchmarkOptions& options, LatencyRow& row) {
@@ -95,8 +113,9 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   LatencyRow row;
   row.components = components;
   row.bundled = bundled;
+  row.diagnose = options.diagnose;
   row.rate = bundled ? options.rate : std::min(options.rate, options.total_rate / components);
-  Contest contest(components, bundled);
+  Contest contest(components, bundled, options.diagnose);
   measureLatency(contest, options, row);
   measureHighestRate(contest, options, row);
   return row;
@@ -122,6 +141,9 @@ std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
     progress(fmt::format("{} component(s), a topic each", components));
     rows.push_back(measureRow(components, false, options));
   }
+  if (options.diagnose) {
+    return rows;  // what is bundled takes the same way, and has no topic for measured forces
+  }
   const int most = *std::max_element(options.components.begin(), options.components.end());
   progress(fmt::format("{} component(s) in one message", most));
   rows.push_back(measureRow(most, true, options));
@@ -133,9 +155,14 @@ void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out) {
     return fmt::format("**{:.{}f}** ({:.{}f} to {:.{}f})", ratio.median, digits, ratio.lower, digits, ratio.upper,
                        digits);
   };
-  out << "| components | rate of each [Hz] | echo: median, 99 % [us] | node/echo, median | echo/echo, median | "
-         "node/echo, 99 % | echo/echo, 99 % | without answer | highest rate, echo [samples/s] | highest rate, node |\n"
-         "|---|---|---|---|---|---|---|---|---|---|\n";
+  const bool diagnose = !rows.empty() && rows.front().diagnose;
+  const std::string base = diagnose ? "plain" : "echo";
+  const std::string node = diagnose ? "diagnosing" : "node";
+  out << fmt::format(
+      "| components | rate of each [Hz] | {0}: median, 99 % [us] | {1}/{0}, median | {0}/{0}, median | {1}/{0}, 99 % | "
+      "{0}/{0}, 99 % | without answer | highest rate, {0} [samples/s] | highest rate, {1} |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n",
+      base, node);
   for (const LatencyRow& row : rows) {
     out << fmt::format("| {}{} | {:.0f} | {:.0f}, {:.0f} | {} | {} | {} | {} | {} | {:.0f} | {:.0f} |\n",
                        row.components, row.bundled ? " in one message" : "", row.rate, 1e6 * row.echo_median,

@@ -15,6 +15,7 @@ struct BenchmarkOptions {
   double duration = 1.0;        ///< of each run [s]
   int pairs = 31;               ///< runs of echo node, node, and echo node again, per row
   double flood_duration = 2.0;  ///< of each run for the highest rate [s]
+  bool diagnose = false;        ///< compare a node that diagnoses with one that does not, in the echo node's place
 };
 
 /// A ratio of two runs, over many such pairs.
@@ -28,6 +29,7 @@ struct Ratio {
 struct LatencyRow {
   int components = 0;
   bool bundled = false;
+  bool diagnose = false;      ///< the node diagnoses, and the echo node is a node that does not
   double rate = 0.0;          ///< of each component [Hz]
   double echo_median = 0.0;   ///< round trip, median over the runs [s]
   double echo_99 = 0.0;       ///< 99th percentile, median over the runs [s]

@@ -7,6 +7,7 @@
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/ForceArray.h>
+#include <rubber_suspension/MeasuredForce.h>
 
 #include <algorithm>
 #include <atomic>
@@ -36,6 +37,11 @@ ros::Time stampOf(std::uint64_t tick) {
 std::uint64_t tickOf(const ros::Time& stamp) { return (stamp.toNSec() - 1000000000ULL) / 1000000ULL; }
 double displacementOf(std::uint64_t tick) { return 2e-3 * std::sin(0.01 * static_cast<double>(tick)); }
 
+// [N], with a reversal smooth enough for any sampling rate.
+double measuredForceOf(std::uint64_t tick) {
+  return 4e6 * displacementOf(tick) + 800.0 * std::tanh(5.0 * std::cos(0.01 * static_cast<double>(tick)));
+}
+
 }  // namespace
 
 double RoundTrips::quantile(double fraction) const {
@@ -49,7 +55,10 @@ double RoundTrips::quantile(double fraction) const {
 // One pair of topics: a component's, or the bundled ones.
 class RoundTripMeter::Link {
  public:
-  Link(ros::NodeHandle& handle, const std::string& component) {
+  Link(ros::NodeHandle& handle, const std::string& component, bool measured) : measured_(measured) {
+    if (measured) {
+      force_publisher_ = handle.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
+    }
     publisher_ = handle.advertise<Displacement>(component + "/displacement", kQueueSize);
     subscribe<Force>(handle, component + "/force");
   }
@@ -95,6 +104,11 @@ class RoundTripMeter::Link {
       sent_[tick - first_] = nanoseconds();
       publisher_.publish(single_);
     }
+    if (measured_) {
+      force_.header.stamp = stampOf(tick);
+      force_.force = measuredForceOf(tick);
+      force_publisher_.publish(force_);
+    }
   }
 
   std::size_t answered() const { return answered_.load(std::memory_order_acquire); }
@@ -123,6 +137,9 @@ class RoundTripMeter::Link {
   }
 
   bool bundle_ = false;
+  bool measured_ = false;
+  MeasuredForce force_;
+  ros::Publisher force_publisher_;
   Displacement single_;
   DisplacementArray array_;
   ros::Publisher publisher_;
@@ -135,14 +152,15 @@ class RoundTripMeter::Link {
   std::atomic<std::size_t> surplus_{0};
 };
 
-RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled) {
+RoundTripMeter::RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled,
+                               bool measured) {
   ros::NodeHandle handle(space);
   handle.setCallbackQueue(&receiver_.queue());
   if (bundled) {
     links_.push_back(std::make_unique<Link>(handle, components));
   } else {
     for (const std::string& component : components) {
-      links_.push_back(std::make_unique<Link>(handle, component));
+      links_.push_back(std::make_unique<Link>(handle, component, measured));
     }
   }
   receiver_.start("receiver", 0);

@@ -30,8 +30,10 @@ struct RoundTrips {
 /// go on from run to run, a millisecond from sample to sample.
 class RoundTripMeter {
  public:
-  /// With `bundled` all components go in one message of the topics `displacements` and `forces`.
-  RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled);
+  /// With `bundled` all components go in one message of the topics `displacements` and `forces`. With `measured` each
+  /// displacement that has a topic of its own is followed by a measured force: that of a spring with friction.
+  RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled,
+                 bool measured = false);
   ~RoundTripMeter();
 
   /// Wait until every topic is connected. Throws std::runtime_error where that does not come about.

@@ -1,0 +1,317 @@
+// The diagnosis of one component while its bench runs.
+#include "diagnosis/live/live_diagnosis.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSettling = 5.0;        // [s] after a start, until what was left from before has gone
+constexpr double kShortestPause = 10.0;  // [s] between two looks
+constexpr double kLogLength = 30.0;      // [s] of the logs that a window is cut into, at least
+constexpr std::size_t kMostLogs = 4;
+constexpr double kFewestInBlock = 20;
+constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion that is left in a log that is thinned
+constexpr int kResamplings = 100;
+
+double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
+std::int64_t nanoseconds(double time) { return static_cast<std::int64_t>(std::llround(1e9 * time)); }
+
+/// Mean square about the mean of a stretch.
+class Spread {
+ public:
+  void add(double value) {
+    sum_ += value;
+    square_ += value * value;
+  }
+
+  double root(double count) const {
+    const double mean = sum_ / count;
+    return std::sqrt(std::max(0.0, square_ / count - mean * mean));
+  }
+
+ private:
+  double sum_ = 0.0;
+  double square_ = 0.0;
+};
+
+std::string placeOf(const std::vector<gap::GapCell>& cells) {
+  if (cells.empty()) {
+    return {};
+  }
+  const gap::GapCell& cell = cells.front();
+  const std::string band =
+      cell.frequency[0] > 0.0 ? fmt::format("{:.3g} to {:.3g} Hz, ", cell.frequency[0], cell.frequency[1]) : "";
+  return fmt::format("{:.0f} % of it {} at {}{:.3g} to {:.3g} mm", 100.0 * cell.share, gap::toString(cell.quantity),
+                     band, 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1]);
+}
+
+double probabilityOf(const std::string& effect, const Diagnosis& diagnosis) {
+  const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                  [&](const CandidateResult& candidate) { return candidate.effect == effect; });
+  return found == diagnosis.candidates.end() ? 0.0 : found->probability;
+}
+
+log::Log logOf(std::deque<LiveSample>::const_iterator first, std::deque<LiveSample>::const_iterator last,
+               std::size_t step) {
+  log::Log log;
+  log.name = "live";
+  for (auto sample = first; sample < last;
+       sample += static_cast<std::ptrdiff_t>(std::min<std::size_t>(step, static_cast<std::size_t>(last - sample)))) {
+    log.stamp.push_back(sample->stamp);
+    log.displacement.push_back(sample->displacement);
+    log.force.push_back(sample->force);
+  }
+  return log;
+}
+
+// Of how many samples one is enough for the motion: at least so many to a period of the fastest that is no noise.
+std::size_t largestStep(const log::Log& log) {
+  const log::Record record = log::makeRecord(log);
+  const double rate = kSamplesPerPeriod * std::max(record.highest_frequency, record.mean_frequency);
+  return rate > 0.0 ? static_cast<std::size_t>(std::max(1.0, std::floor(1.0 / (rate * record.dt)))) : 1;
+}
+
+std::vector<log::Log> cut(const log::Log& whole) {
+  const double duration = whole.time(whole.size() - 1) - whole.time(0);
+  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(duration / kLogLength), 1, kMostLogs);
+  std::vector<log::Log> logs(count);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    log::Log& log = logs[i * count / whole.size()];
+    log.stamp.push_back(whole.stamp[i]);
+    log.displacement.push_back(whole.displacement[i]);
+    log.force.push_back(whole.force[i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    logs[i].name = fmt::format("live_{}", i + 1);
+  }
+  return logs;
+}
+
+}  // namespace
+
+/// A component that is simulated along.
+class LiveDiagnosis::Model {
+ public:
+  explicit Model(const io::ComponentDescription& description)
+      : component_(description.makeComponent()), stream_(component_) {}
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  // Not a number where there is no force.
+  double force(const LiveSample& sample) {
+    const component::StreamForce answer = stream_.push(sample.stamp, sample.displacement);
+    return component::isAccepted(answer.acceptance) ? answer.force.total : kNone;
+  }
+
+ private:
+  const component::Component component_;
+  component::SampleStream stream_;
+};
+
+/// What a block comes to so far.
+struct LiveDiagnosis::Block {
+  std::int64_t begin = 0;  // [ns]
+  std::int64_t last = 0;
+  double samples = 0.0;
+  bool whole = true;  // no stretch without samples
+  Spread force;
+  Spread configured;
+  Spread re_estimated;
+  Spread augmented;
+};
+
+LiveDiagnosis::LiveDiagnosis(io::ComponentDescription configured, const LiveSettings& settings)
+    : configured_(std::move(configured)), settings_(settings), judgement_(settings.criteria) {
+  restart();
+}
+
+LiveDiagnosis::~LiveDiagnosis() = default;
+
+void LiveDiagnosis::restart() {
+  judgement_ = LiveJudgement(settings_.criteria);
+  samples_.clear();
+  configured_model_ = std::make_unique<Model>(configured_);
+  re_estimated_model_.reset();
+  augmented_model_.reset();
+  block_.reset();
+  findings_ = LiveFindings();
+  findings_.sentence = "too few samples with a measured force so far";
+  candidate_.reset();
+  last_look_ = 0;
+  last_window_ = 0.0;
+}
+
+void LiveDiagnosis::add(const LiveSample& sample) {
+  if (!samples_.empty() && sample.stamp <= samples_.back().stamp) {
+    if (samples_.back().stamp - sample.stamp <= component::SampleStream::kNanosecondsPerSecond) {
+      return;
+    }
+    restart();
+  }
+  if (samples_.empty()) {
+    first_ = sample.stamp;
+    last_look_ = sample.stamp;
+    regime_begin_ = sample.stamp;
+  }
+  keep(sample);
+  simulate(sample);
+}
+
+void LiveDiagnosis::keep(const LiveSample& sample) {
+  samples_.push_back(sample);
+  const std::int64_t oldest = sample.stamp - nanoseconds(settings_.longest_window);
+  while (samples_.size() > settings_.memory || samples_.front().stamp < oldest) {
+    samples_.pop_front();
+  }
+}
+
+void LiveDiagnosis::simulate(const LiveSample& sample) {
+  const std::int64_t length = nanoseconds(settings_.criteria.block);
+  const std::int64_t begin = first_ + (sample.stamp - first_) / length * length;
+  if (block_ && block_->begin != begin) {
+    finishBlock();
+  }
+  if (!block_) {
+    block_ = std::make_unique<Block>();
+    block_->begin = begin;
+    block_->last = begin;
+  }
+  Block& block = *block_;
+  block.whole = block.whole && sample.stamp - block.last < length / 4;
+  block.last = sample.stamp;
+  block.samples += 1.0;
+  block.force.add(sample.force);
+  block.configured.add(sample.force - configured_model_->force(sample));
+  block.re_estimated.add(re_estimated_model_ ? sample.force - re_estimated_model_->force(sample) : kNone);
+  block.augmented.add(augmented_model_ ? sample.force - augmented_model_->force(sample) : kNone);
+}
+
+void LiveDiagnosis::finishBlock() {
+  const Block& block = *block_;
+  if (block.whole && block.samples >= kFewestInBlock && seconds(block.begin - first_) >= kSettling) {
+    judgement_.addBlock({block.begin, block.force.root(block.samples), block.configured.root(block.samples),
+                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNone,
+                         augmented_model_ ? block.augmented.root(block.samples) : kNone});
+    regime_begin_ = judgement_.regimeBegin().value_or(first_);
+  }
+  block_.reset();
+}
+
+std::int64_t LiveDiagnosis::windowBegin() const { return std::max(samples_.front().stamp, regime_begin_); }
+
+bool LiveDiagnosis::lookIsDue() const {
+  if (samples_.empty()) {
+    return false;
+  }
+  const std::int64_t now = samples_.back().stamp;
+  const std::int64_t begin = windowBegin();
+  const double pause = std::clamp(0.5 * last_window_, kShortestPause, settings_.longest_pause);
+  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // of which no look knows
+  return seconds(now - begin) >= settings_.shortest_window && (is_new || seconds(now - last_look_) >= pause);
+}
+
+std::vector<log::Log> LiveDiagnosis::windowLogs(std::int64_t begin) const {
+  const auto first =
+      std::find_if(samples_.begin(), samples_.end(), [&](const LiveSample& sample) { return sample.stamp >= begin; });
+  const auto count = static_cast<std::size_t>(samples_.end() - first);
+  std::size_t step = (count + settings_.most_samples - 1) / settings_.most_samples;
+  if (step > 1) {
+    step = std::min(step, largestStep(logOf(first, samples_.end(), 1)));
+  }
+  const std::size_t taken = std::min(count, step * settings_.most_samples);
+  return cut(logOf(samples_.end() - static_cast<std::ptrdiff_t>(taken), samples_.end(), step));
+}
+
+void LiveDiagnosis::look(const std::function<bool()>& stop) {
+  const std::int64_t begin = windowBegin();
+  last_look_ = samples_.back().stamp;
+  last_window_ = seconds(last_look_ - begin);
+  DiagnosisOptions options;
+  options.threads = 1;
+  options.resamplings = kResamplings;
+  options.progress = [&](const std::string&, double) {
+    if (stop && stop()) {
+      throw LookCancelled("cancelled");
+    }
+  };
+  try {
+    const std::vector<log::Log> logs = windowLogs(begin);
+    const Diagnosis diagnosis = diagnose(configured_, logs, {}, options);
+    ++findings_.looks;
+    judgement_.addLook({diagnosis.verdict, diagnosis.effects});
+    if (diagnosis.effects.empty() && !judgement_.now().effects.empty()) {
+      return;  // a look that has no effect does not take back the one that is named
+    }
+    findings_.stamp = last_look_;
+    findings_.samples = 0;
+    for (const log::Log& log : logs) {
+      findings_.samples += log.size();
+    }
+    findings_.window = last_window_;
+    takeUp(diagnosis);
+  } catch (const log::LogError& error) {
+    findings_.sentence = error.what();
+  }
+}
+
+std::unique_ptr<LiveDiagnosis::Model> LiveDiagnosis::warmedUp(const io::ComponentDescription& component) const {
+  auto model = std::make_unique<Model>(component);
+  for (const LiveSample& sample : samples_) {
+    model->force(sample);
+  }
+  return model;
+}
+
+void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
+  findings_.gap = diagnosis.gap;
+  findings_.where = diagnosis.verdict == "none" ? "" : placeOf(diagnosis.where);
+  findings_.sentence = diagnosis.sentence;
+  findings_.rig_findings.clear();
+  for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
+    findings_.rig_findings.push_back(finding.text);
+  }
+  findings_.probabilities.clear();
+  for (const std::string& effect : diagnosis.effects) {
+    findings_.probabilities.push_back(probabilityOf(effect, diagnosis));
+  }
+  findings_.confounded = diagnosis.confounded.empty() ? std::vector<std::string>() : diagnosis.confounded.front();
+  const bool has_effect = !diagnosis.effects.empty();
+  if (block_) {
+    block_->whole = false;  // the look has seen its begin
+  }
+  re_estimated_model_ = has_effect ? warmedUp(diagnosis.re_estimated) : nullptr;
+  augmented_model_ = has_effect ? warmedUp(diagnosis.augmented) : nullptr;
+  candidate_.reset();
+  if (has_effect || diagnosis.verdict == "parameter_error") {
+    candidate_ = diagnosis.augmented;
+  }
+}
+
+LiveFindings LiveDiagnosis::findings() const {
+  LiveFindings findings = findings_;
+  findings.now = judgement_.now();
+  if (findings.now.verdict == "watching" && augmented_model_) {
+    findings.sentence = fmt::format("Not confirmed on new samples yet (evidence {:.2g}, {:.2g} needed): {}",
+                                    findings.now.evidence, findings.now.threshold, findings_.sentence);
+  }
+  return findings;
+}
+
+std::optional<io::ComponentDescription> LiveDiagnosis::found() const {
+  const LiveVerdict now = judgement_.now();
+  const bool closes = !now.effects.empty() || now.verdict == "parameter_error";
+  return closes ? candidate_ : std::nullopt;
+}
+
+}  // namespace rubber_suspension::diagnosis

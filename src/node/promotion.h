@@ -1,0 +1,91 @@
+// Another model in the place of the configured one: first in its shadow, then by a cross-fade, and back. Knows no ROS.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/element.h"
+
+namespace rubber_suspension::node {
+
+/// What gives the force of a component.
+enum class RunStage {
+  configured,    ///< the configured model alone
+  shadow,        ///< the configured model, while the other is computed beside it
+  promoting,     ///< a cross-fade to the other model
+  promoted,      ///< the other model, while the configured one is computed beside it
+  rolling_back,  ///< a cross-fade to the configured model; `configured` follows
+};
+
+std::string toString(RunStage stage);
+
+/// The stage of that name; throws std::invalid_argument.
+RunStage runStageOf(const std::string& name);
+
+struct PromotionSettings {
+  double shadow = 5.0;  ///< time that a model is computed beside the configured one before it takes its place [s]
+  double fade = 1.0;    ///< time of a cross-fade [s]
+};
+
+/// Squared errors of two models at the same samples [N^2], summed up.
+struct PairedErrors {
+  std::uint64_t samples = 0;  ///< with a measured force
+  double published = 0.0;     ///< of the force that was published
+  double other = 0.0;         ///< of the force of the model beside it
+};
+
+/// The weight of the other model in the published force, as the stamps go on. Published is
+///   F = F_configured + w (F_other - F_configured),  w from 0 to 1 or back with the slope 1/fade.
+/// From one sample to the next the change of w alone changes F by at most dt/fade |F_other - F_configured|: there is no
+/// other jump than that, unless the other model's force is not finite; then the configured one is published at once.
+class CrossFade {
+ public:
+  CrossFade(const PromotionSettings& settings, RunStage stage, double weight)
+      : settings_(settings), stage_(stage), weight_(weight) {}
+
+  RunStage stage() const { return stage_; }
+  double weight() const { return weight_; }
+  std::int64_t since() const { return since_; }  ///< stamp of the stage's first sample [ns]
+
+  /// A sample at that stamp [ns]. A stamp that steps back takes no time.
+  void advance(std::int64_t stamp);
+
+  /// The last sample was at that stamp; the stage begins with it.
+  void resume(std::int64_t stamp) {
+    last_ = stamp;
+    since_ = stamp;
+  }
+
+  /// True once the shadow has lasted; then take() or end() is due.
+  bool shadowIsOver() const;
+
+  /// From the shadow into the place of the configured model, or, called for while it fades, back.
+  void take() { enter(RunStage::promoting); }
+  void giveBack();
+
+  /// The configured model alone, at once.
+  void end();
+
+  /// The published force from those of both models.
+  element::ComponentForce blend(const element::ComponentForce& configured, const element::ComponentForce& other) const;
+
+ private:
+  void enter(RunStage stage);
+
+  PromotionSettings settings_;
+  RunStage stage_;
+  double weight_;
+  std::int64_t since_ = 0;
+  std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
+};
+
+/// True if the model in the shadow may take the configured one's place: its error is not the greater one, or nothing
+/// was measured to tell.
+bool isNoWorse(const PairedErrors& errors);
+
+/// The two errors in words, as RMS.
+std::string describeErrors(const PairedErrors& errors);
+
+}  // namespace rubber_suspension::node

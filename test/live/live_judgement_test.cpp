@@ -1,0 +1,187 @@
+// What may be said while a bench runs: the evidence by its inequality, the onset, the rules of the judgement.
+#include "diagnosis/live/live_judgement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "diagnosis/live/onset.h"
+#include "diagnosis/live/sequential_evidence.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::LiveJudgement;
+using diagnosis::SequentialEvidence;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// The worst that the inequality allows: every bet is at fair odds. Of 400 runs of n bets at most n/c may reach c.
+TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
+  constexpr int kRuns = 400;
+  constexpr int kBets = 20000;
+  constexpr double kThreshold = 2e5;  // so that at most one run in ten may
+  std::mt19937 random(1);
+  int reached = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    SequentialEvidence evidence(kThreshold);
+    bool once = false;
+    for (int bet = 0; bet < kBets; ++bet) {
+      evidence.add((random() & 1U) != 0U);
+      once = once || evidence.isReached();
+    }
+    reached += once ? 1 : 0;
+  }
+  // 40 expected at the bound; three standard deviations of a count above it are 40 + 3 * 6.
+  EXPECT_LE(reached, 58);
+  EXPECT_GE(reached, 1) << "a bound that is never approached would make a test that cannot fail";
+}
+
+TEST(SequentialEvidence, ForgetsBetsLostBeforeTheEffect) {
+  SequentialEvidence evidence(diagnosis::LiveCriteria().threshold());
+  for (int i = 0; i < 100000; ++i) {
+    evidence.add(false);
+  }
+  int needed = 0;
+  for (; !evidence.isReached(); ++needed) {
+    evidence.add(true);
+  }
+  // log(3.6e6)/log(1.8) = 25.7 blocks of a second: a third of the two minutes that a name may take.
+  EXPECT_EQ(needed, 26);
+}
+
+std::vector<double> steps(const std::vector<std::pair<int, double>>& stretches, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> deviation(0.0, noise);
+  std::vector<double> values;
+  for (const auto& [count, level] : stretches) {
+    for (int i = 0; i < count; ++i) {
+      values.push_back(level + deviation(random));
+    }
+  }
+  return values;
+}
+
+TEST(Onset, IsWhereTheLevelChanges) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto change = diagnosis::mostLikelyChange(steps({{200, 0.0}, {20, 0.5}}, 0.15, seed));
+    ASSERT_TRUE(change) << seed;
+    EXPECT_NEAR(static_cast<double>(change->first), 200.0, 3.0) << seed;
+    EXPECT_GT(change->after, change->before);
+  }
+}
+
+TEST(Onset, IsTheLastOfSeveral) {
+  const auto change = diagnosis::lastChange(steps({{100, 0.0}, {80, 1.0}, {60, 0.4}}, 0.1, 7));
+  ASSERT_TRUE(change);
+  EXPECT_NEAR(static_cast<double>(change->first), 180.0, 2.0);
+  EXPECT_LT(change->after, change->before);
+}
+
+TEST(Onset, IsNotFoundInNoise) {
+  int found = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    found += diagnosis::lastChange(steps({{400, 0.0}}, 0.15, seed)) ? 1 : 0;
+  }
+  // Only the window of a look follows from it; one in a hundred is little against that.
+  EXPECT_LE(found, 3);
+}
+
+constexpr std::int64_t kSecond = 1000000000;
+
+diagnosis::BlockErrors block(int second, double configured, double augmented = std::nan("")) {
+  return {second * kSecond, 1000.0, configured, configured, augmented};
+}
+
+TEST(LiveJudgement, NamesAnEffectOnceTheBlocksConfirmItAndTellsTheOnset) {
+  LiveJudgement judgement;
+  EXPECT_EQ(judgement.now().verdict, "watching");
+  judgement.addLook({"none", {}});
+  EXPECT_EQ(judgement.now().verdict, "none");
+  const std::vector<double> noise = steps({{200, 1.0}}, 0.05, 3);
+  for (int i = 0; i < 100; ++i) {
+    judgement.addBlock(block(i, 10.0 * noise[static_cast<std::size_t>(i)]));
+  }
+  for (int i = 100; i < 120; ++i) {
+    judgement.addBlock(block(i, 30.0 * noise[static_cast<std::size_t>(i)]));
+  }
+  judgement.addLook({"named", {"friction"}});
+  EXPECT_EQ(judgement.now().verdict, "watching") << "a look alone names nothing";
+  for (int i = 120; i < 145; ++i) {
+    judgement.addBlock(block(i, 30.0 * noise[static_cast<std::size_t>(i)], 11.0));
+  }
+  EXPECT_EQ(judgement.now().verdict, "watching");
+  judgement.addBlock(block(145, 30.0, 11.0));
+  const diagnosis::LiveVerdict verdict = judgement.now();
+  EXPECT_EQ(verdict.verdict, "named");
+  EXPECT_THAT(verdict.effects, ElementsAre("friction"));
+  ASSERT_TRUE(verdict.since);
+  EXPECT_NEAR(static_cast<double>(*verdict.since), 100.0 * kSecond, 3.0 * kSecond);
+}
+
+TEST(LiveJudgement, AGapFromTheBeginOnHasNoOnset) {
+  LiveJudgement judgement;
+  judgement.addLook({"named", {"friction"}});
+  for (int i = 0; i < 60; ++i) {
+    judgement.addBlock(block(i, 30.0 + i % 3, 11.0));
+  }
+  EXPECT_EQ(judgement.now().verdict, "named");
+  EXPECT_FALSE(judgement.now().since);
+}
+
+TEST(LiveJudgement, AnEffectThatDoesNotPredictIsNotNamed) {
+  LiveJudgement judgement;
+  for (int i = 0; i < 100000; ++i) {
+    if (i % 60 == 0) {
+      judgement.addLook({"named", {"creep"}});
+    }
+    judgement.addBlock(block(i, 10.0, i % 2 == 0 ? 9.9 : 10.1));  // as often better as worse
+  }
+  EXPECT_EQ(judgement.now().verdict, "watching");
+  EXPECT_THAT(judgement.now().effects, IsEmpty());
+}
+
+TEST(LiveJudgement, ANameIsTakenBackByTwoLooksThatAgree) {
+  LiveJudgement judgement;
+  judgement.addLook({"named", {"friction"}});
+  for (int i = 0; i < 40; ++i) {
+    judgement.addBlock(block(i, 30.0, 11.0));
+  }
+  judgement.addLook({"none", {}});
+  EXPECT_EQ(judgement.now().verdict, "named");
+  judgement.addLook({"partly", {"friction", "creep"}});
+  EXPECT_THAT(judgement.now().effects, ElementsAre("friction", "creep"));
+  judgement.addLook({"none", {}});
+  EXPECT_EQ(judgement.now().verdict, "partly");
+  judgement.addLook({"none", {}});
+  EXPECT_EQ(judgement.now().verdict, "none");
+  EXPECT_EQ(judgement.now().evidence, 1.0);
+}
+
+TEST(LiveJudgement, OtherVerdictsNeedTwoLooks) {
+  for (const char* verdict : {"parameter_error", "unknown", "check_bench"}) {
+    LiveJudgement judgement;
+    judgement.addLook({verdict, {}});
+    EXPECT_EQ(judgement.now().verdict, "watching");
+    judgement.addLook({verdict, {}});
+    EXPECT_EQ(judgement.now().verdict, verdict);
+  }
+}
+
+TEST(LiveJudgement, StandstillSaysNothing) {
+  LiveJudgement judgement;
+  judgement.addLook({"named", {"friction"}});
+  judgement.addBlock(block(0, 30.0, 11.0));
+  const double evidence = judgement.now().evidence;
+  for (int i = 1; i < 100; ++i) {
+    judgement.addBlock({i * kSecond, 1.0, 1.0, 1.0, 0.5});
+  }
+  EXPECT_EQ(judgement.now().evidence, evidence);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
