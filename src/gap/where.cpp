@@ -31,7 +31,8 @@ struct Energy {
 };
 
 constexpr int kWholeBand = 1 << 20;
-constexpr double kShortestWindow = 2.0;  // [s]
+constexpr double kFewestPeriods = 2.0;  // of the slowest motion in a window
+constexpr double kFewestCycles = 8.0;   // of the mean frequency
 
 // Filled with zeros to a power of two, which leaves energies as they are and is fast at any length.
 Spectrum transform(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count) {
@@ -66,6 +67,12 @@ double slowestMotion(const log::Record& record) {
   return 1.0 / record.duration();
 }
 
+// Long enough for the slowest motion, and for some lines in the octaves of most of it [s].
+double shortestWindow(const log::Record& record) {
+  const double slowest = kFewestPeriods / slowestMotion(record);
+  return record.mean_frequency > 0.0 ? std::max(slowest, kFewestCycles / record.mean_frequency) : slowest;
+}
+
 class Map {
  public:
   Map(const std::vector<log::Record>& records, const std::vector<Eigen::VectorXd>& residual)
@@ -82,8 +89,8 @@ class Map {
   void addLog(std::size_t r) {
     const log::Record& record = records_[r];
     const double mean = residual_[r].mean();
-    const double wanted = std::max(kShortestWindow, 2.0 / slowestMotion(record));
-    const auto windows = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() / wanted));
+    const auto windows =
+        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() / shortestWindow(record)));
     for (Eigen::Index w = 0; w < windows; ++w) {
       const Eigen::Index first = record.size() * w / windows;
       addWindow(r, first, record.size() * (w + 1) / windows - first, mean);

@@ -38,6 +38,31 @@ TEST(CharacteristicTable, OfALinearComponentIsItsComplexStiffnessUnderAnyPreload
   }
 }
 
+component::Component elastomer(double slower) {
+  return component::Component({{"spring", {{"stiffness", {kLinear}}}},
+                               {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0 / slower}}}},
+                               {"dashpot", {{"damping", {4e3 * slower}}}},
+                               {"friction", {{"maximum_force", {900.0}}, {"displacement", {4e-4}}}},
+                               {"stress_softening", {{"reduction", {0.2}}, {"width", {0.5}}}}});
+}
+
+// No second has a meaning of its own: a component 64 times as slow gives the same at frequencies 64 times as low.
+TEST(CharacteristicTable, OfASlowerComponentIsThatAtLowerFrequencies) {
+  constexpr double kSlower = 64.0;
+  const auto table = makeTable("bush", elastomer(1.0), {{0.5, 4.0, 30.0}, {1e-4, 2e-3}, {0.0, 5e3}});
+  const auto slower =
+      makeTable("bush", elastomer(kSlower), {{0.5 / kSlower, 4.0 / kSlower, 30.0 / kSlower}, {1e-4, 2e-3}, {0.0, 5e3}});
+  ASSERT_EQ(table.rows.size(), slower.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const response::Characteristics& one = table.rows[i].point.characteristics;
+    const response::Characteristics& other = slower.rows[i].point.characteristics;
+    EXPECT_EQ(table.rows[i].point.settled, slower.rows[i].point.settled);
+    EXPECT_NEAR(one.stiffness, other.stiffness, 1e-9 * one.stiffness);  // the tolerance of a settled loop
+    EXPECT_NEAR(one.loss_angle, other.loss_angle, 1e-9);
+    EXPECT_NEAR(table.rows[i].mean, slower.rows[i].mean, 1e-12);
+  }
+}
+
 // z = m + x: k x + c((m + x)^3 - m^3); the terms odd in x, over one cycle of x = A sin, give
 // (k + 3 c m^2) A + c A^3 at the turning points, and with 3/4 c A^3 in the first harmonic.
 TEST(CharacteristicTable, APreloadStiffensACubicSpring) {

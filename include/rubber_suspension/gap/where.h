@@ -25,7 +25,8 @@ struct GapCell {
   double noise_ratio = 0.0;  ///< RMS in the cell over that of the noise floor in its windows and band
 };
 
-/// Split the squared residual. Each log is cut into windows of at least two periods of its slowest motion; in each
+/// Split the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight
+/// of its mean frequency; in each
 /// window and octave the part of the residual that is coherent with the displacement is an error of stiffness (in
 /// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the
 /// log is its mean, the windows' means about it are drift. `residual`: measured less simulated [N], `noise`: floor of

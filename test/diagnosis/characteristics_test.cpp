@@ -1,0 +1,67 @@
+// Errors of stiffness, loss angle and energy: of a known model, at any scale of time.
+#include "diagnosis/report/characteristics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr Eigen::Index kSize = 20000;
+constexpr double kStiffness = 1e6;
+
+// Sines of four frequencies one after the other on a spring and a dashpot.
+struct Measured {
+  log::Record record;
+  Eigen::VectorXd simulated;  // a tenth too soft, and without the dashpot
+
+  explicit Measured(double dt) {
+    record.name = "sines";
+    record.dt = dt;
+    record.displacement.resize(kSize);
+    record.force.resize(kSize);
+    double phase = 0.0;
+    double mean = 0.0;
+    for (Eigen::Index i = 0; i < kSize; ++i) {
+      const double step = 2.0 * element::kPi * 1e-3 * static_cast<double>(1 + 4 * i / kSize);  // per sample
+      phase += step;
+      mean += step / static_cast<double>(kSize);
+      record.displacement[i] = 1e-3 * std::sin(phase);
+      record.force[i] = 1e-3 * kStiffness * (std::sin(phase) + 0.1 * std::cos(phase));
+    }
+    record.raw_displacement = record.displacement;
+    record.mean_frequency = mean / (2.0 * element::kPi * dt);
+    simulated = 0.9 * kStiffness * record.displacement;
+  }
+
+  diagnosis::CharacteristicErrors errors() const { return diagnosis::characteristicErrors({record}, {simulated}); }
+};
+
+TEST(CharacteristicErrors, AreThoseOfTheModel) {
+  const diagnosis::CharacteristicErrors errors = Measured(1e-3).errors();
+  // Windows end within a cycle: of the sines beside them a hundredth is seen.
+  EXPECT_NEAR(errors.stiffness, 1.0 - 0.9 / std::hypot(1.0, 0.1), 0.01);
+  EXPECT_NEAR(errors.loss_angle, std::atan(0.1), 0.01);
+  EXPECT_NEAR(errors.energy, 1.0, 0.05);  // none of it is simulated
+}
+
+TEST(CharacteristicErrors, AreTheSameOfASlowerTest) {
+  const diagnosis::CharacteristicErrors fast = Measured(1e-3).errors();
+  // By a power of two, so that windows end at the same samples.
+  const diagnosis::CharacteristicErrors slow = Measured(1024.0 * 1e-3).errors();
+  EXPECT_EQ(fast.stiffness, slow.stiffness);
+  EXPECT_EQ(fast.loss_angle, slow.loss_angle);
+  EXPECT_EQ(fast.energy, slow.energy);
+}
+
+TEST(CharacteristicErrors, WithoutAMeanFrequencyTheWholeLogIsAWindow) {
+  Measured whole(1e-3);
+  whole.record.mean_frequency = 0.0;
+  EXPECT_GT(whole.errors().stiffness, 0.05);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
