@@ -19,6 +19,7 @@
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
+#include "io/folder_lock.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace {
@@ -119,6 +120,7 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 
 int run(const Options& options) {
   checkOutputs(options);
+  const io::FolderLock lock(options.output);
   std::vector<std::string> all_logs = options.logs;
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
   options.log_options.requireUse(all_logs);

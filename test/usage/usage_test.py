@@ -4,6 +4,8 @@ of; all in one line on stderr.
 
 Usage: usage_test.py FOLDER_OF_THE_COMMANDS
 """
+import fcntl
+import os
 import pathlib
 import subprocess
 import sys
@@ -62,6 +64,27 @@ class Usage(unittest.TestCase):
                 self.assertEqual(answer.returncode, WRONG_USAGE, answer.stderr)
                 self.assertIn(message, answer.stderr)
                 self.assertEqual(answer.stderr.count("\n"), 1)
+
+
+class Folders(unittest.TestCase):
+    def test_one_run_at_a_time_writes_into_a_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            descriptor = os.open(folder, os.O_RDONLY)
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX)  # as a run that is under way
+                answer = run(f"diagnose --config {BUSH} --log {LOG} --output {folder}")
+            finally:
+                os.close(descriptor)
+            self.assertEqual(answer.returncode, WRONG_USAGE)
+            self.assertIn(f"{folder}: another run is writing into this folder; accepted: another folder", answer.stderr)
+            self.assertEqual(answer.stderr.count("\n"), 1)
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_a_run_that_fails_leaves_no_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            answer = run(f"diagnose --config {BUSH} --log /nowhere.csv --output {folder}/report")
+            self.assertNotEqual(answer.returncode, 0)
+            self.assertEqual(os.listdir(folder), [])
 
 
 class Warnings(unittest.TestCase):

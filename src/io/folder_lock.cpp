@@ -1,0 +1,40 @@
+// A folder that one run at a time writes into.
+#include "io/folder_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include "io/output_files.h"
+
+namespace rubber_suspension::io {
+
+FolderLock::FolderLock(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::error_code failure;
+  made_ = std::filesystem::create_directories(folder_, failure);
+  if (failure) {
+    throw std::runtime_error(folder_.string() + ": cannot be made: " + failure.message());
+  }
+  descriptor_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(descriptor_);
+    throw OutputRefused(folder_.string() +
+                        ": another run is writing into this folder; accepted: another folder, or this one after it");
+  }
+}
+
+FolderLock::~FolderLock() {
+  if (made_) {
+    std::error_code ignored;
+    std::filesystem::remove(folder_, ignored);  // none but an empty one
+  }
+  if (descriptor_ >= 0) {
+    close(descriptor_);
+  }
+}
+
+}  // namespace rubber_suspension::io
