@@ -5,16 +5,20 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "diagnosis/augmented.h"
+#include "diagnosis/bench_evidence.h"
 #include "diagnosis/judge/judge.h"
+#include "diagnosis/memory.h"
 #include "diagnosis/report/describe.h"
 #include "diagnosis/rig.h"
 #include "diagnosis/search.h"
 #include "diagnosis/unseen_logs.h"
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
+#include "io/available_memory.h"
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
@@ -188,6 +192,11 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   }
 }
 
+std::size_t samplesOf(const std::vector<log::Log>& logs) {
+  return std::accumulate(logs.begin(), logs.end(), std::size_t{0},
+                         [](std::size_t sum, const log::Log& log) { return sum + log.size(); });
+}
+
 Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {
   Diagnosis result;
   result.component = component.name;
@@ -210,6 +219,8 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   if (logs.empty()) {
     throw log::LogError("no log: a diagnosis needs at least one");
   }
+  requireMemory(samplesOf(logs) + samplesOf(hold_out), options.threads,
+                options.available_memory > 0 ? options.available_memory : io::availableMemory());
   std::vector<log::Log> all = logs;
   all.insert(all.end(), hold_out.begin(), hold_out.end());
   const std::vector<PreparedLog> prepared = prepare(all, options.threads);
@@ -217,7 +228,11 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   const auto bench = measurement::checkBench(component.allElements(), recordsOf(prepared, 0, prepared.size()));
   findings.insert(findings.end(), bench.begin(), bench.end());
   if (measurement::anyFatal(findings)) {
-    return refused(component, std::move(findings));
+    auto evidence = std::make_shared<BenchEvidence>(
+        benchEvidence(component.allElements(), recordsOf(prepared, 0, prepared.size()), findings));
+    Diagnosis result = refused(component, std::move(findings));
+    result.bench_evidence = std::move(evidence);
+    return result;
   }
   std::vector<log::Record> training = recordsOf(prepared, 0, logs.size());
   std::vector<log::Record> held_out = recordsOf(prepared, logs.size(), prepared.size());

@@ -308,22 +308,24 @@ VectorXd simulate(const component::Component& component, const VectorXd& displac
   return force;
 }
 
-// With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
-// loops do not say otherwise.
-bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
-  if (e.loss > 3.0 * e.loss_deviation) {
-    return false;
-  }
-  for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {  // length unit over force unit, in SI
+// Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
+std::optional<double> unitsOfSwap(const component::Component& component, const log::Record& record) {
+  for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
     const VectorXd force = record.displacement / units;
     const VectorXd simulated = simulate(component, displacement, record.dt);
     if (simulated.allFinite() &&
         plausible(slopeOf(displacement, force).stiffness / slopeOf(displacement, simulated).stiffness)) {
-      return true;
+      return units;
     }
   }
-  return false;
+  return std::nullopt;
+}
+
+// With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
+// loops do not say otherwise.
+bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
+  return e.loss <= 3.0 * e.loss_deviation && unitsOfSwap(component, record);
 }
 
 // The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
@@ -457,7 +459,57 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
   return forceFinding(record, e);
 }
 
+// The force brought forward by some samples; the ends that have no partner go.
+void bringForward(Index samples, log::Record& record) {
+  const Index count = record.size() - std::abs(samples);
+  const Index of_force = std::max<Index>(samples, 0);
+  const Index of_displacement = std::max<Index>(-samples, 0);
+  record.force = VectorXd(record.force.segment(of_force, count));
+  record.displacement = VectorXd(record.displacement.segment(of_displacement, count));
+  record.raw_displacement = VectorXd(record.raw_displacement.segment(of_displacement, count));
+}
+
+void exchangeColumns(double units, log::Record& record) {
+  const VectorXd displacement = units * record.force;
+  record.force = record.raw_displacement / units;
+  record.displacement = record.raw_displacement = displacement;
+}
+
 }  // namespace
+
+std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
+                                            const std::vector<element::ElementDescription>& elements,
+                                            const log::Record& record) {
+  BenchCorrection correction{"", record};
+  if (finding.finding == finding::kSign) {
+    correction.text = "force times -1";
+    correction.record.force *= -1.0;
+  } else if (finding.finding == finding::kUnitFactor) {
+    const UnitFactor* factor = unitFactorOf(finding.value);
+    if (factor == nullptr) {
+      return std::nullopt;
+    }
+    correction.text = fmt::format("force divided by {:.4g}", factor->factor);
+    correction.record.force /= factor->factor;
+  } else if (finding.finding == finding::kSwappedColumns) {
+    const auto units = unitsOfSwap(component::Component(elements), record);
+    if (!units) {
+      return std::nullopt;
+    }
+    correction.text = "columns exchanged";
+    exchangeColumns(*units, correction.record);
+  } else if (finding.finding == finding::kDelay && finding.fatal) {
+    const auto samples = static_cast<Index>(std::lround(finding.value / record.dt));
+    if (2 * std::abs(samples) > record.size()) {
+      return std::nullopt;
+    }
+    correction.text = fmt::format("force brought forward by {:.3g} s", finding.value);
+    bringForward(samples, correction.record);
+  } else {
+    return std::nullopt;
+  }
+  return correction;
+}
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records) {

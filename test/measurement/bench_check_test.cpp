@@ -55,6 +55,29 @@ TEST(BenchCheck, NamesSwappedColumns) {
   expectAll(p, finding::kSwappedColumns, "swap");
 }
 
+// With its correction a log is what it says.
+void expectCorrected(const Perturbation& p, const std::string& name) {
+  for (const VirtualRig& rig : allRigs(2)) {
+    const log::Log log = runRig(rig, p).log;
+    const log::Record record = log::makeRecord(repaired(log, findFaults(log)));
+    const std::vector<RigFinding> findings = checkBench(elementsOf(rig), {record});
+    ASSERT_EQ(findings.size(), 1u);
+    const auto correction = correctionOf(findings[0], elementsOf(rig), record);
+    ASSERT_TRUE(correction) << name;
+    EXPECT_TRUE(checkBench(elementsOf(rig), {correction->record}).empty())
+        << name << ", " << correction->text << ": " << static_cast<int>(rig.law) << static_cast<int>(rig.motion);
+  }
+}
+
+TEST(BenchCheck, CorrectsWhatItNames) {
+  Perturbation sign;
+  sign.sign = true;
+  expectCorrected(sign, finding::kSign);
+  Perturbation swapped;
+  swapped.swapped = true;
+  expectCorrected(swapped, finding::kSwappedColumns);
+}
+
 // A displacement that is recorded late gives loops that give energy, as exchanged columns do; the stiffness tells.
 TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   Perturbation late;

@@ -5,6 +5,7 @@ headless Chromium, where it is installed, at 1200 x 900, at 400 px, in the dark 
 Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. Pictures and print lie in OUTPUT. Exit status 77 where all
 that can be checked without a browser holds and there is none.
 """
+import csv
 import html.parser
 import json
 import os
@@ -126,6 +127,16 @@ class WithoutBrowser(Reports):
     def test_first_figure_comes_before_the_first_section(self):
         text = self.text(self.pages[0])
         self.assertLess(text.index("<svg"), text.index("<h2>"))
+
+    def test_a_bench_to_be_checked_is_seen(self):
+        """The loops as they are and with the correction, drawn and as numbers."""
+        text = self.text(self.pages[1])
+        self.assertEqual(text.count("<svg"), 2)
+        self.assertLess(text.index("<svg"), text.index("<h2>"))
+        with open(os.path.join(self.bench, "figure_bench.csv"), encoding="utf-8") as file:
+            panels = {row["panel"]: row["curve"] for row in csv.DictReader(file)}
+        self.assertEqual(len(panels), 2)
+        self.assertTrue(any("force times -1" in panel for panel in panels), panels)
 
     def test_record_of_the_run(self):
         with open(os.path.join(self.folder, "report.json"), encoding="utf-8") as file:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -28,6 +29,7 @@ struct DiagnosisOptions {
   unsigned seed = 1;  ///< of the resampling for intervals
   int resamplings = 400;
   bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
+  std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
 };
 
 /// What the diagnosis says of one candidate effect.
@@ -143,7 +145,8 @@ struct Comparison {
   std::vector<ReportChange> changes;
 };
 
-struct Workings;  // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
+struct BenchEvidence;  // what the report draws of logs that cannot be what they say
+struct Workings;       // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
 /// What a diagnosis found.
 struct Diagnosis {
@@ -185,12 +188,14 @@ struct Diagnosis {
   RunRecord run;
   Comparison comparison;
 
-  std::shared_ptr<const Workings> workings;
+  std::shared_ptr<const Workings> workings;             ///< none for the verdict check_bench
+  std::shared_ptr<const BenchEvidence> bench_evidence;  ///< for the verdict check_bench alone
 };
 
 /// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
-/// Throws LogError for a log that cannot be used, std::invalid_argument for a component that cannot be built.
+/// Throws LogError for a log that cannot be used, or where all of them take more memory than there is,
+/// std::invalid_argument for a component that cannot be built.
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
                    const std::vector<log::Log>& hold_out, const DiagnosisOptions& options = {});
 

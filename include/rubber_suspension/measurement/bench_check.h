@@ -1,6 +1,8 @@
 // Whether logs can be what they say at all, before any physics: sign, unit factors, swapped columns, another component.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
@@ -24,5 +26,17 @@ namespace rubber_suspension::measurement {
 /// has hardly any spring, is left to the diagnosis. Throws std::invalid_argument for elements that make no component.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records);
+
+/// A record as it would be with the correction of a finding.
+struct BenchCorrection {
+  std::string text;  ///< what was done, such as "force times -1"
+  log::Record record;
+};
+
+/// The correction that a finding of checkBench() on this record proposes; nothing where it proposes none, as for
+/// another component. A wrong unit is corrected in the force. Throws as checkBench().
+std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
+                                            const std::vector<element::ElementDescription>& elements,
+                                            const log::Record& record);
 
 }  // namespace rubber_suspension::measurement

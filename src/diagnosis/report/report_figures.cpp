@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "diagnosis/bench_evidence.h"
 #include "diagnosis/report/missing_force.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/gap/gap.h"
@@ -24,6 +25,7 @@ constexpr const char* kWhere = "where";
 constexpr const char* kResidual = "residual_over_displacement";
 constexpr const char* kTime = "gap_over_time";
 constexpr const char* kMissing = "missing_force";
+constexpr const char* kBench = "bench";
 constexpr std::size_t kMostLoops = 4;
 
 std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count, double factor) {
@@ -78,10 +80,11 @@ Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
 }
 
 // Both are to be seen where one lies over the other: measured broad and below, simulated thin and above.
+constexpr double kBroad = 3.0;
+constexpr double kThin = 1.0;
+
 void addForces(io::Axes& axes, const std::vector<double>& x, const std::vector<double>& measured,
                const std::vector<double>& before, const std::vector<double>& after) {
-  constexpr double kBroad = 3.0;
-  constexpr double kThin = 1.0;
   axes.curves.push_back({"measured", x, measured, "-", 0, kBroad});
   axes.curves.push_back({"before: as configured", x, before, "--", 1, kThin});
   axes.curves.push_back({"after: augmented", x, after, "-", io::kInk, kThin});
@@ -103,6 +106,32 @@ io::Figure loops(const Diagnosis& diagnosis) {
     addForces(axes, take(record.raw_displacement, first, count, 1e3), take(record.force, first, count, 1e-3),
               take(w.force_configured[r], first, count, 1e-3), take(w.force_augmented[r], first, count, 1e-3));
     figure.axes.push_back(std::move(axes));
+  }
+  return figure;
+}
+
+io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
+  const Eigen::Index count = cyclesOf(log.record, kCycles);
+  const Eigen::Index first = widestStretch(log.record, count);
+  io::Axes axes;
+  axes.title = log.record.name + ", " + as;
+  axes.x_label = "displacement [mm]";
+  axes.y_label = "force [kN]";
+  const std::vector<double> x = take(log.record.raw_displacement, first, count, 1e3);
+  axes.curves.push_back({"measured", x, take(log.record.force, first, count, 1e-3), "-", 0, kBroad});
+  axes.curves.push_back({"simulated", x, take(log.simulated, first, count, 1e-3), "-", io::kInk, kThin});
+  return axes;
+}
+
+// Two panels for each log: as it is, and with the correction.
+io::Figure benchFigure(const Diagnosis& diagnosis) {
+  io::Figure figure;
+  figure.title = "Measured and simulated";
+  for (const CheckedLog& log : diagnosis.bench_evidence->logs) {
+    figure.axes.push_back(comparedAxes(log.as_recorded, "as it is"));
+    if (log.corrected) {
+      figure.axes.push_back(comparedAxes(*log.corrected, log.correction));
+    }
   }
   return figure;
 }
@@ -274,6 +303,9 @@ io::Figure residualOverTime(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
+  if (diagnosis.bench_evidence) {
+    return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
+  }
   if (!diagnosis.workings) {
     return {};
   }
@@ -295,7 +327,7 @@ std::string figureDataFile(const std::string& name) { return "figure_" + name + 
 
 std::vector<std::string> figureDataFiles() {
   std::vector<std::string> files;
-  for (const char* name : {kLoops, kWhere, kResidual, kTime, kMissing}) {
+  for (const char* name : {kLoops, kWhere, kResidual, kTime, kMissing, kBench}) {
     files.push_back(figureDataFile(name));
   }
   return files;

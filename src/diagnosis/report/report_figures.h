@@ -17,7 +17,8 @@ struct ReportFigure {
 };
 
 /// Loops, map of the gap, residual over displacement and gap over time; the log with the largest gap comes first. None
-/// where the logs cannot be what they say.
+/// where there is nothing to show. Where the logs cannot be what they say, their loops as they are and with the
+/// correction that is proposed.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
 /// Name of the file with the numbers of a figure.

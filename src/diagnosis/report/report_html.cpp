@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/bench_evidence.h"
 #include "diagnosis/report/candidate_section.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/finding_advice.h"
@@ -273,10 +274,22 @@ std::string page(const Diagnosis& d, const std::string& body) {
          body + "</body></html>\n";
 }
 
+// Each log that cannot be what it says: as it is, and with the correction.
+std::string benchLoops(const Diagnosis& d, const DrawnFigures& figures) {
+  if (figures.size() == 0 || d.bench_evidence->logs.empty()) {
+    return "";
+  }
+  const std::string loops = figures.panels(0, 0);
+  return loops.empty() ? figures.problem()
+                       : "<div>" + loops + "<p class=note>Broad: measured. Thin: simulated as configured." +
+                             figures.numbers(0) + "</p></div>\n";
+}
+
 // Of logs that cannot be what they say.
 std::string benchPage(const Diagnosis& d) {
+  const DrawnFigures figures(d);
   return page(d,
-              firstScreen(d, "") + comparisonSection(d.comparison) + findings(d) +
+              firstScreen(d, benchLoops(d, figures)) + comparisonSection(d.comparison) + findings(d) +
                   "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
                   "bench.</p>\n" +
                   runRecord(d));

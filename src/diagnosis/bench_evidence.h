@@ -1,0 +1,37 @@
+// What a report of the verdict check_bench shows: logs that cannot be what they say, as they are and corrected.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/rig_finding.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A log and the force of the configured component on its displacement [N].
+struct ComparedLog {
+  log::Record record;
+  Eigen::VectorXd simulated;
+};
+
+/// A log with a fatal finding.
+struct CheckedLog {
+  ComparedLog as_recorded;
+  std::string correction;  ///< that the finding proposes; empty where it proposes none
+  std::optional<ComparedLog> corrected;
+};
+
+struct BenchEvidence {
+  std::vector<CheckedLog> logs;
+};
+
+/// Of the first logs with a fatal finding that can be simulated.
+BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
+                            const std::vector<log::Record>& records,
+                            const std::vector<measurement::RigFinding>& findings);
+
+}  // namespace rubber_suspension::diagnosis

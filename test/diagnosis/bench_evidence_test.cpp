@@ -1,0 +1,77 @@
+// The figure of a report about logs that cannot be what they say: as they are, and with the correction.
+#include "diagnosis/bench_evidence.h"
+
+#include <gmock/gmock.h>
+
+#include "diagnosis/report/report_figures.h"
+#include "rig.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+log::Log goodLog() {
+  return runRig("good", 1, [](double, double, double) { return 0.0; });
+}
+
+diagnosis::Diagnosis diagnose(const log::Log& log) { return diagnosis::diagnose(rigComponent(), {log}, {}); }
+
+// RMS of measured less simulated force over that of the measured one, of the panel.
+double distance(const io::Axes& axes) {
+  double difference = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < axes.curves.at(0).y.size(); ++i) {
+    difference += std::pow(axes.curves[0].y[i] - axes.curves.at(1).y[i], 2);
+    all += std::pow(axes.curves[0].y[i], 2);
+  }
+  return std::sqrt(difference / all);
+}
+
+// Two panels: far apart as it is, together with the correction, of which the title speaks.
+void expectCorrected(const log::Log& log, const std::string& correction) {
+  const diagnosis::Diagnosis result = diagnose(log);
+  ASSERT_EQ(result.verdict, "check_bench") << correction;
+  const auto figures = diagnosis::reportFigures(result);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].name, "bench");
+  ASSERT_EQ(figures[0].figure.axes.size(), 2U) << correction;
+  EXPECT_THAT(figures[0].figure.axes[0].title, HasSubstr("as it is"));
+  EXPECT_THAT(figures[0].figure.axes[1].title, HasSubstr(correction));
+  EXPECT_GT(distance(figures[0].figure.axes[0]), 0.5) << correction;
+  EXPECT_LT(distance(figures[0].figure.axes[1]), 0.05) << correction;  // the rig's noise is a hundredth
+  EXPECT_THAT(diagnosis::toHtml(result), HasSubstr("figure_bench.csv"));
+}
+
+TEST(BenchEvidence, ShowsAReversedSign) {
+  log::Log log = goodLog();
+  for (double& force : log.force) {
+    force *= -1.0;
+  }
+  expectCorrected(log, "force times -1");
+}
+
+TEST(BenchEvidence, ShowsAWrongUnit) {
+  log::Log log = goodLog();
+  for (double& force : log.force) {
+    force *= 1000.0;
+  }
+  expectCorrected(log, "force divided by 1000");
+}
+
+TEST(BenchEvidence, ProposesNothingForAnotherComponent) {
+  log::Log log = goodLog();
+  for (double& force : log.force) {
+    force *= 6.0;
+  }
+  const diagnosis::Diagnosis result = diagnose(log);
+  ASSERT_EQ(result.verdict, "check_bench");
+  const auto figures = diagnosis::reportFigures(result);
+  ASSERT_EQ(figures.at(0).figure.axes.size(), 1U);
+}
+
+TEST(BenchEvidence, IsNotForLogsThatAreWhatTheySay) { EXPECT_FALSE(diagnose(goodLog()).bench_evidence); }
+
+}  // namespace
+}  // namespace rubber_suspension
