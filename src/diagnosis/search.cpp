@@ -283,6 +283,17 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   return evidence;
 }
 
+// For each effect the place of a simpler one that its law contains, or -1.
+std::vector<int> containedIn(const std::vector<fit::Candidate>& candidates) {
+  std::vector<int> contains;
+  for (const fit::Candidate& candidate : candidates) {
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const fit::Candidate& other) { return other.effect == candidate.contains; });
+    contains.push_back(found == candidates.end() ? -1 : static_cast<int>(found - candidates.begin()));
+  }
+  return contains;
+}
+
 }  // namespace
 
 const FittedHypothesis& Search::at(int hypothesis) const {
@@ -314,6 +325,7 @@ Evidence evidenceOf(const Search& search) {
     evidence.block_weights.push_back(block.weight);
   }
   evidence.testable = search.testable;
+  evidence.contains = containedIn(search.candidates);
   evidence.element_level = search.element_level.held_out;
   evidence.noise_floor = search.noise;
   evidence.discretisation = search.discretisation;

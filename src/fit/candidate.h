@@ -40,8 +40,9 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
-  bool free_trend = false;   ///< a slow trend of each log belongs to it, which no model run reproduces
-  bool last_resort = false;  ///< named only where no other effects explain the gap
+  bool free_trend = false;    ///< a slow trend of each log belongs to it, which no model run reproduces
+  bool last_resort = false;   ///< named only where no other effects explain the gap
+  std::string contains = "";  ///< name of a simpler effect that its law contains; may be empty
 };
 
 /// A basis term that scales one parameter of an element whose force is linear in it, the others being given.

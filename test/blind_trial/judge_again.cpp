@@ -63,6 +63,7 @@ const std::vector<Criterion> kCriteria = {
     {"changed_little", &Criteria::changed_little},
     {"hides", &Criteria::hides},
     {"hides_as_specified", &Criteria::hides_as_specified},
+    {"family_gain", &Criteria::family_gain},
     {"chance", &Criteria::chance},
     {"needs_another", &Criteria::needs_another},
     {"worth_naming", &Criteria::worth_naming},
@@ -176,6 +177,9 @@ int run(std::vector<std::string> arguments) {
     Criteria more;
     less.*criterion.value *= 1.0 - change;
     more.*criterion.value *= 1.0 + change;
+    if (criterion.value == &Criteria::set_probability) {  // a probability: its complement is moved
+      more.set_probability = 1.0 - (1.0 - change) * (1.0 - Criteria().set_probability);
+    }
     std::cout << fmt::format("| `{}` | {:g} | {} | {} |\n", criterion.name, Criteria().*criterion.value,
                              changes(cases, before, less), changes(cases, before, more));
   }

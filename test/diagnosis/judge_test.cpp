@@ -199,6 +199,22 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) { single(e, kMany).held_out = single(e, kOther).held_out = 0.011; },
      Verdict::confounded,
      {kMany}},
+    {"a law that contains a simpler one has to be clearly better",
+     [](Evidence& e, Criteria&) {
+       e.contains = {kOther, -1, -1, -1, -1};
+       single(e, kMany).held_out = 0.0400;
+       single(e, kOther).held_out = 0.0415;
+     },
+     Verdict::confounded,
+     {kOther}},
+    {"and is named where it is",
+     [](Evidence& e, Criteria&) {
+       e.contains = {kOther, -1, -1, -1, -1};
+       single(e, kMany).held_out = 0.011;
+       single(e, kOther).held_out = 0.08;
+     },
+     Verdict::named,
+     {kMany}},
     {"moved parameters count against an effect",
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = single(e, kOther).held_out = 0.011;

@@ -38,6 +38,7 @@ struct Criteria {
   std::size_t few_terms = 3;        ///< an effect of more numbers is no simpler than changed model parameters
 
   // Which effects are named.
+  double family_gain = 0.05;    ///< by so much a law has to err less than a simpler one that it contains
   double chance = 0.05;         ///< that one more effect is no better; or the first, where parameters leave little
   double needs_another = 0.55;  ///< one more effect has to reduce what is left below this part
   double worth_naming = 0.15;   ///< or else by this part of the gap

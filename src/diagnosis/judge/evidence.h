@@ -25,6 +25,7 @@ struct HypothesisEvidence {
   bool last_resort = false;          ///< may look like several other effects
   double held_out = 0.0;             ///< on blocks that took no part in the fit
   double penalty = 0.0;              ///< regularisation penalty of changed model parameters
+  double at_least = 0.0;             ///< what it leaves counts as no less than this (settleFamilies())
   double largest_change = 0.0;       ///< largest |ln(value/configured)| of a model parameter
   std::vector<double> block_errors;  ///< mean square error of each of those blocks; may be empty
   std::optional<UnseenErrors> unseen;
@@ -41,6 +42,7 @@ struct Evidence {
   std::vector<int> block_logs;        ///< the log that each block is of
   std::vector<double> block_weights;  ///< of each block
   std::vector<bool> testable;         ///< per effect: a typical size of it would show in these logs
+  std::vector<int> contains;          ///< per effect: a simpler one that its law contains, or -1; empty: none does
   double element_level = 0.0;         ///< held-out error with every parameter of every element of the model free
   double noise_floor = 0.0;           ///< of the logs of the fit
   double slow_noise = 0.0;            ///< what a rig may add by slow noise and drift, as a gap

@@ -81,6 +81,7 @@ NamedEvidence evidenceOf(const ordered_json& value) {
   value.at("block_logs").get_to(evidence.block_logs);
   value.at("block_weights").get_to(evidence.block_weights);
   value.at("testable").get_to(evidence.testable);
+  value.at("contains").get_to(evidence.contains);
   value.at("element_level").get_to(evidence.element_level);
   value.at("noise_floor").get_to(evidence.noise_floor);
   value.at("slow_noise").get_to(evidence.slow_noise);
@@ -109,6 +110,7 @@ std::string toJson(const NamedEvidence& named) {
                               {"resamplings", evidence.resamplings},
                               {"seed", evidence.seed},
                               {"testable", evidence.testable},
+                              {"contains", evidence.contains},
                               {"block_logs", evidence.block_logs},
                               {"block_weights", evidence.block_weights},
                               {"hypotheses", hypotheses}};

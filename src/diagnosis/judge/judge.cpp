@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "diagnosis/judge/families.h"
 #include "diagnosis/judge/naming.h"
 #include "diagnosis/judge/posterior.h"
 #include "diagnosis/judge/weighing.h"
@@ -198,6 +199,10 @@ void Judgement::withdraw(Verdict without_effects, int without_model) {
   confounded.clear();
 }
 
-Judgement judge(const Evidence& evidence, const Criteria& criteria) { return Judge(evidence, criteria).run(); }
+Judgement judge(const Evidence& evidence, const Criteria& criteria) {
+  Evidence settled = evidence;
+  settleFamilies(settled, criteria);
+  return Judge(settled, criteria).run();
+}
 
 }  // namespace rubber_suspension::diagnosis

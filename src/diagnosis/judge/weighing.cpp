@@ -19,9 +19,8 @@ double Weighing::left(double error) const {
 
 double Weighing::left(const HypothesisEvidence& hypothesis) const {
   const double penalised = std::hypot(left(hypothesis.held_out), hypothesis.penalty);
-  return hypothesis.free_trends
-             ? std::hypot(penalised, criteria_.trend_penalty * left(evidence_.reEstimated().held_out))
-             : penalised;
+  const double trend = criteria_.trend_penalty * left(evidence_.reEstimated().held_out);
+  return std::max(hypothesis.at_least, hypothesis.free_trends ? std::hypot(penalised, trend) : penalised);
 }
 
 double Weighing::insignificant() const {
@@ -111,24 +110,36 @@ bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
   return isBeyondNoise(leftUnseen(errors), errors.noise_floor);
 }
 
-double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  const std::vector<double>& before = over.block_errors;
-  const auto blocks = static_cast<Eigen::Index>(before.size());
-  if (blocks == 0 || hypothesis.block_errors.size() != before.size()) {
-    return 0.0;
+bool Weighing::knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  return !over.block_errors.empty() && hypothesis.block_errors.size() == over.block_errors.size() &&
+         over.block_errors.size() == evidence_.block_logs.size();
+}
+
+PairedDifference Weighing::difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  const double square = evidence_.noise_floor * evidence_.noise_floor;
+  if (!knowsBlocks(hypothesis, over)) {
+    PairedDifference difference;
+    difference.mean =
+        0.5 * std::log((hypothesis.held_out * hypothesis.held_out + square) / (over.held_out * over.held_out + square));
+    return difference;
   }
+  const auto blocks = static_cast<Eigen::Index>(over.block_errors.size());
   Eigen::MatrixXd errors(2, blocks);
   errors.row(0) = Eigen::Map<const Eigen::RowVectorXd>(hypothesis.block_errors.data(), blocks);
-  errors.row(1) = Eigen::Map<const Eigen::RowVectorXd>(before.data(), blocks);
+  errors.row(1) = Eigen::Map<const Eigen::RowVectorXd>(over.block_errors.data(), blocks);
   Losses losses;
-  losses.loss = logarithmicLoss(errors, evidence_.noise_floor * evidence_.noise_floor);
+  losses.loss = logarithmicLoss(errors, square);
   losses.weight = Eigen::Map<const Eigen::VectorXd>(evidence_.block_weights.data(), blocks);
   losses.cluster = evidence_.block_logs;
   constexpr std::size_t kFewestLogs = 3;
   if (std::set<int>(losses.cluster.begin(), losses.cluster.end()).size() < kFewestLogs) {
     std::iota(losses.cluster.begin(), losses.cluster.end(), 0);
   }
-  return compare(losses, 0, 1).pValueOfNoGain();
+  return compare(losses, 0, 1);
+}
+
+double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  return knowsBlocks(hypothesis, over) ? difference(hypothesis, over).pValueOfNoGain() : 0.0;
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis) const {

@@ -6,6 +6,7 @@
 
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
+#include "diagnosis/judge/paired_losses.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -54,8 +55,11 @@ class Weighing {
   /// What is left of unseen logs above their floor, by the better of prediction and component.
   static double leftUnseen(const UnseenErrors& errors);
 
-  /// Probability of such a gain over another hypothesis where there is none: paired by blocks, which of one log hang
-  /// together where there are three logs or more. 0 where errors of blocks are not known.
+  /// Of the logarithms of errors, paired by blocks: negative where the first errs less. Of one log, blocks hang
+  /// together where there are three logs or more. Without a standard error where errors of blocks are not known.
+  PairedDifference difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+
+  /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
   /// True if a hypothesis closes part of the gap that re-estimated parameters leave of data that took no part in the
@@ -71,6 +75,7 @@ class Weighing {
 
  private:
   double beyondNoise(double floor) const;
+  bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 
   const Evidence& evidence_;
