@@ -1,8 +1,10 @@
 // Judges the evidence of many diagnoses again, with each criterion moved: which verdicts hang on which number.
 //
-// judge_again [--change SHARE] EVIDENCE [LABEL] ...: files evidence.json of `diagnose --evidence`, each followed by the
-// label of its case where there is one. Prints a table in Markdown, a row for each criterion.
+// judge_again [--verdicts | --change SHARE] EVIDENCE [LABEL] ...: files evidence.json of `diagnose --evidence`, each
+// followed by the label of its case where there is one. Prints a table in Markdown, a row for each criterion; with
+// --verdicts, the verdict of each case as it is.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
@@ -156,7 +158,10 @@ std::string changes(const std::vector<Case>& cases, const std::vector<Answer>& b
 
 int run(std::vector<std::string> arguments) {
   double change = 0.3;
-  if (arguments.size() > 1 && arguments.front() == "--change") {
+  const bool verdicts = !arguments.empty() && arguments.front() == "--verdicts";
+  if (verdicts) {
+    arguments.erase(arguments.begin());
+  } else if (arguments.size() > 1 && arguments.front() == "--change") {
     change = std::stod(arguments[1]);
     arguments.erase(arguments.begin(), arguments.begin() + 2);
   }
@@ -168,6 +173,12 @@ int run(std::vector<std::string> arguments) {
     before.push_back(answer(known, {}));
     labelled += known.label ? 1 : 0;
     right += known.label && isRight(*known.label, before.back()) ? 1 : 0;
+  }
+  if (verdicts) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      std::cout << fmt::format("{}: {} {}\n", cases[i].path, before[i].verdict, fmt::join(before[i].effects, ", "));
+    }
+    return 0;
   }
   std::cout << fmt::format("{} cases, {} of {} right\n\n", cases.size(), right, labelled);
   std::cout << fmt::format("| criterion | value | times {:.2g} | times {:.2g} |\n|---|---|---|---|\n", 1.0 - change,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -405,6 +406,18 @@ const std::vector<Row> kRows = {
      },
      Verdict::unknown,
      {}},
+    {"a second effect that closes nothing of unseen logs is not named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.04;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+       addUnseenLogs(e);
+       e.hypotheses.back().unseen = single(e, kMany).unseen;
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kMany), kEven);
+       scatter(e.hypotheses.back(), kEven);
+     },
+     Verdict::named,
+     {kMany}},
     {"an effect that gains in all parts of unseen logs does not",
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = 0.011;
@@ -683,6 +696,7 @@ TEST(EvidenceJson, GivesTheSameJudgement) {
   gainInLogs(evidence, {0.009, 0.01, 0.011});
   addUnseenLogs(evidence);
   scatter(reEstimated(evidence), kEven);
+  single(evidence, kDrift).held_out = std::numeric_limits<double>::infinity();  // no model run follows it
   const NamedEvidence written{evidence, {"many", "simple", "drift", "last", "other"}};
   const NamedEvidence read = parseEvidence(toJson(written));
   EXPECT_EQ(toJson(read), toJson(written));

@@ -55,6 +55,13 @@ struct Evidence {
   const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }
   const HypothesisEvidence& single(int effect) const { return at(kFirstSingle + effect); }
   int effects() const { return static_cast<int>(testable.size()); }
+
+  /// The hypothesis of these effects, in any order; none where it was not fitted.
+  std::optional<int> find(std::vector<int> members) const;
+
+  /// A hypothesis without one of its effects, or with another in its place.
+  std::optional<int> without(int hypothesis, int effect) const;
+  std::optional<int> inPlaceOf(int hypothesis, int effect, int other) const;
 };
 
 }  // namespace rubber_suspension::diagnosis

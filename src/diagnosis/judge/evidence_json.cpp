@@ -1,6 +1,7 @@
 // Evidence to JSON and back.
 #include "diagnosis/judge/evidence_json.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -10,6 +11,11 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema = "rubber_suspension/evidence/1";
+
+// JSON has no infinity: what a hypothesis leaves that no model run follows is null.
+double numberOf(const ordered_json& value) {
+  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
 
 ordered_json partsJson(const std::vector<gap::PartError>& parts) {
   ordered_json list = ordered_json::array();
@@ -28,11 +34,11 @@ ordered_json unseenJson(const UnseenErrors& unseen) {
 
 UnseenErrors unseenOf(const ordered_json& value) {
   UnseenErrors unseen;
-  value.at("predicted").get_to(unseen.predicted);
-  value.at("replayed").get_to(unseen.replayed);
-  value.at("noise_floor").get_to(unseen.noise_floor);
+  unseen.predicted = numberOf(value.at("predicted"));
+  unseen.replayed = numberOf(value.at("replayed"));
+  unseen.noise_floor = numberOf(value.at("noise_floor"));
   for (const ordered_json& part : value.at("parts")) {
-    unseen.parts.push_back({part.at(0), part.at(1)});
+    unseen.parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
   }
   return unseen;
 }
@@ -58,10 +64,12 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("terms").get_to(hypothesis.terms);
   value.at("free_trends").get_to(hypothesis.free_trends);
   value.at("last_resort").get_to(hypothesis.last_resort);
-  value.at("held_out").get_to(hypothesis.held_out);
-  value.at("penalty").get_to(hypothesis.penalty);
-  value.at("largest_change").get_to(hypothesis.largest_change);
-  value.at("block_errors").get_to(hypothesis.block_errors);
+  hypothesis.held_out = numberOf(value.at("held_out"));
+  hypothesis.penalty = numberOf(value.at("penalty"));
+  hypothesis.largest_change = numberOf(value.at("largest_change"));
+  for (const ordered_json& error : value.at("block_errors")) {
+    hypothesis.block_errors.push_back(numberOf(error));
+  }
   if (value.contains("unseen")) {
     hypothesis.unseen = unseenOf(value.at("unseen"));
   }
@@ -82,10 +90,10 @@ NamedEvidence evidenceOf(const ordered_json& value) {
   value.at("block_weights").get_to(evidence.block_weights);
   value.at("testable").get_to(evidence.testable);
   value.at("contains").get_to(evidence.contains);
-  value.at("element_level").get_to(evidence.element_level);
-  value.at("noise_floor").get_to(evidence.noise_floor);
-  value.at("slow_noise").get_to(evidence.slow_noise);
-  value.at("discretisation").get_to(evidence.discretisation);
+  evidence.element_level = numberOf(value.at("element_level"));
+  evidence.noise_floor = numberOf(value.at("noise_floor"));
+  evidence.slow_noise = numberOf(value.at("slow_noise"));
+  evidence.discretisation = numberOf(value.at("discretisation"));
   value.at("has_unseen_logs").get_to(evidence.has_unseen_logs);
   value.at("resamplings").get_to(evidence.resamplings);
   value.at("seed").get_to(evidence.seed);

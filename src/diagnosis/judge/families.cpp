@@ -9,25 +9,6 @@
 #include "diagnosis/judge/weighing.h"
 
 namespace rubber_suspension::diagnosis {
-namespace {
-
-// The hypothesis with a simpler effect in the place of a larger one.
-std::optional<int> simpler(const Evidence& evidence, int hypothesis, int larger, int contained) {
-  std::vector<int> members = evidence.at(hypothesis).members;
-  if (std::find(members.begin(), members.end(), contained) != members.end()) {
-    return std::nullopt;
-  }
-  std::replace(members.begin(), members.end(), larger, contained);
-  std::sort(members.begin(), members.end());
-  for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
-    if (evidence.at(h).members == members) {
-      return h;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 void settleFamilies(Evidence& evidence, const Criteria& criteria) {
   if (evidence.contains.empty()) {
@@ -37,7 +18,7 @@ void settleFamilies(Evidence& evidence, const Criteria& criteria) {
   for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
     for (const int member : evidence.at(h).members) {
       const int contained = evidence.contains[static_cast<std::size_t>(member)];
-      const std::optional<int> other = contained < 0 ? std::nullopt : simpler(evidence, h, member, contained);
+      const std::optional<int> other = contained < 0 ? std::nullopt : evidence.inPlaceOf(h, member, contained);
       if (!other) {
         continue;
       }

@@ -56,7 +56,10 @@ class Judge {
     if (evidence_.has_unseen_logs && !holdsOnUnseenLogs()) {
       return false;
     }
-    if (weighing_.closesForSure(evidence_.at(judgement_.model))) {
+    if (!eachCloses() || judgement_.missing) {
+      return judgement_.missing.has_value();
+    }
+    if (weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.reEstimated())) {
       return true;
     }
     if (judgement_.verdict == Verdict::partly || !valuesWouldDo()) {
@@ -64,6 +67,26 @@ class Judge {
     }
     judgement_.verdict = Verdict::confounded;
     judgement_.values_would_do = true;
+    return true;
+  }
+
+  // Of several effects, each closes part of what the others leave of unseen logs.
+  bool eachCloses() {
+    if (!evidence_.has_unseen_logs || judgement_.effects.size() < 2) {
+      return true;
+    }
+    for (const int effect : judgement_.effects) {
+      const std::optional<int> others = evidence_.without(judgement_.model, effect);
+      if (!others) {
+        continue;
+      }
+      if (lacks({*others})) {
+        return true;
+      }
+      if (!weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
+        return false;
+      }
+    }
     return true;
   }
 

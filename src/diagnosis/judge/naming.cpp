@@ -200,23 +200,9 @@ class Naming {
     }
   }
 
-  std::optional<int> find(std::vector<int> members) const {
-    std::sort(members.begin(), members.end());
-    for (int h = Evidence::kFirstSingle; h < hypotheses(); ++h) {
-      if (evidence_.at(h).members == members) {
-        return h;
-      }
-    }
-    return std::nullopt;
-  }
-
   // What would be left without one of the effects; infinite where that was not worth a fit.
   double leftWithout(int hypothesis, int effect) const {
-    const std::vector<int>& members = evidence_.at(hypothesis).members;
-    std::vector<int> others;
-    std::copy_if(members.begin(), members.end(), std::back_inserter(others),
-                 [&](int member) { return member != effect; });
-    const std::optional<int> rest = others.empty() ? Evidence::kReEstimated : find(others);
+    const std::optional<int> rest = evidence_.without(hypothesis, effect);
     return rest ? left(*rest) : kInfinity;
   }
 
@@ -228,13 +214,10 @@ class Naming {
   }
 
   // What each effect would leave in the place of one of the effects named; infinite where that was not fitted.
-  std::vector<double> leftInPlaceOf(int effect, const std::vector<int>& members) const {
+  std::vector<double> leftInPlaceOf(int effect, int hypothesis) const {
     std::vector<double> rests;
     for (int other = 0; other < evidence_.effects(); ++other) {
-      std::vector<int> replaced = members;
-      std::replace(replaced.begin(), replaced.end(), effect, other);
-      const bool twice = other != effect && std::find(members.begin(), members.end(), other) != members.end();
-      const std::optional<int> found = twice ? std::nullopt : find(replaced);
+      const std::optional<int> found = evidence_.inPlaceOf(hypothesis, effect, other);
       rests.push_back(found && allowed(*found) ? left(*found) : kInfinity);
     }
     return rests;
@@ -245,7 +228,7 @@ class Naming {
     const std::vector<int>& members = evidence_.at(hypothesis).members;
     for (const int effect : judgement_.effects) {
       const double absent = std::min(leftWithout(hypothesis, effect), gap_);
-      const std::vector<double> weights = shares(leftInPlaceOf(effect, members), absent);
+      const std::vector<double> weights = shares(leftInPlaceOf(effect, hypothesis), absent);
       if (members.size() > 1) {  // beside others, an effect is as sure as its place is
         judgement_.probabilities[static_cast<std::size_t>(effect)] = weights[static_cast<std::size_t>(effect)];
       }

@@ -142,9 +142,9 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
   return knowsBlocks(hypothesis, over) ? difference(hypothesis, over).pValueOfNoGain() : 0.0;
 }
 
-bool Weighing::closesForSure(const HypothesisEvidence& hypothesis) const {
-  std::vector<gap::PartError> before = partsOf(evidence_.reEstimated());
-  std::vector<gap::PartError> after = partsOf(hypothesis);
+bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  const std::vector<gap::PartError> before = partsOf(over);
+  const std::vector<gap::PartError> after = partsOf(hypothesis);
   if (before.empty() || before.size() != after.size()) {
     return true;
   }

@@ -62,9 +62,9 @@ class Weighing {
   /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
-  /// True if a hypothesis closes part of the gap that re-estimated parameters leave of data that took no part in the
-  /// fit, beyond chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
-  bool closesForSure(const HypothesisEvidence& hypothesis) const;
+  /// True if a hypothesis closes part of the gap that another leaves of data that took no part in the fit, beyond
+  /// chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
+  bool closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
   /// The effect that leaves much less than re-estimated parameters where unseen logs, or the logs of the fit, refute
   /// these, if any.
