@@ -14,27 +14,27 @@ import threading
 import time
 
 
-def command(binary, folder, report_folder):
+def command(binary, folder, report_folder, evidence):
     """The command line for one case."""
     with open(os.path.join(folder, "case.json"), encoding="utf-8") as file:
         case = json.load(file)
     out = [binary, "--config", os.path.join(folder, "component.yaml"), "--component", case["component"]]
     for log in case["logs"]:
         out += ["--log", os.path.join(folder, log)]
-    out += ["--output", report_folder]
+    out += ["--output", report_folder] + ["--evidence"] * evidence
     for log in case["hold_out"]:
         out += ["--hold-out", os.path.join(folder, log)]
     return out
 
 
-def run_one(binary, folder, report_folder, limit):
+def run_one(binary, folder, report_folder, limit, evidence=False):
     """One diagnosis; returns what run.json holds."""
     shutil.rmtree(report_folder, ignore_errors=True)
     os.makedirs(report_folder)
     start = time.monotonic()
     with open(os.path.join(report_folder, "stderr.txt"), "wb") as errors:
-        process = subprocess.Popen(command(binary, folder, report_folder), stdout=subprocess.DEVNULL, stderr=errors,
-                                   start_new_session=True)
+        process = subprocess.Popen(command(binary, folder, report_folder, evidence), stdout=subprocess.DEVNULL,
+                                   stderr=errors, start_new_session=True)
         timer = threading.Timer(limit, os.killpg, (process.pid, signal.SIGKILL))
         timer.start()
         _, status, usage = os.wait4(process.pid, 0)
@@ -56,6 +56,7 @@ def main():
     parser.add_argument("--reports", required=True, help="folder for one folder of reports per case")
     parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
     parser.add_argument("--timeout", type=float, default=60.0, help="limit for one case [s]")
+    parser.add_argument("--evidence", action="store_true", help="keep the evidence of each case, for judge_again")
     parser.add_argument("--only", action="append", help="name of a single case (may be repeated)")
     arguments = parser.parse_args()
     if not os.access(arguments.diagnose, os.X_OK):
@@ -67,7 +68,8 @@ def main():
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         futures = {pool.submit(run_one, arguments.diagnose, os.path.join(arguments.cases, name),
-                               os.path.join(arguments.reports, name), arguments.timeout): name for name in names}
+                               os.path.join(arguments.reports, name), arguments.timeout,
+                               arguments.evidence): name for name in names}
         for done, future in enumerate(concurrent.futures.as_completed(futures), 1):
             result = future.result()
             failed += result["exit_status"] != 0
