@@ -21,6 +21,8 @@
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/diagnosis/plan.h"
+#include "rubber_suspension/log/units.h"
 
 namespace {
 
@@ -37,6 +39,10 @@ struct Options {
   std::string compare;
   bool evidence = false;
   std::vector<std::string> rig;
+  std::vector<std::string> limits;
+  std::vector<std::string> plan;
+  std::string effect_size = "10 %";
+  std::string noise = "0.5 %";
   int threads = 2;
   LogOptions log_options;
   OutputOptions outputs;
@@ -60,6 +66,12 @@ void showStage(const std::string& stage, double fraction) {
 }
 
 io::FileKind kindOf(const std::string& name) {
+  if (name == "plan.json") {
+    return io::FileKind::plan_json;
+  }
+  if (name == "plan.html") {
+    return io::FileKind::plan_html;
+  }
   if (name == "report.json" || name == "evidence.json") {
     return io::FileKind::report_json;
   }
@@ -85,6 +97,9 @@ diagnosis::RunRecord runRecord(const Options& options) {
   for (const std::string& path : options.logs) {
     files.emplace_back("--log", path);
   }
+  for (const std::string& path : options.plan) {
+    files.emplace_back("--plan", path);
+  }
   for (const std::string& path : options.hold_out) {
     files.emplace_back("--hold-out", path);
   }
@@ -95,10 +110,11 @@ diagnosis::RunRecord runRecord(const Options& options) {
 void checkOutputs(const Options& options) {
   std::vector<io::InputFile> inputs = {{"--config", options.component.config}, {"--compare", options.compare}};
   addInputs(inputs, "--log", options.logs);
+  addInputs(inputs, "--plan", options.plan);
   addInputs(inputs, "--hold-out", options.hold_out);
   const std::filesystem::path folder(options.output);
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
-  for (const std::string& name : diagnosis::reportFiles()) {
+  for (const std::string& name : options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles()) {
     outputs.push_back({"--output", (folder / name).string(), kindOf(name)});
   }
   options.outputs.check(inputs, outputs);
@@ -118,7 +134,58 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
   }
 }
 
+diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments) {
+  diagnosis::ExperimentLimits limits;
+  try {
+    for (const std::string& assignment : assignments) {
+      diagnosis::setExperimentLimit(limits, assignment);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--limits: " + std::string(error.what()));
+  }
+  return limits;
+}
+
+// "10 %" or 0.1, within these bounds.
+double shareOf(const std::string& option, const std::string& text, double least, double most) {
+  const std::string accepted =
+      fmt::format("a share of the force from {:g} to {:g} %, such as \"1 %\" or 0.01", 100.0 * least, 100.0 * most);
+  double share = 0.0;
+  try {
+    share = log::parseQuantity(text, "1");
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("{}: {}: {}; accepted: {}", option, log::quoted(text), error.what(), accepted));
+  }
+  if (!(share >= least && share <= most)) {
+    throw UsageError(fmt::format("{}: {} is out of range; accepted: {}", option, log::quoted(text), accepted));
+  }
+  return share;
+}
+
+int runPlan(const Options& options) {
+  diagnosis::PlanOptions settings;
+  settings.size = shareOf("--effect-size", options.effect_size, 1e-4, 1.0);
+  settings.noise = shareOf("--noise", options.noise, 1e-6, 1.0);
+  settings.threads = options.threads;
+  checkOutputs(options);
+  options.log_options.requireUse(options.plan);
+  io::ComponentDescription component = options.component.read("diagnose");
+  setTolerances(options.rig, component);
+  diagnosis::Plan plan = diagnosis::plan(component, readLogs(options.plan, component.name, options), settings);
+  plan.run = runRecord(options);
+  diagnosis::writePlan(plan, options.output);
+  fmt::print("{}plan: {}/plan.html\n", diagnosis::toText(plan.could_show), options.output);
+  return kSuccess;
+}
+
 int run(const Options& options) {
+  if (!options.plan.empty()) {
+    return runPlan(options);
+  }
+  if (options.logs.empty()) {
+    throw UsageError("--log is missing; accepted: measured logs, or --plan with programmes of displacement");
+  }
+  const diagnosis::ExperimentLimits limits = limitsOf(options.limits);
   checkOutputs(options);
   const io::FolderLock lock(options.output);
   std::vector<std::string> all_logs = options.logs;
@@ -131,6 +198,7 @@ int run(const Options& options) {
     earlier.emplace(options.compare);
   }
   diagnosis::DiagnosisOptions settings;
+  settings.limits = limits;
   settings.threads = options.threads;
   settings.progress = showStage;
   settings.evidence = options.evidence;
@@ -168,8 +236,19 @@ int main(int argc, char** argv) {
         options->component.addTo(app);
         app.add_option("--log", options->logs,
                        "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
-            ->required()
             ->type_name("FILE");
+        app.add_option(
+               "--plan", options->plan,
+               "instead of --log: programmes with time and displacement alone; says which effects such logs would "
+               "show, which they would take for which, and the least size that they would show")
+            ->type_name("FILE");
+        app.add_option("--effect-size", options->effect_size,
+                       "with --plan: size of each effect, as a share of the force's standard deviation")
+            ->type_name("SHARE")
+            ->capture_default_str();
+        app.add_option("--noise", options->noise, "with --plan: noise of the force to be measured, as such a share")
+            ->type_name("SHARE")
+            ->capture_default_str();
         app.add_option("--hold-out", options->hold_out,
                        "logs that take no part in the fit; each starts with a new component")
             ->type_name("FILE");
@@ -177,6 +256,10 @@ int main(int argc, char** argv) {
                "--rig", options->rig,
                "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; "
                "see `rig:` of component files")
+            ->type_name("KEY=VALUE");
+        app.add_option("--limits", options->limits,
+                       "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
+                       "force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
             ->type_name("KEY=VALUE");
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()
@@ -193,6 +276,13 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1, 64));
         options->log_options.addTo(app);
         options->outputs.addTo(app);
-        return [options] { return run(*options); };
+        return [options, &app] {
+          if (options->plan.empty()) {
+            refuseUnused(app, {"--effect-size", "--noise"}, "without --plan");
+          } else {
+            refuseUnused(app, {"--log", "--hold-out", "--limits", "--compare", "--plot"}, "with --plan");
+          }
+          return run(*options);
+        };
       });
 }

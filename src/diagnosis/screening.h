@@ -31,6 +31,13 @@ class Screening {
   /// All pairs, best first; no last resorts.
   std::vector<Screened> pairs() const;
 
+  /// The normal equations: model parameters, basis terms of one candidate after the other, trends, residual.
+  const fit::BlockGrams& blocks() const { return blocks_; }
+  Eigen::Index modelSize() const { return model_size_; }
+  const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
+  const std::vector<fit::BasisTerm>& terms() const { return all_.terms; }
+  const std::vector<fit::Candidate>& candidates() const { return candidates_; }
+
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.
   void measureVisibility(double noise, const Criteria& criteria, Search& result) const;

@@ -231,6 +231,7 @@ class Searcher {
   std::vector<Screened> screenPairs() {
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     screening.measureVisibility(result_.noise, criteria_, result_);
+    result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all(result_.candidates.size());
     std::iota(all.begin(), all.end(), 0);
     result_.surrogate_gap = screening.screen(all).error;

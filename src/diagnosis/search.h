@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/experiment/implant.h"
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
 #include "fit/fitter.h"
@@ -36,6 +37,7 @@ struct Search {
   std::vector<double> record_noise;  ///< of each log, in units of its force's standard deviation
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
+  std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 
   /// A hypothesis by its index in the evidence.

@@ -92,6 +92,10 @@ void Fitter::stepBounds(const Hypothesis& hypothesis, const ParameterVector& par
   }
 }
 
+double Fitter::penaltyOf(const Eigen::VectorXd& logarithms) const {
+  return kPenalty * force_noise_ * logarithms.norm();
+}
+
 double Fitter::cost(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
   return std::hypot(gapAt(hypothesis, parameters), kPrior * force_noise_ * parameters.model.norm());
 }
@@ -185,7 +189,7 @@ Fit Fitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, int 
   result.block_logs = blocks.record;
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
-  result.penalty = kPenalty * force_noise_ * result.parameters.model.norm();
+  result.penalty = penaltyOf(result.parameters.model);
   result.gap = gapAt(hypothesis, result.parameters);
   return result;
 }

@@ -62,6 +62,9 @@ class Fitter {
   /// Gap at a parameter vector, without any fit.
   double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
+  /// Regularisation penalty of model parameters at these logarithms, as a gap.
+  double penaltyOf(const Eigen::VectorXd& logarithms) const;
+
   /// Bounds on a step from a parameter vector: model parameters, terms, trends.
   void stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index columns,
                   Eigen::VectorXd& lower, Eigen::VectorXd& upper) const;

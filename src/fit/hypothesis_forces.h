@@ -25,6 +25,9 @@ class HypothesisForces {
   const std::vector<log::Record>& records() const { return records_; }
   const ModelParameters& model() const { return model_; }
 
+  /// True where the force of the model is the sum of those of its elements.
+  bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
+
   /// Force of each log [N]; nothing where the model parameters have no solution.
   std::optional<std::vector<Eigen::VectorXd>> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 

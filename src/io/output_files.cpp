@@ -41,6 +41,8 @@ const KindInfo& infoOf(FileKind kind) {
        {"{"},
        {"rubber_suspension/gap_report/", "rubber_suspension/evidence/"}},
       {FileKind::report_html, "a report of a diagnosis", {"<!DOCTYPE html>", "<!doctype html>"}, {"Gap report"}},
+      {FileKind::plan_json, "a plan of experiments", {"{"}, {"rubber_suspension/experiment_plan/"}},
+      {FileKind::plan_html, "a plan of experiments", {"<!DOCTYPE html>", "<!doctype html>"}, {"Experiment plan"}},
       {FileKind::test_report, "a report of a test", {"<?xml", "<testsuite"}, {"<testsuite"}},
       {FileKind::figure, "a figure (SVG, PNG, PDF)", {"<?xml", "<svg", "\x89PNG", "%PDF"}, {"<svg", "\x89PNG", "%PDF"}},
       {FileKind::bag, "a ROS bag", {"#ROSBAG V"}, {}},

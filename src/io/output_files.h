@@ -16,6 +16,8 @@ enum class FileKind {
   component_file,       ///< YAML with `components:`
   report_json,          ///< report.json of a diagnosis
   report_html,          ///< report.html of a diagnosis
+  plan_json,            ///< plan.json of a diagnosis
+  plan_html,            ///< plan.html of a diagnosis
   test_report,          ///< XML of GoogleTest
   figure,               ///< SVG, PNG or PDF
   bag,                  ///< ROS bag

@@ -9,7 +9,6 @@
 
 #include "diagnosis/candidate/registry.h"
 #include "diagnosis/friction_noise.h"
-#include "diagnosis/report/experiment.h"
 #include "fit/fitter.h"
 #include "fit/mass_bandwidth.h"
 #include "fit/model_parameters.h"
@@ -241,51 +240,6 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     // Rounding of difference quotients, 1e-16 of the force over the least of the effects, 1e-4 of it.
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-8) << "case " << i;
   }
-}
-
-// What is proposed can be played on the machine that recorded the logs, also where these lie to one side of zero.
-TEST(Experiments, StayWithinStrokeAndSpeedOfTheLogs) {
-  fit::Excitation excitation;
-  excitation.highest_frequency = 10.0;
-  excitation.highest_rate = 0.05;
-  excitation.dt = 0.002;
-  for (const auto& [low, high] : {std::pair(-0.002, 0.0021), {0.004, 0.007}, {-0.003, 0.001}}) {
-    excitation.largest_displacement = std::max(-low, high);
-    for (const diagnosis::Experiment& experiment :
-         diagnosis::experimentMenu(excitation, diagnosis::strokeOf(low, high))) {
-      const Eigen::VectorXd& z = experiment.displacement;
-      // At rest at 0 at both ends, from where a machine starts.
-      EXPECT_GE(z.minCoeff(), std::min(0.0, low) - 1e-12) << experiment.description;
-      EXPECT_LE(z.maxCoeff(), std::max(0.0, high) + 1e-12) << experiment.description;
-      EXPECT_EQ(z[0], 0.0) << experiment.description;
-      EXPECT_NEAR(z[z.size() - 1], 0.0, 1e-9) << experiment.description;
-      const double fastest = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().maxCoeff() / experiment.dt;
-      EXPECT_LE(fastest, excitation.highest_rate * (1.0 + 1e-9)) << experiment.description;
-    }
-  }
-}
-
-TEST(Experiments, TellDampingFromRelaxationWhereTheyDiffer) {
-  const std::vector<element::ElementDescription> spring = {{"spring", {{"stiffness", {1e6}}}}};
-  auto dashpot = spring;
-  dashpot.push_back({"dashpot", {{"damping", {1e4}}}});
-  auto stop = spring;
-  stop.push_back({"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.0015}}}});
-  fit::Excitation excitation;
-  excitation.largest_displacement = 0.002;
-  excitation.highest_frequency = 10.0;
-  excitation.highest_rate = 0.05;
-  excitation.dt = 0.002;
-  const auto menu = diagnosis::experimentMenu(excitation, diagnosis::strokeOf(-0.002, 0.002));
-  for (const diagnosis::Experiment& experiment : menu) {
-    EXPECT_LE(experiment.displacement.cwiseAbs().maxCoeff(), 0.002 * (1.0 + 1e-9)) << experiment.description;
-  }
-  const diagnosis::Discrimination fast = diagnosis::mostTelling(menu, spring, dashpot, 1.0);
-  const diagnosis::Discrimination wide = diagnosis::mostTelling(menu, spring, stop, 1.0);
-  ASSERT_NE(fast.experiment, nullptr);
-  ASSERT_NE(wide.experiment, nullptr);
-  EXPECT_GE(wide.experiment->displacement.cwiseAbs().maxCoeff(), 0.0015);
-  EXPECT_GT(fast.difference, 0.0);
 }
 
 }  // namespace

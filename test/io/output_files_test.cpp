@@ -95,6 +95,8 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
       {FileKind::component_file, "# found by estimate\ncomponents:\n  a: {}\n"},
       {FileKind::report_json, "{\n \"schema\": \"rubber_suspension/gap_report/1\"}"},
       {FileKind::report_html, "<!DOCTYPE html>\n<title>Gap report</title> the gap"},
+      {FileKind::plan_json, "{\n \"schema\": \"rubber_suspension/experiment_plan/1\"}"},
+      {FileKind::plan_html, "<!DOCTYPE html>\n<title>Experiment plan: a</title>"},
       {FileKind::test_report, "<?xml version=\"1.0\"?>\n<testsuites/>"},
       {FileKind::figure, "<?xml version=\"1.0\"?>\n<svg/>"},
       {FileKind::bag, "#ROSBAG V2.0\n"},

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "rubber_suspension/diagnosis/could_show.h"
+#include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "rubber_suspension/diagnosis/posterior.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/gap/where.h"
@@ -28,7 +30,8 @@ struct DiagnosisOptions {
   std::function<void(const std::string& stage, double fraction)> progress;
   unsigned seed = 1;  ///< of the resampling for intervals
   int resamplings = 400;
-  bool evidence = false;  ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
+  ExperimentLimits limits;  ///< of the experiment that is proposed
+  bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
 };
 
@@ -128,6 +131,11 @@ struct ProposedExperiment {
   std::string description;
   double dt = 0.0;                   ///< [s]
   std::vector<double> displacement;  ///< [m], at even steps; empty: none is proposed
+  std::string decides;               ///< the explanation judged, by its effects
+  std::vector<std::string> against;  ///< those that it is to be told from
+  double difference = 0.0;   ///< RMS force by which the nearest of these, refitted, is expected to be off there [N]
+  double floors = 0.0;       ///< the same in noise floors
+  double probability = 0.0;  ///< expected, of the right explanation once the log is among those diagnosed
 };
 
 /// One value of two reports.
@@ -167,6 +175,7 @@ struct Diagnosis {
   std::vector<CandidateResult> candidates;  ///< most probable first
   Posterior posterior;                      ///< of the answers; the verdict's is the largest
   std::vector<gap::GapCell> where;
+  CouldShow could_show;  ///< what these logs would have shown of each effect
   std::string next_experiment;
   ProposedExperiment proposed;  ///< its displacement
   io::ComponentDescription configured;

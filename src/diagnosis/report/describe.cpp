@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "diagnosis/augmented.h"
+#include "diagnosis/experiment/confusion.h"
+#include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/characteristics.h"
@@ -251,21 +253,11 @@ class Describer {
     if (judgement_.values_would_do) {
       result_.confounded.front().push_back(toString(Verdict::parameter_error));
     }
-    NextExperiment next = nextExperiment(search_, judgement_, prepared_.model, stroke());
+    NextExperiment next = nextExperiment(prepared_.fitter, search_, judgement_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);
     result_.proposed = std::move(next.proposed);
     result_.sentence = sentence(judgement_, result_);
-  }
-
-  // Of the logs of the fit, from their least to their largest displacement.
-  Stroke stroke() const {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const log::Record& record : prepared_.training) {
-      low = std::min(low, record.displacement.minCoeff());
-      high = std::max(high, record.displacement.maxCoeff());
-    }
-    return strokeOf(low, high);
+    result_.could_show = couldShow(search_, Criteria{});
   }
 
   // What no effect explains is closed all the same.

@@ -8,6 +8,7 @@
 #include "diagnosis/bench_evidence.h"
 #include "diagnosis/report/candidate_section.h"
 #include "diagnosis/report/compare.h"
+#include "diagnosis/report/could_show_section.h"
 #include "diagnosis/report/finding_advice.h"
 #include "diagnosis/report/first_screen.h"
 #include "diagnosis/report/model_values.h"
@@ -258,12 +259,17 @@ std::string nextExperiment(const Diagnosis& d) {
     return "";
   }
   return heading("Next experiment") + "<p>" + escape(d.next_experiment) + "</p>\n<p class=note>It stays within the " +
-         "strokes, speeds and frequencies of the logs of the fit. To " + howToPlay(d) +
-         " on the bench, or through the node:</p>\n<pre>" +
+         "limits given, and where none is, within the strokes, speeds, forces and duration of the logs of the fit. "
+         "To " +
+         howToPlay(d) + " on the bench, or through the node:</p>\n<pre>" +
          escape(fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml component:={} "
                             "log:=$PWD/next_experiment.csv output:=$PWD/next_run",
                             d.component)) +
          "</pre>\n";
+}
+
+std::string couldShow(const Diagnosis& d) {
+  return d.could_show.implanted.empty() ? "" : heading("Could these logs have shown it?") + couldShowHtml(d.could_show);
 }
 
 std::string page(const Diagnosis& d, const std::string& body) {
@@ -304,7 +310,7 @@ std::string toHtml(const Diagnosis& d) {
   const DrawnFigures figures(d);
   return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
                      candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
-                     nextExperiment(d) + findings(d) + admission(d) + runRecord(d));
+                     nextExperiment(d) + couldShow(d) + findings(d) + admission(d) + runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/report/could_show_json.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -152,6 +153,17 @@ ordered_json comparisonJson(const Comparison& comparison) {
   return {{"with", comparison.with}, {"date", comparison.date}, {"changes", changes}};
 }
 
+ordered_json experimentJson(const ProposedExperiment& experiment) {
+  return {{"motion", experiment.description},
+          {"duration_s", number(static_cast<double>(experiment.displacement.size() - 1) * experiment.dt)},
+          {"sampling_rate_hz", number(1.0 / experiment.dt)},
+          {"decides", experiment.decides},
+          {"against", experiment.against},
+          {"expected_difference_N", number(experiment.difference)},
+          {"floors", number(experiment.floors)},
+          {"confidence", number(experiment.probability)}};
+}
+
 template <class T, class Function>
 ordered_json list(const std::vector<T>& values, Function convert) {
   ordered_json result = ordered_json::array();
@@ -201,6 +213,10 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"admission", list(diagnosis.admission, admissionJson)}};
   if (!diagnosis.proposed.displacement.empty()) {
     report["next_experiment_log"] = "next_experiment.csv";
+    report["experiment"] = experimentJson(diagnosis.proposed);
+  }
+  if (!diagnosis.could_show.implanted.empty()) {
+    report["could_show"] = toJson(diagnosis.could_show);
   }
   if (!diagnosis.run.version.empty()) {
     report["meta"] = metaJson(diagnosis.run);

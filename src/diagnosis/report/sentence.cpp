@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/augmented.h"
-#include "diagnosis/report/experiment.h"
 #include "diagnosis/report/model_values.h"
 #include "diagnosis/report/text.h"
 
@@ -23,30 +21,6 @@ std::string setsText(const std::vector<std::vector<std::string>>& sets) {
     }
   }
   return text;
-}
-
-std::string membersText(const Search& search, const FittedHypothesis& fitted) {
-  std::string text;
-  for (const int member : fitted.hypothesis.members) {
-    text += (text.empty() ? "" : " + ") + search.candidates[static_cast<std::size_t>(member)].effect;
-  }
-  return text.empty() ? "the model as it is" : text;
-}
-
-// The best explanation that is not the one judged, of as many effects, or of one.
-const FittedHypothesis* rivalOf(const Search& search, const FittedHypothesis& judged) {
-  const std::vector<int>& members = judged.hypothesis.members;
-  const FittedHypothesis* rival = nullptr;
-  for (const auto* list : {&search.singles, &search.pairs}) {
-    for (const FittedHypothesis& other : *list) {
-      const std::size_t count = other.hypothesis.members.size();
-      const bool counts = count == std::max<std::size_t>(1, members.size()) && other.hypothesis.members != members;
-      if (counts && (rival == nullptr || other.fit.held_out < rival->fit.held_out)) {
-        rival = &other;
-      }
-    }
-  }
-  return rival;
 }
 
 std::string gapText(double gap) { return fmt::format("{:.1f} %", 100.0 * gap); }
@@ -132,27 +106,6 @@ std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
     default:
       return unknownSentence(judgement, gap);
   }
-}
-
-NextExperiment nextExperiment(const Search& search, const Judgement& judgement, const fit::ModelParameters& model,
-                              const Stroke& stroke) {
-  constexpr double kLeastNoise = 1e-4;  // of the force
-  const FittedHypothesis& judged = search.at(judgement.model);
-  const FittedHypothesis* rival = rivalOf(search, judged);
-  if (rival == nullptr) {
-    return {"None of the menu: no second explanation was fitted.", {}};
-  }
-  const auto menu = experimentMenu(search.excitation, stroke);
-  const double noise = std::max(search.noise, kLeastNoise) * search.excitation.force;
-  const auto best = mostTelling(menu, augmentedDescription(model, judged).allElements(),
-                                augmentedDescription(model, *rival).allElements(), noise);
-  if (best.experiment == nullptr) {
-    return {"None of the menu would tell the explanations apart.", {}};
-  }
-  const Experiment& chosen = *best.experiment;
-  return {fmt::format("{}: there {} and {} differ by {:.1f} times the noise floor.", chosen.description,
-                      membersText(search, judged), membersText(search, *rival), best.difference),
-          {chosen.description, chosen.dt, {chosen.displacement.begin(), chosen.displacement.end()}}};
 }
 
 }  // namespace rubber_suspension::diagnosis

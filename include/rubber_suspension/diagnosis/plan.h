@@ -1,0 +1,55 @@
+// What logs could show before any is recorded: a plan of displacement programmes alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/diagnosis/could_show.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::diagnosis {
+
+struct PlanOptions {
+  double size = 0.1;     ///< of the implanted effects: RMS force over the force's standard deviation
+  double noise = 0.005;  ///< of the force that will be measured, over its standard deviation
+  int threads = 2;
+};
+
+/// A programme as the component of the plan would take it.
+struct PlannedLog {
+  std::string log;
+  double duration = 0.0;              ///< [s]
+  double dt = 0.0;                    ///< [s]
+  double largest_displacement = 0.0;  ///< [m]
+  double highest_rate = 0.0;          ///< [m/s]
+  double largest_force = 0.0;         ///< of the component as configured [N]
+};
+
+struct Plan {
+  std::string component;
+  std::vector<PlannedLog> logs;
+  CouldShow could_show;
+  RunRecord run;
+};
+
+/// Which effects logs of these displacements would show, in the order of recording on one component. A measured force
+/// is not looked at: the component's own is simulated, with white noise. Throws LogError for a log that cannot be used,
+/// std::invalid_argument for a component that cannot be built.
+Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options);
+
+/// A table of a line per effect.
+std::string toText(const CouldShow& could_show);
+
+/// The plan as JSON text, schema rubber_suspension/experiment_plan/1, and as a page that needs no network.
+std::string toJson(const Plan& plan);
+std::string toHtml(const Plan& plan);
+
+/// Names of the files of a plan.
+std::vector<std::string> planFiles();
+
+/// Write plan.json and plan.html into a folder, which is made. Throws std::runtime_error.
+void writePlan(const Plan& plan, const std::string& folder);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,35 @@
+// What a proposed experiment has to stay within: what the user allows, or what the logs reached.
+#pragma once
+
+#include <vector>
+
+#include "fit/excitation.h"
+#include "rubber_suspension/diagnosis/experiment_limits.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Where a motion may be: about `centre`, by `half` to either side [m].
+struct Stroke {
+  double centre = 0.0;
+  double half = 0.0;
+};
+
+/// Of displacements from `low` to `high`. Where that is nearly symmetric, the centre is 0 and the smaller side counts.
+Stroke strokeOf(double low, double high);
+
+/// What an experiment stays within.
+struct Bounds {
+  Stroke stroke;
+  double speed = 0.0;      ///< largest |dz/dt| [m/s]
+  double frequency = 0.0;  ///< highest [Hz]
+  double force = 0.0;      ///< largest |F| of any explanation [N]
+  double duration = 0.0;   ///< from rest at 0 to rest at 0 [s]
+  double dt = 0.0;         ///< no finer steps than these [s]
+};
+
+/// The limits given; where one is not, what the logs reached.
+Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record>& records,
+                const ExperimentLimits& limits);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,20 @@
+// Which effect would be taken for which: implanted effects before the judge.
+#pragma once
+
+#include "diagnosis/experiment/implant.h"
+#include "diagnosis/judge/criteria.h"
+#include "diagnosis/search.h"
+#include "rubber_suspension/diagnosis/could_show.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// The evidence that an implant of this size would be, on logs that otherwise agree with the model.
+Evidence evidenceOf(const Search& search, const Implant& implant, double size);
+
+/// The table of all implants of a search at a size (a gap), judged as logs are.
+CouldShow couldShow(const Search& search, double size, const std::string& why, const Criteria& criteria);
+
+/// The same at a third of the gap above the noise; where there is none, at 10 % of the force.
+CouldShow couldShow(const Search& search, const Criteria& criteria);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,268 @@
+// Differences of explanations after a refit.
+#include "diagnosis/experiment/discrimination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "fit/bounded_least_squares.h"
+#include "fit/hypothesis_forces.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotients
+constexpr double kTermStep = 0.02;    // of the typical scale
+constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
+constexpr double kLeastNoise = 1e-4;  // of the force
+
+// Without what is free in a new log: its zero; a ramp, where trends are.
+Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, bool trends) {
+  columns.rowwise() -= columns.colwise().mean().eval();
+  if (trends) {
+    const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0).normalized();
+    columns -= ramp * (ramp.transpose() * columns).eval();
+  }
+  return columns;
+}
+
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
+                             const std::vector<Explanation>& explanations, const Criteria& criteria, double force_limit,
+                             int threads)
+    : fitter_(fitter),
+      search_(search),
+      explanations_(explanations),
+      criteria_(criteria),
+      noise_{std::max(search.noise, kLeastNoise) * search.excitation.force,
+             std::max(criteria.insignificant_gap, criteria.discretisation * search.discretisation)},
+      force_limit_(force_limit),
+      threads_(threads),
+      played_(fitter.records()) {}
+
+std::vector<element::ElementDescription> Discriminator::elementsOf(std::size_t explanation,
+                                                                   const fit::ParameterVector& at) const {
+  return fit::elementsOf(fitter_.model(), explanations_[explanation].fitted->hypothesis, at)
+      .value_or(std::vector<element::ElementDescription>{});
+}
+
+void Discriminator::sayForces() {
+  says_.assign(explanations_.size(), {});
+  fit::parallelFor(says_.size(), threads_, [&](std::size_t e) {
+    says_[e].force = played_.forces(elementsOf(e, explanations_[e].fitted->fit.parameters));
+  });
+}
+
+std::vector<std::size_t> Discriminator::playable() const {
+  std::vector<std::size_t> motions;
+  for (std::size_t m = 0; m < played_.motions().size(); ++m) {
+    const bool within = std::all_of(says_.begin(), says_.end(), [&](const Says& says) {
+      return says.force[m].allFinite() && says.force[m].cwiseAbs().maxCoeff() <= force_limit_;
+    });
+    if (within) {
+      motions.push_back(m);
+    }
+  }
+  return motions;
+}
+
+double Discriminator::floorOf(double force_deviation) const {
+  return std::max(noise_.force, noise_.relative * force_deviation);
+}
+
+// Expected least difference in floors before any refit: an upper bound of that after it.
+double Discriminator::unrefitted(std::size_t motion) const {
+  double expected = 0.0;
+  for (std::size_t right = 0; right < says_.size(); ++right) {
+    const Eigen::VectorXd& force = says_[right].force[motion];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t wrong = 0; wrong < says_.size(); ++wrong) {
+      if (wrong != right) {
+        least = std::min(least, rms(withoutFree(force - says_[wrong].force[motion], false)));
+      }
+    }
+    expected += explanations_[right].probability * least / floorOf(rms(withoutFree(force, false)));
+  }
+  return expected;
+}
+
+// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters.
+std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (const std::size_t motion : motions) {
+    order.emplace_back(-unrefitted(motion), motion);
+  }
+  std::sort(order.begin(), order.end());
+  std::map<std::string, int> of_kind;
+  std::vector<std::size_t> chosen;
+  for (int round = 1; chosen.size() < std::min(kRefitted, motions.size()); ++round) {
+    for (const auto& [negative, motion] : order) {
+      const bool taken = std::find(chosen.begin(), chosen.end(), motion) != chosen.end();
+      int& count = of_kind[played_.motions()[motion]->kind];
+      if (!taken && count < round && chosen.size() < kRefitted) {
+        chosen.push_back(motion);
+        ++count;
+      }
+    }
+  }
+  return chosen;
+}
+
+void Discriminator::findNormalEquations() {
+  normal_.resize(explanations_.size());
+  for (std::size_t e = 0; e < normal_.size(); ++e) {
+    const FittedHypothesis& fitted = *explanations_[e].fitted;
+    const auto blocks = fitter_.linearise(fitted.hypothesis, fitted.fit.parameters, {}, threads_);
+    const Eigen::Index unknowns = blocks.sum.rows() - 1;
+    Normal& normal = normal_[e];
+    normal.gram = blocks.sum.topLeftCorner(unknowns, unknowns);
+    fitter_.stepBounds(fitted.hypothesis, fitted.fit.parameters, unknowns, normal.lower, normal.upper);
+    normal.trends = fitted.hypothesis.free_trends;
+  }
+}
+
+// By difference quotients; terms that add up with all else are played alone.
+void Discriminator::sayDerivatives(std::size_t explanation) {
+  const FittedHypothesis& fitted = *explanations_[explanation].fitted;
+  const fit::ParameterVector& at = fitted.fit.parameters;
+  const Eigen::Index of_model = at.model.size();
+  const Eigen::Index count = of_model + at.scales.size();
+  const bool additive = fitted.hypothesis.isAdditive() && fitter_.forces().isAdditive();
+  Says& says = says_[explanation];
+  for (const Eigen::VectorXd& force : says.force) {
+    says.derivatives.emplace_back(force.size(), count);
+  }
+  fit::parallelFor(static_cast<std::size_t>(count), threads_, [&](std::size_t column) {
+    const auto j = static_cast<Eigen::Index>(column);
+    fit::ParameterVector moved = at;
+    double step = kModelStep;
+    std::vector<element::ElementDescription> elements;
+    bool alone = false;
+    if (j < of_model) {
+      moved.model[j] += step;
+      elements = elementsOf(explanation, moved);
+      if (elements.empty()) {
+        step = -step;
+        moved.model[j] = at.model[j] + step;
+        elements = elementsOf(explanation, moved);
+      }
+    } else {
+      const fit::BasisTerm& term = fitted.hypothesis.terms[column - static_cast<std::size_t>(of_model)];
+      double& scale = moved.scales[j - of_model];
+      alone = additive || term.on_rig;
+      const double direction = scale + term.typical > term.upper ? -1.0 : 1.0;
+      step = alone ? term.typical : (scale == 0.0 ? 1.0 : kTermStep) * term.typical * direction;
+      scale += step;
+      elements = alone ? std::vector{term.at(step)} : elementsOf(explanation, moved);
+    }
+    if (elements.empty()) {  // no model on either side: the parameter cannot move
+      for (Eigen::MatrixXd& derivatives : says.derivatives) {
+        derivatives.col(j).setZero();
+      }
+      return;
+    }
+    const auto forces = played_.forces(elements);
+    for (std::size_t m = 0; m < forces.size(); ++m) {
+      says.derivatives[m].col(j) = (alone ? forces[m] : (forces[m] - says.force[m]).eval()) / step;
+    }
+  });
+}
+
+// RMS force by which the wrong explanation is off, wherever it puts that: on the motion, or on the logs before [N].
+double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const {
+  const Normal& normal = normal_[wrong];
+  const Eigen::VectorXd& force = says_[right].force[motion];
+  const double deviation = rms(withoutFree(force, false));
+  const auto samples = static_cast<double>(force.size());
+  const auto logs = static_cast<double>(fitter_.records().size());
+  // Relative to the force of the new log, which weighs as much as each of the others.
+  const double unit = 1.0 / (deviation * std::sqrt(samples));
+  const Eigen::VectorXd difference = unit * withoutFree(force - says_[wrong].force[motion], normal.trends);
+  const Eigen::MatrixXd columns = unit * withoutFree(says_[wrong].derivatives[motion], normal.trends);
+  const Eigen::Index size = normal.gram.rows();
+  Eigen::MatrixXd gram = logs * normal.gram;
+  gram.topLeftCorner(columns.cols(), columns.cols()) += columns.transpose() * columns;
+  Eigen::VectorXd moment = Eigen::VectorXd::Zero(size);
+  moment.head(columns.cols()) = columns.transpose() * difference;
+  const Eigen::VectorXd step = fit::boundedLeastSquares(gram, moment, normal.lower, normal.upper);
+  const double cost = difference.squaredNorm() - 2.0 * step.dot(moment) + step.dot(gram * step);
+  return deviation * std::sqrt(std::clamp(cost, 0.0, difference.squaredNorm()));
+}
+
+Discrimination Discriminator::weigh(std::size_t motion) const {
+  const auto logs = static_cast<double>(fitter_.records().size());
+  Discrimination result;
+  result.experiment = played_.motions()[motion];
+  for (std::size_t right = 0; right < explanations_.size(); ++right) {
+    const double deviation = rms(withoutFree(says_[right].force[motion], false));
+    const double noise = noise_.force / deviation;
+    const auto joined = [&](double before, double now) {
+      return std::sqrt((logs * before * before + now * now) / (logs + 1.0));
+    };
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = right;
+    std::vector<double> left;
+    for (std::size_t wrong = 0; wrong < explanations_.size(); ++wrong) {
+      const double off = wrong == right ? 0.0 : leftAfterRefit(right, wrong, motion);
+      left.push_back(joined(explanations_[wrong].fitted->fit.score(), std::hypot(noise, off / deviation)));
+      if (wrong != right && off < least) {
+        least = off;
+        nearest = wrong;
+      }
+    }
+    const double probability = explanations_[right].probability;
+    result.difference += probability * least;
+    result.floors += probability * least / floorOf(deviation);
+    result.probability += probability * probabilitiesOf(left, joined(search_.noise, noise),
+                                                        search_.re_estimated.fit.held_out, criteria_)[right];
+    result.nearest = right == 0 ? nearest : result.nearest;
+  }
+  return result;
+}
+
+Discrimination Discriminator::best(const std::vector<Experiment>& menu) {
+  std::vector<const Experiment*> motions;
+  for (const Experiment& experiment : menu) {
+    motions.push_back(&experiment);
+  }
+  played_.play(motions);
+  sayForces();
+  const std::vector<std::size_t> chosen = promising(playable());
+  if (chosen.empty()) {
+    return {};
+  }
+  std::vector<const Experiment*> few;
+  for (const std::size_t motion : chosen) {
+    few.push_back(motions[motion]);
+  }
+  for (Says& says : says_) {
+    std::vector<Eigen::VectorXd> forces;
+    for (const std::size_t motion : chosen) {
+      forces.push_back(std::move(says.force[motion]));
+    }
+    says.force = std::move(forces);
+  }
+  played_.play(few);
+  if (normal_.empty()) {
+    findNormalEquations();
+  }
+  for (std::size_t e = 0; e < explanations_.size(); ++e) {
+    sayDerivatives(e);
+  }
+  Discrimination best;
+  for (std::size_t motion = 0; motion < few.size(); ++motion) {
+    const Discrimination here = weigh(motion);
+    best = best.experiment == nullptr || here.floors > best.floors ? here : best;
+  }
+  return best;
+}
+
+}  // namespace rubber_suspension::diagnosis

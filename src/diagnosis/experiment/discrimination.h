@@ -1,0 +1,78 @@
+// How far explanations of the same logs differ over a motion, once the wrong ones have been fitted to it.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/experiment/explanation.h"
+#include "diagnosis/experiment/played_motions.h"
+#include "fit/fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A motion and what it is expected to decide.
+struct Discrimination {
+  const Experiment* experiment = nullptr;
+  double difference = 0.0;   ///< RMS force by which the nearest wrong explanation, refitted, would still be off [N]
+  double floors = 0.0;       ///< the same in noise floors
+  double probability = 0.0;  ///< expected, of the right explanation once the motion is among the logs
+  std::size_t nearest = 0;   ///< the explanation nearest to the first
+};
+
+/// What counts as noise in a new log.
+struct NewLogNoise {
+  double force = 0.0;     ///< [N]
+  double relative = 0.0;  ///< of the force's standard deviation: less is within the accuracy of models
+};
+
+/// T-optimality (Atkinson and Fedorov, Biometrika 62, 1975) for several explanations: each is taken for right with its
+/// probability; each other one gives way by a Gauss-Newton step on the normal equations of the logs and of the motion
+/// together, and what it is still off by counts, on the motion and on the logs. The zero of the force is free in a new
+/// log. About what each of the others fits as well, the least one counts.
+class Discriminator {
+ public:
+  /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
+  Discriminator(const fit::Fitter& fitter, const Search& search, const std::vector<Explanation>& explanations,
+                const Criteria& criteria, double force_limit, int threads);
+
+  void setForceLimit(double force_limit) { force_limit_ = force_limit; }
+
+  /// Of a menu, the motion that tells most in noise floors; without experiment where none can be played.
+  Discrimination best(const std::vector<Experiment>& menu);
+
+ private:
+  struct Normal {
+    Eigen::MatrixXd gram;   // of the logs, priors included
+    Eigen::VectorXd lower;  // bounds of a step
+    Eigen::VectorXd upper;
+    bool trends = false;
+  };
+  // What an explanation says of the motions.
+  struct Says {
+    std::vector<Eigen::VectorXd> force;
+    std::vector<Eigen::MatrixXd> derivatives;  // by model parameters and scales
+  };
+
+  void sayForces();
+  std::vector<std::size_t> playable() const;
+  std::vector<std::size_t> promising(const std::vector<std::size_t>& motions) const;
+  void findNormalEquations();
+  void sayDerivatives(std::size_t explanation);
+  double floorOf(double force_deviation) const;
+  double unrefitted(std::size_t motion) const;
+  double leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const;
+  Discrimination weigh(std::size_t motion) const;
+  std::vector<element::ElementDescription> elementsOf(std::size_t explanation, const fit::ParameterVector& at) const;
+
+  const fit::Fitter& fitter_;
+  const Search& search_;
+  const std::vector<Explanation>& explanations_;
+  const Criteria& criteria_;
+  NewLogNoise noise_;
+  double force_limit_;
+  int threads_;
+  PlayedMotions played_;
+  std::vector<Normal> normal_;
+  std::vector<Says> says_;
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,65 @@
+// Limits of a proposed experiment: their table, and how text becomes one.
+#include "rubber_suspension/diagnosis/experiment_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "element/suggestion.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+const ExperimentLimitInfo& findRow(const std::string& key) {
+  const auto& table = experimentLimitTable();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const ExperimentLimitInfo& row) { return row.name == key; });
+  if (found == table.end()) {
+    std::vector<std::string> names(table.size());
+    std::transform(table.begin(), table.end(), names.begin(), [](const auto& row) { return row.name; });
+    throw std::invalid_argument(fmt::format("{}: no limit of an experiment{}; accepted: {}", log::quoted(key),
+                                            element::didYouMean(key, names), log::join(names)));
+  }
+  return *found;
+}
+
+}  // namespace
+
+const std::vector<ExperimentLimitInfo>& experimentLimitTable() {
+  static const std::vector<ExperimentLimitInfo> table = {
+      {"stroke", "m", "largest displacement to either side of 0", &ExperimentLimits::stroke},
+      {"speed", "m/s", "largest rate of the displacement", &ExperimentLimits::speed},
+      {"force", "N", "largest force to either side of 0", &ExperimentLimits::force},
+      {"duration", "s", "duration of the whole log", &ExperimentLimits::duration},
+  };
+  return table;
+}
+
+void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment) {
+  const std::size_t equal = assignment.find('=');
+  if (equal == std::string::npos) {
+    throw std::invalid_argument(
+        fmt::format("{}: no '='; accepted: KEY=VALUE, as stroke=20 mm", log::quoted(assignment)));
+  }
+  const std::string key = log::trimmed(assignment.substr(0, equal));
+  const ExperimentLimitInfo& row = findRow(key);
+  const std::string text = log::trimmed(assignment.substr(equal + 1));
+  const std::string accepted = fmt::format("a number in {} or text with such a unit, above 0", row.unit);
+  double value = 0.0;
+  try {
+    value = log::parseQuantity(text, row.unit);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}: {}; accepted: {}", key, log::quoted(text), error.what(), accepted));
+  }
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw std::invalid_argument(fmt::format("{}: {} is out of range; accepted: {}", key, log::quoted(text), accepted));
+  }
+  limits.*row.member = value;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,155 @@
+// Implanted effects by projection.
+#include "diagnosis/experiment/implant.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/screening.h"
+#include "fit/bounded_least_squares.h"
+#include "fit/parallel.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
+constexpr double kNothing = 1e-9;       // of a typical effect's force: what the rig takes entirely
+
+// Normal equations with the model parameters taken out.
+class Projected {
+ public:
+  Projected(const fit::Fitter& fitter, const Screening& screening)
+      : fitter_(fitter),
+        screening_(screening),
+        model_(screening.modelSize()),
+        size_(screening.blocks().sum.rows() - 1),
+        plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)) {
+    const Eigen::MatrixXd gram = screening.blocks().sum.topLeftCorner(size_, size_);
+    Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
+    base.diagonal().array() *= 1.0 + 1e-9;  // parameters of which the logs tell nothing
+    base.diagonal().array() += std::numeric_limits<double>::min();
+    taken_ = base.ldlt().solve(gram.topRows(model_).rightCols(size_ - model_));
+    projected_ =
+        gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
+  }
+
+  double gapOf(Eigen::Index column) const { return std::sqrt(std::max(0.0, plain_(column, column))); }
+
+  // What is left of `scale` times a column by the model parameters and the columns of a candidate.
+  Leaves leave(Eigen::Index column, double scale, const std::vector<Eigen::Index>& columns,
+               const std::vector<bool>& is_signed) const {
+    const auto count = static_cast<Eigen::Index>(columns.size());
+    Eigen::MatrixXd gram(count, count);
+    Eigen::VectorXd moment(count);
+    Eigen::VectorXd lower(count);
+    const Eigen::VectorXd upper = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::infinity());
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index row = columns[static_cast<std::size_t>(i)] - model_;
+      moment[i] = scale * projected_(row, column - model_);
+      lower[i] = is_signed[static_cast<std::size_t>(i)] ? -upper[i] : 0.0;
+      for (Eigen::Index j = 0; j < count; ++j) {
+        gram(i, j) = projected_(row, columns[static_cast<std::size_t>(j)] - model_);
+      }
+    }
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
+    rest[column] = scale;
+    if (count > 0) {
+      const Eigen::VectorXd fitted = fit::boundedLeastSquares(gram, moment, lower, upper);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        rest[columns[static_cast<std::size_t>(i)]] -= fitted[i];
+      }
+    }
+    rest.head(model_) = -taken_ * rest.tail(size_ - model_);
+    Leaves leaves;
+    leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
+    leaves.penalty = fitter_.penaltyOf(rest.head(model_));
+    leaves.change = model_ > 0 ? rest.head(model_).cwiseAbs().maxCoeff() : 0.0;
+    return leaves;
+  }
+
+ private:
+  const fit::Fitter& fitter_;
+  const Screening& screening_;
+  Eigen::Index model_;
+  Eigen::Index size_;
+  Eigen::MatrixXd plain_;      // without priors
+  Eigen::MatrixXd taken_;      // of each column, by each model parameter
+  Eigen::MatrixXd projected_;  // of basis terms and trends
+};
+
+// Places of the basis terms that stand for the shapes of an effect.
+std::vector<std::size_t> shapesOf(std::size_t terms) {
+  std::vector<std::size_t> places;
+  const std::size_t count = std::min(terms, kMostShapes);
+  for (std::size_t i = 0; i < count; ++i) {
+    places.push_back(count == 1 ? 0 : i * (terms - 1) / (count - 1));
+  }
+  return places;
+}
+
+// What a candidate is fitted with: its basis terms, and trends where they belong to it.
+struct Fitted {
+  std::vector<Eigen::Index> columns;
+  std::vector<bool> is_signed;
+};
+
+Fitted fittedBy(const Screening& screening, std::size_t candidate) {
+  Fitted fitted;
+  for (const Eigen::Index column : screening.columnsOf()[candidate]) {
+    fitted.columns.push_back(column);
+    fitted.is_signed.push_back(screening.terms()[static_cast<std::size_t>(column - screening.modelSize())].lower < 0.0);
+  }
+  if (screening.candidates()[candidate].free_trend) {
+    const Eigen::Index all = screening.blocks().sum.rows() - 1;
+    for (Eigen::Index column = screening.modelSize() + static_cast<Eigen::Index>(screening.terms().size());
+         column < all; ++column) {
+      fitted.columns.push_back(column);
+      fitted.is_signed.push_back(true);
+    }
+  }
+  return fitted;
+}
+
+}  // namespace
+
+std::vector<Implant> implantAll(const fit::Fitter& fitter, const Screening& screening, int threads) {
+  const Projected projected(fitter, screening);
+  const std::size_t candidates = screening.candidates().size();
+  std::vector<Fitted> fitted;
+  std::vector<Implant> implants;
+  std::vector<Eigen::Index> column_of;
+  for (std::size_t c = 0; c < candidates; ++c) {
+    fitted.push_back(fittedBy(screening, c));
+    for (const std::size_t place : shapesOf(screening.columnsOf()[c].size())) {
+      const Eigen::Index column = screening.columnsOf()[c][place];
+      const fit::BasisTerm& term = screening.terms()[static_cast<std::size_t>(column - screening.modelSize())];
+      const double gap = projected.gapOf(column);
+      Implant implant;
+      implant.effect = static_cast<int>(c);
+      implant.term = place;
+      implant.hidden_by_rig = !(gap * term.typical > kNothing);
+      implant.scale = implant.hidden_by_rig ? 0.0 : 1.0 / gap;
+      implants.push_back(implant);
+      column_of.push_back(column);
+      if (term.lower < 0.0) {
+        implant.scale = -implant.scale;
+        implants.push_back(implant);
+        column_of.push_back(column);
+      }
+    }
+  }
+  fit::parallelFor(implants.size(), threads, [&](std::size_t i) {
+    Implant& implant = implants[i];
+    if (implant.hidden_by_rig) {
+      return;
+    }
+    implant.model = projected.leave(column_of[i], implant.scale, {}, {});
+    for (const Fitted& by : fitted) {
+      implant.singles.push_back(projected.leave(column_of[i], implant.scale, by.columns, by.is_signed));
+    }
+  });
+  return implants;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,36 @@
+// Effects implanted into the component, motion and noise of the logs: what each hypothesis would leave of them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+class Screening;
+
+/// What a hypothesis leaves of an implanted effect, about a fitted model taken as linear. Gaps, for an effect that
+/// makes a gap of 1 before any refit; all of it grows in proportion to the effect.
+struct Leaves {
+  double gap = 1.0;      ///< RMS force over the force's standard deviation
+  double penalty = 0.0;  ///< regularisation penalty of the model parameters that moved
+  double change = 0.0;   ///< largest change of the logarithm of a model parameter
+};
+
+/// One shape of a candidate effect, implanted.
+struct Implant {
+  int effect = 0;
+  double scale = 0.0;           ///< of its basis term, at a gap of 1
+  std::size_t term = 0;         ///< that it is the shape of, among those of its effect
+  bool hidden_by_rig = false;   ///< what the rig may do to a log takes all of it
+  Leaves model;                 ///< model parameters alone
+  std::vector<Leaves> singles;  ///< with each candidate, in their order
+};
+
+/// Each candidate in the shapes of its basis terms, in both directions where it has two, as the normal equations of a
+/// screening tell: no log is simulated again. Model parameters are taken out once (Frisch and Waugh), then the basis
+/// terms of each candidate are fitted within their bounds.
+std::vector<Implant> implantAll(const fit::Fitter& fitter, const Screening& screening, int threads);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,93 @@
+// The plan: logs are simulated with noise, and effects implanted into them.
+#include "rubber_suspension/diagnosis/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/experiment/confusion.h"
+#include "diagnosis/rig.h"
+#include "diagnosis/screening.h"
+#include "diagnosis/workings.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+double standardDeviation(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return std::sqrt((all - all.mean()).square().mean());
+}
+
+// The force that the component would have over each log, one after the other, with noise.
+void simulateForces(const component::Component& component, double noise, std::vector<log::Log>& logs) {
+  component::ComponentState state = component.makeState();
+  std::mt19937 generator(1);
+  for (std::size_t l = 0; l < logs.size(); ++l) {
+    log::Log& log = logs[l];
+    log.force.assign(log.size(), 0.0);
+    log.force[0] =
+        (l == 0 ? component.initialise(state, log.displacement[0]) : component.relax(state, log.displacement[0])).total;
+    for (std::size_t i = 1; i < log.size(); ++i) {
+      log.force[i] = component.step(state, log.time(i) - log.time(i - 1), log.displacement[i]).total;
+    }
+    std::normal_distribution<double> normal(0.0, noise * standardDeviation(log.force));
+    for (double& force : log.force) {
+      force += normal(generator);
+    }
+  }
+}
+
+PlannedLog plannedLog(const log::Record& record) {
+  const Eigen::Index steps = record.size() - 1;
+  PlannedLog planned;
+  planned.log = record.name;
+  planned.duration = record.duration();
+  planned.dt = record.dt;
+  planned.largest_displacement = record.displacement.cwiseAbs().maxCoeff();
+  planned.highest_rate =
+      (record.displacement.tail(steps) - record.displacement.head(steps)).cwiseAbs().maxCoeff() / record.dt;
+  planned.largest_force = record.force.cwiseAbs().maxCoeff();
+  return planned;
+}
+
+}  // namespace
+
+Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options) {
+  if (logs.empty()) {
+    throw log::LogError("no log: a plan needs at least one");
+  }
+  std::vector<log::Log> simulated = logs;
+  simulateForces(component::Component(component.allElements()), options.noise, simulated);
+  std::vector<log::Record> records(simulated.size());
+  fit::parallelFor(records.size(), options.threads,
+                   [&](std::size_t i) { records[i] = measurement::prepareLog(simulated[i]).record; });
+  std::vector<log::Record> none;
+  const fit::ModelParameters model(component, fit::Level::specification);
+  freeNuisances(model, component.rig.value_or(io::RigTolerances{}), records, none);
+  const fit::Fitter fitter(records, model);
+  const Criteria criteria;
+  Search search;
+  search.excitation = fit::summarise(fitter.records());
+  search.candidates = candidates(search.excitation);
+  fit::findUnitEffects(search.candidates, fitter.records(), options.threads);
+  search.noise = options.noise;
+  search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
+  const Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
+  screening.measureVisibility(search.noise, criteria, search);
+  search.implants = implantAll(fitter, screening, options.threads);
+  Plan result;
+  result.component = component.name;
+  std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
+  result.could_show = couldShow(search, options.size, "as given", criteria);
+  return result;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,90 @@
+// The files of a plan.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "diagnosis/report/could_show_json.h"
+#include "diagnosis/report/could_show_section.h"
+#include "diagnosis/report/page_style.h"
+#include "diagnosis/report/text.h"
+#include "log/new_file.h"
+#include "rubber_suspension/diagnosis/plan.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string logTable(const Plan& plan) {
+  Table table({"log", "#length [s]", "#rate [Hz]", "#largest |z|", "#largest speed", "#largest force"});
+  for (const PlannedLog& log : plan.logs) {
+    table.add({escape(log.log), fmt::format("{:.1f}", log.duration), fmt::format("{:.4g}", 1.0 / log.dt),
+               quantity(log.largest_displacement, "m"), quantity(log.highest_rate, "m/s"),
+               quantity(log.largest_force, "N")});
+  }
+  return table.html();
+}
+
+// How many effects have an outcome.
+std::string summaryOf(const CouldShow& could_show) {
+  std::string text;
+  for (const char* outcome : {"found", "confounded", "taken_for", "unexplained", "out_of_reach"}) {
+    std::size_t count = 0;
+    for (const ImplantedEffect& row : could_show.implanted) {
+      count += row.outcome == outcome ? 1 : 0;
+    }
+    if (count > 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, outcomeText(outcome));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string toJson(const Plan& plan) {
+  ordered_json logs = ordered_json::array();
+  for (const PlannedLog& log : plan.logs) {
+    logs.push_back({{"log", log.log},
+                    {"duration_s", log.duration},
+                    {"sampling_rate_hz", 1.0 / log.dt},
+                    {"largest_displacement_m", log.largest_displacement},
+                    {"highest_rate_m_per_s", log.highest_rate},
+                    {"largest_force_N", log.largest_force}});
+  }
+  const ordered_json report = {
+      {"schema", "rubber_suspension/experiment_plan/1"},
+      {"component", plan.component},
+      {"logs", logs},
+      {"could_show", toJson(plan.could_show)},
+      {"meta", {{"version", plan.run.version}, {"date", plan.run.date}, {"command_line", plan.run.command_line}}}};
+  return report.dump(2) + "\n";
+}
+
+std::string toHtml(const Plan& plan) {
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
+             "content=\"width=device-width\"><title>Experiment plan: {}</title><style>{}</style></head><body>\n",
+             escape(plan.component), kPageStyle) +
+         fmt::format("<p class=kicker>Experiment plan: {}</p>\n<h1>Of {} effects: {}.</h1>\n", escape(plan.component),
+                     plan.could_show.implanted.size(), summaryOf(plan.could_show)) +
+         couldShowHtml(plan.could_show) + "<h2>The programmes</h2>\n" + logTable(plan) +
+         fmt::format("<p class=note>Forces are those of the component as configured. Made by:</p>\n<pre>{}</pre>\n",
+                     escape(plan.run.command_line)) +
+         "</body></html>\n";
+}
+
+std::vector<std::string> planFiles() { return {"plan.json", "plan.html"}; }
+
+void writePlan(const Plan& plan, const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) {
+    throw std::runtime_error(folder + ": cannot be made: " + failure.message());
+  }
+  log::writeNewFile((std::filesystem::path(folder) / "plan.json").string(), toJson(plan));
+  log::writeNewFile((std::filesystem::path(folder) / "plan.html").string(), toHtml(plan));
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,136 @@
+// closed_loop: does the experiment that a diagnosis proposes decide? Virtual benches play it, and a random programme of
+// the same length beside it; both are diagnosed again with the logs before.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "virtual_bench.h"
+
+namespace {
+
+using namespace rubber_suspension;
+using closed_loop::Programme;
+using closed_loop::VirtualBench;
+
+struct Options {
+  int cases = 6;
+  unsigned seed = 1;
+  int threads = 1;
+  double least_share = 0.0;
+  bool verbose = false;
+};
+
+struct Tally {
+  int ambiguous = 0;      // sets of more than one member that hold the truth
+  int without = 0;        // of these: no experiment was proposed
+  int by_proposal = 0;    // shrunk to the truth by the log proposed
+  int by_random = 0;      // shrunk to the truth by a random programme of the same length
+  double promised = 0.0;  // sum of the confidences stated
+};
+
+diagnosis::Diagnosis diagnose(const VirtualBench& bench, const std::vector<log::Log>& logs, int threads) {
+  diagnosis::DiagnosisOptions options;
+  options.threads = threads;
+  options.limits = bench.limits();
+  return diagnosis::diagnose(bench.component(), logs, {}, options);
+}
+
+// The set of more than one member that holds the truth.
+std::optional<std::vector<std::string>> ambiguousSet(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
+  for (const std::vector<std::string>& set : diagnosis.confounded) {
+    if (set.size() > 1 && std::find(set.begin(), set.end(), truth) != set.end()) {
+      return set;
+    }
+  }
+  return std::nullopt;
+}
+
+bool isTheTruthAlone(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
+  return diagnosis.effects == std::vector<std::string>{truth} &&
+         diagnosis.confounded == std::vector<std::vector<std::string>>{{truth}};
+}
+
+diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> logs, const Programme& programme,
+                                  int threads) {
+  logs.push_back(bench.play(programme));
+  return diagnose(bench, logs, threads);
+}
+
+std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
+  return fmt::format("{} {}", diagnosis.verdict, diagnosis.confounded);
+}
+
+void runCase(unsigned seed, const Options& options, Tally& tally) {
+  VirtualBench bench(seed);
+  std::vector<log::Log> logs;
+  for (const Programme& programme : bench.poorProgrammes()) {
+    logs.push_back(bench.play(programme));
+  }
+  const diagnosis::Diagnosis before = diagnose(bench, logs, options.threads);
+  const auto set = ambiguousSet(before, bench.effect());
+  if (options.verbose) {
+    fmt::print("{} {}: {}\n", seed, bench.effect(), resultOf(before));
+  }
+  if (!set) {
+    return;
+  }
+  ++tally.ambiguous;
+  if (before.proposed.displacement.empty()) {
+    ++tally.without;
+    if (options.verbose) {
+      fmt::print("  none: {}\n", before.next_experiment);
+    }
+    return;
+  }
+  tally.promised += before.proposed.probability;
+  const VirtualBench::Memory memory = bench.memory();
+  const Programme proposed{"proposed", before.proposed.dt, before.proposed.displacement};
+  const diagnosis::Diagnosis after = diagnoseWith(bench, logs, proposed, options.threads);
+  bench.goBackTo(memory);
+  const double duration = static_cast<double>(proposed.displacement.size() - 1) * proposed.dt;
+  const diagnosis::Diagnosis random = diagnoseWith(bench, logs, bench.randomProgramme(duration), options.threads);
+  tally.by_proposal += isTheTruthAlone(after, bench.effect()) ? 1 : 0;
+  tally.by_random += isTheTruthAlone(random, bench.effect()) ? 1 : 0;
+  if (options.verbose) {
+    fmt::print("  {}\n  proposed ({:.1f} s): {}\n  random: {}\n", before.next_experiment, duration, resultOf(after),
+               resultOf(random));
+  }
+}
+
+int run(const Options& options) {
+  Tally tally;
+  for (int i = 0; i < options.cases; ++i) {
+    runCase(options.seed + static_cast<unsigned>(i), options, tally);
+    std::fflush(stdout);
+  }
+  fmt::print(
+      "{} benches, {} sets of more than one member with the truth: {} shrunk to the truth by the experiment proposed, "
+      "{} "
+      "by a random programme of the same length; none proposed for {}; confidence stated {:.2f} on average\n",
+      options.cases, tally.ambiguous, tally.by_proposal, tally.by_random, tally.without,
+      tally.promised / std::max(1, tally.ambiguous - tally.without));
+  const bool enough =
+      tally.by_proposal >= options.least_share * tally.ambiguous && tally.by_proposal >= tally.by_random;
+  return tally.ambiguous > 0 && enough ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Plays on virtual benches what a diagnosis proposes, and diagnoses again.");
+  app.add_option("--cases", options.cases, "number of benches")->capture_default_str()->check(CLI::Range(1, 100000));
+  app.add_option("--seed", options.seed, "of the first bench")->capture_default_str();
+  app.add_option("--threads", options.threads, "of each diagnosis")->capture_default_str()->check(CLI::Range(1, 64));
+  app.add_option("--least-share", options.least_share,
+                 "exit status 1 where proposals shrink a smaller share of the sets, or fewer than random programmes do")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--verbose", options.verbose, "each case");
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

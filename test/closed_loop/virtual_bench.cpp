@@ -1,0 +1,237 @@
+// The virtual bench.
+#include "virtual_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::closed_loop {
+namespace {
+
+constexpr double kStep = 0.004;      // [s]
+constexpr double kDuration = 20.0;   // of each log before the experiment [s]
+constexpr double kStroke = 0.002;    // of the machine [m]
+constexpr double kFrequency = 12.0;  // highest of any log [Hz]
+constexpr double kTwoPi = 2.0 * element::kPi;
+
+using element::ElementDescription;
+
+double eased(double t, double duration) {
+  return t <= 0.0 ? 0.0 : t >= duration ? 1.0 : 0.5 - 0.5 * std::cos(element::kPi * t / duration);
+}
+
+Programme programmeOf(const std::string& name, double duration, const std::function<double(double)>& law) {
+  Programme programme{name, kStep, {}};
+  for (int i = 0; i * kStep <= duration; ++i) {
+    const double t = i * kStep;
+    programme.displacement.push_back(std::min(eased(t, 1.0), eased(duration - t, 1.0)) * law(t));
+  }
+  return programme;
+}
+
+std::string yamlOf(double static_stiffness, double dynamic_stiffness, double break_frequency) {
+  return "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: " +
+         std::to_string(static_stiffness) + "\n      dynamic_stiffness: " + std::to_string(dynamic_stiffness) +
+         "\n      nominal_frequency: 4.0\n      break_frequency: " + std::to_string(break_frequency) + "\n";
+}
+
+double standardDeviation(const std::vector<double>& values) {
+  double mean = 0.0;
+  double square = 0.0;
+  for (const double value : values) {
+    mean += value / static_cast<double>(values.size());
+  }
+  for (const double value : values) {
+    square += (value - mean) * (value - mean) / static_cast<double>(values.size());
+  }
+  return std::sqrt(square);
+}
+
+// A law of an effect at a strength; laws and shapes are not those of the candidates where the elements allow it.
+struct Effect {
+  const char* name;
+  double strength;  // where the search for the wanted gap begins
+  std::function<std::vector<ElementDescription>(double strength)> at;
+};
+
+}  // namespace
+
+VirtualBench::VirtualBench(unsigned seed) : draw_(seed) {
+  const double stiffness = 1e6 * uniform(0.7, 1.5);
+  const double ratio = uniform(1.15, 1.5);
+  const double frequency = uniform(1.5, 6.0);
+  const auto wrong = [&] { return uniform(0.97, 1.03); };
+  component_ =
+      io::parseComponentFile(yamlOf(stiffness * wrong(), ratio * stiffness * wrong(), frequency * wrong()), "bench")
+          .front();
+  const io::ComponentDescription right =
+      io::parseComponentFile(yamlOf(stiffness, ratio * stiffness, frequency), "bench").front();
+  limits_.stroke = kStroke;
+  limits_.speed = 0.08;
+  limits_.force = 1e3 * stiffness;
+  limits_.duration = 60.0;
+  addEffect(right.allElements());
+}
+
+void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
+  const double k = elements.front().value("stiffness");
+  const double shape = uniform(0.0, 1.0);
+  const double z = kStroke;
+  const auto one = [](const char* type, element::ParameterValues values) {
+    return std::vector<ElementDescription>{{type, std::move(values)}};
+  };
+  const std::vector<Effect> effects = {
+      {"friction", 0.1 * k * z,
+       [=](double s) {
+         return one("friction", {{"maximum_force", {s}}, {"displacement", {(0.02 + 0.2 * shape) * z}}});
+       }},
+      {"relaxation", 0.2 * k,
+       [=](double s) {
+         return one("maxwell", {{"stiffness", {s}}, {"break_frequency", {0.3 + 8.0 * shape}}});
+       }},
+      {"viscous_damping", 1e-3 * k,
+       [=](double s) {
+         return one("dashpot", {{"damping", {s}}});
+       }},
+      {"progressive_stiffness", 0.2 * k / (z * z),
+       [=](double s) {
+         return one("progressive_stiffness", {{"cubic", {s}}});
+       }},
+      {"asymmetric_stiffness", 0.2 * k / z,
+       [=](double s) {
+         return one("asymmetric_stiffness", {{"quadratic", {s}}});
+       }},
+      {"bump_stop", k,
+       [=](double s) {
+         return one("bump_stop", {{"stiffness", {s}}, {"gap", {(0.25 + 0.4 * shape) * z}}});
+       }},
+      {"free_play", 0.05 * z,
+       [=](double s) {
+         return one("free_play", {{"gap", {s}}});
+       }},
+      {"stress_softening", 0.2,
+       [=](double s) {
+         return one("stress_softening",
+                    {{"reduction", {std::min(s, 0.7)}}, {"width", {0.3 + shape}}, {"path", {4.0 * z}}});
+       }},
+      {"inertia", 20.0,
+       [=](double s) {
+         return one("inertia", {{"mass", {s}}, {"bandwidth", {60.0}}});
+       }},
+      {"time_delay", 0.004,
+       [=](double s) {
+         return one("time_delay", {{"delay", {std::min(s, 0.03)}}});
+       }},
+      {"creep", 0.2 * k, [=](double s) {
+         return one("maxwell", {{"stiffness", {s}}, {"break_frequency", {0.006 + 0.01 * shape}}});
+       }}};
+  const Effect& effect = effects[std::uniform_int_distribution<std::size_t>(0, effects.size() - 1)(draw_)];
+  effect_ = effect.name;
+  // The strength that makes the wanted gap on a sweep of amplitude and frequency within the machine's limits.
+  const Programme probe = programmeOf("probe", kDuration, [&](double t) {
+    return z * (0.6 + 0.4 * std::sin(0.5 * t)) * std::sin(kTwoPi * (1.5 * t + 0.06 * t * t));
+  });
+  const component::Component base(elements);
+  const std::vector<double> without = forceOf(base, probe);
+  const double wanted = uniform(0.05, 0.15);
+  double strength = effect.strength;
+  for (int i = 0; i < 6; ++i) {
+    std::vector<ElementDescription> all = elements;
+    const auto more = effect.at(strength);
+    all.insert(all.end(), more.begin(), more.end());
+    std::vector<double> difference = forceOf(component::Component(all), probe);
+    for (std::size_t j = 0; j < difference.size(); ++j) {
+      difference[j] -= without[j];
+    }
+    strength *= std::clamp(wanted * standardDeviation(without) / standardDeviation(difference), 0.2, 5.0);
+  }
+  const auto entries = effect.at(strength);
+  elements.insert(elements.end(), entries.begin(), entries.end());
+  true_component_.emplace_back(elements);
+  memory_.state = true_component_.front().makeState();
+  memory_.noise.seed(std::uniform_int_distribution<unsigned>()(draw_));
+  noise_ = uniform(0.003, 0.01) * standardDeviation(without);
+}
+
+std::vector<double> VirtualBench::forceOf(const component::Component& component, const Programme& programme) const {
+  component::ComponentState state = component.makeState();
+  component.initialise(state, programme.displacement.front());
+  std::vector<double> force(programme.displacement.size() - 1);
+  component.simulate(state, programme.dt, programme.displacement.data() + 1, force.size(), force.data());
+  return force;
+}
+
+std::vector<Programme> VirtualBench::poorProgrammes() {
+  std::vector<Programme> programmes;
+  const int count = uniform(0.0, 1.0) < 0.5 ? 1 : 2;
+  for (int i = 0; i < count; ++i) {
+    const double amplitude = kStroke * uniform(0.15, 0.7);
+    const double frequency = std::exp(uniform(std::log(0.3), std::log(0.5 * kFrequency)));
+    const std::string name = "log_" + std::to_string(i + 1);
+    if (uniform(0.0, 1.0) < 0.75) {
+      programmes.push_back(
+          programmeOf(name, kDuration, [=](double t) { return amplitude * std::sin(kTwoPi * frequency * t); }));
+    } else {
+      const double slow = uniform(0.1, 0.4);
+      programmes.push_back(programmeOf(name, kDuration, [=](double t) {
+        return amplitude * 2.0 / element::kPi * std::asin(std::sin(kTwoPi * slow * t));
+      }));
+    }
+  }
+  return programmes;
+}
+
+Programme VirtualBench::randomProgramme(double duration) {
+  constexpr int kLines = 40;
+  std::vector<std::array<double, 3>> lines;
+  const double highest = std::exp(uniform(std::log(1.0), std::log(kFrequency)));
+  for (int i = 0; i < kLines; ++i) {
+    const double frequency = uniform(0.1, highest);
+    lines.push_back({1.0 / frequency, frequency, uniform(0.0, kTwoPi)});
+  }
+  Programme programme = programmeOf("random", duration, [&](double t) {
+    double sum = 0.0;
+    for (const auto& [amplitude, frequency, phase] : lines) {
+      sum += amplitude * std::sin(kTwoPi * frequency * t + phase);
+    }
+    return sum;
+  });
+  double peak = 0.0;
+  double rate = 0.0;
+  for (std::size_t i = 1; i < programme.displacement.size(); ++i) {
+    peak = std::max(peak, std::abs(programme.displacement[i]));
+    rate = std::max(rate, std::abs(programme.displacement[i] - programme.displacement[i - 1]) / kStep);
+  }
+  const double scale = std::min(uniform(0.3, 1.0) * kStroke / peak, *limits_.speed / rate);
+  for (double& displacement : programme.displacement) {
+    displacement *= scale;
+  }
+  return programme;
+}
+
+log::Log VirtualBench::play(const Programme& programme) {
+  const component::Component& component = true_component_.front();
+  log::Log log;
+  log.name = programme.name;
+  log.displacement = programme.displacement;
+  log.force.resize(programme.displacement.size());
+  log.force[0] = (memory_.used ? component.relax(memory_.state, programme.displacement[0])
+                               : component.initialise(memory_.state, programme.displacement[0]))
+                     .total;
+  memory_.used = true;
+  component.simulate(memory_.state, programme.dt, programme.displacement.data() + 1, log.force.size() - 1,
+                     log.force.data() + 1);
+  std::normal_distribution<double> normal(0.0, noise_);
+  for (std::size_t i = 0; i < log.force.size(); ++i) {
+    log.stamp.push_back(static_cast<std::int64_t>(std::llround(1e9 * programme.dt * static_cast<double>(i))));
+    log.force[i] += normal(memory_.noise);
+  }
+  return log;
+}
+
+}  // namespace rubber_suspension::closed_loop

@@ -1,0 +1,242 @@
+// The next experiment: motions within limits, what tells explanations apart once the wrong one was refitted.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/experiment/discrimination.h"
+#include "diagnosis/experiment/menu.h"
+#include "diagnosis/experiment/next_experiment.h"
+#include "rig.h"
+#include "rubber_suspension/diagnosis/experiment_limits.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::Bounds;
+using diagnosis::Experiment;
+
+Bounds someBounds(double low, double high) {
+  Bounds bounds;
+  bounds.stroke = diagnosis::strokeOf(low, high);
+  bounds.speed = 0.05;
+  bounds.frequency = 10.0;
+  bounds.force = 1e9;
+  bounds.duration = 30.0;
+  bounds.dt = 0.002;
+  return bounds;
+}
+
+// What is proposed can be played on the machine that recorded the logs, also where these lie to one side of zero.
+TEST(Experiments, StayWithinTheBounds) {
+  for (const auto& [low, high] : {std::pair(-0.002, 0.0021), {0.004, 0.007}, {-0.003, 0.001}}) {
+    const Bounds bounds = someBounds(low, high);
+    const auto menu = diagnosis::experimentMenu(bounds);
+    ASSERT_GT(menu.size(), 20U);
+    for (const Experiment& experiment : menu) {
+      const Eigen::VectorXd& z = experiment.displacement;
+      // At rest at 0 at both ends, from where a machine starts.
+      EXPECT_GE(z.minCoeff(), std::min(0.0, low) - 1e-12) << experiment.description;
+      EXPECT_LE(z.maxCoeff(), std::max(0.0, high) + 1e-12) << experiment.description;
+      EXPECT_EQ(z[0], 0.0) << experiment.description;
+      EXPECT_NEAR(z[z.size() - 1], 0.0, 1e-9) << experiment.description;
+      const double fastest = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().maxCoeff() / experiment.dt;
+      EXPECT_LE(fastest, bounds.speed * (1.0 + 1e-9)) << experiment.description;
+      EXPECT_LE(experiment.duration(), bounds.duration) << experiment.description;
+    }
+  }
+}
+
+TEST(Experiments, HaveMotionsOfEveryKind) {
+  std::set<std::string> kinds;
+  for (const Experiment& experiment : diagnosis::experimentMenu(someBounds(-0.002, 0.002))) {
+    kinds.insert(experiment.kind);
+  }
+  EXPECT_THAT(kinds, testing::IsSupersetOf({"sine", "sweep", "multisine", "steps", "hold", "triangle", "preload",
+                                            "small after large", "amplitudes", "repeat", "standstill"}));
+}
+
+TEST(Experiments, AreNoneWhereTheBoundsLeaveNoRoom) {
+  Bounds bounds = someBounds(-0.002, 0.002);
+  bounds.duration = 0.01;
+  EXPECT_TRUE(diagnosis::experimentMenu(bounds).empty());
+  bounds = someBounds(-0.002, 0.002);
+  bounds.stroke.half = 0.0;
+  EXPECT_TRUE(diagnosis::experimentMenu(bounds).empty());
+}
+
+// Of odd and of even multiples: the mean of a motion of odd lines over half a period shifted by half of it is 0.
+TEST(Experiments, MultisinesAreOddOrEven) {
+  int odd = 0;
+  int even = 0;
+  for (const Experiment& experiment : diagnosis::experimentMenu(someBounds(-0.002, 0.002))) {
+    odd += experiment.kind == "multisine" && experiment.description.find("odd") != std::string::npos ? 1 : 0;
+    even += experiment.kind == "multisine" && experiment.description.find("even") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(odd, 2);
+  EXPECT_EQ(even, 2);
+}
+
+std::string refusal(const std::string& assignment) {
+  diagnosis::ExperimentLimits limits;
+  try {
+    diagnosis::setExperimentLimit(limits, assignment);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ExperimentLimits, AreReadWithTheirUnits) {
+  diagnosis::ExperimentLimits limits;
+  for (const char* assignment : {"stroke=20 mm", "speed = 0.3 m/s", "force=30 kN", "duration=2 min"}) {
+    diagnosis::setExperimentLimit(limits, assignment);
+  }
+  EXPECT_EQ(limits.stroke, 0.02);
+  EXPECT_EQ(limits.speed, 0.3);
+  EXPECT_EQ(limits.force, 30e3);
+  EXPECT_EQ(limits.duration, 120.0);
+}
+
+TEST(ExperimentLimits, AreRefusedWithKeyValueAndWhatIsAccepted) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal("strok=20 mm"),
+              AllOf(HasSubstr("strok"), HasSubstr("did you mean 'stroke'"), HasSubstr("speed")));
+  EXPECT_THAT(refusal("stroke"), AllOf(HasSubstr("no '='"), HasSubstr("accepted")));
+  EXPECT_THAT(refusal("stroke=20 kN"), AllOf(HasSubstr("stroke"), HasSubstr("20 kN"), HasSubstr("accepted")));
+  EXPECT_THAT(refusal("force=-3 kN"), AllOf(HasSubstr("force"), HasSubstr("-3 kN"), HasSubstr("above 0")));
+  EXPECT_THAT(refusal("speed=0"), AllOf(HasSubstr("speed"), HasSubstr("above 0")));
+  EXPECT_THAT(refusal("duration=inf"), HasSubstr("out of range"));
+  EXPECT_THAT(refusal("force=much"), HasSubstr("much"));
+}
+
+// The component of the rig, which is linear, on slow triangles that tell nothing of rates; a dashpot against
+// relaxation.
+class Rivals : public testing::Test {
+ protected:
+  Rivals()
+      : model_(rigComponent(), fit::Level::specification),
+        fitter_({log::makeRecord(slowLog())}, model_),
+        excitation_(fit::summarise(fitter_.records())) {
+    search_.excitation = excitation_;
+    search_.candidates = diagnosis::candidates(excitation_);
+    search_.noise = 0.005;
+    search_.re_estimated.fit.parameters = fitter_.configured({});
+    search_.re_estimated.fit.held_out = 0.05;
+    search_.as_configured = search_.re_estimated;
+    for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
+      diagnosis::FittedHypothesis single{fit::makeHypothesis(search_.candidates, {c}), {}};
+      single.fit.parameters = fitter_.configured(single.hypothesis);
+      single.fit.held_out = 0.04;
+      search_.singles.push_back(single);
+    }
+    fit::findUnitEffects(search_.candidates, fitter_.records(), 1);
+  }
+
+  static log::Log slowLog() {
+    log::Log log = runRig("slow", 1, [](double, double, double) { return 0.0; });
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      const double t = log.time(i);
+      log.displacement[i] = 0.002 / 1.5707963 * std::asin(std::sin(0.5 * t));
+      log.force[i] = 1e6 * log.displacement[i];
+    }
+    return log;
+  }
+
+  diagnosis::FittedHypothesis& single(const std::string& effect) {
+    for (std::size_t c = 0; c < search_.candidates.size(); ++c) {
+      if (search_.candidates[c].effect == effect) {
+        return search_.singles[c];
+      }
+    }
+    throw std::logic_error(effect);
+  }
+
+  // RMS difference before any refit, and what is left after it, in noise floors of the log.
+  double afterRefit(const Experiment& experiment) {
+    const std::vector<diagnosis::Explanation> explanations = {{&single("viscous_damping"), 1.0},
+                                                              {&search_.re_estimated, 0.0}};
+    diagnosis::Discriminator discriminator(fitter_, search_, explanations, {}, 1e9, 1);
+    const auto found = discriminator.best({experiment});
+    EXPECT_NE(found.experiment, nullptr);
+    return found.floors;
+  }
+
+  fit::ModelParameters model_;
+  fit::Fitter fitter_;
+  fit::Excitation excitation_;
+  diagnosis::Search search_;
+};
+
+Experiment motion(const std::function<double(double)>& law) {
+  constexpr double kStep = 0.002;
+  Experiment experiment{"motion", "motion", kStep, Eigen::VectorXd(10000), 1};
+  for (Eigen::Index i = 0; i < experiment.displacement.size(); ++i) {
+    experiment.displacement[i] = law(kStep * static_cast<double>(i));
+  }
+  return experiment;
+}
+
+// A Maxwell element of any stiffness and break frequency makes what a dashpot makes of one sine; not of two of them.
+TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
+  single("viscous_damping").fit.parameters.scales[0] = 2e3;
+  const auto sine = [](double f) { return [f](double t) { return 1e-4 * std::sin(2.0 * element::kPi * f * t); }; };
+  const double one = afterRefit(motion(sine(4.0)));
+  const double two = afterRefit(motion([&](double t) { return sine(1.0)(t) + sine(15.0)(t); }));
+  EXPECT_GT(two, 5.0 * one);
+}
+
+TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
+  single("viscous_damping").fit.parameters.scales[0] = 2e3;
+  single("viscous_damping").fit.held_out = 0.01;
+  diagnosis::Judgement judgement;
+  judgement.verdict = diagnosis::Verdict::confounded;
+  for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
+    if (search_.candidates[static_cast<std::size_t>(c)].effect == "viscous_damping") {
+      judgement.effects = {c};
+      judgement.model = diagnosis::Evidence::kFirstSingle + c;
+    }
+  }
+  judgement.confounded = {judgement.effects};
+  const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, {}, 1);
+  ASSERT_FALSE(proposed.proposed.displacement.empty()) << proposed.text;
+  EXPECT_GE(proposed.proposed.floors, diagnosis::kLeastFloors);
+  EXPECT_EQ(proposed.proposed.decides, "viscous_damping");
+  EXPECT_GT(proposed.proposed.probability, 0.5);
+  EXPECT_THAT(proposed.text, testing::HasSubstr("viscous_damping"));
+
+  search_.noise *= 2.0 * proposed.proposed.floors / diagnosis::kLeastFloors;
+  const auto none = diagnosis::nextExperiment(fitter_, search_, judgement, {}, 1);
+  EXPECT_TRUE(none.proposed.displacement.empty()) << none.text;
+  EXPECT_THAT(none.text, testing::StartsWith("None within the limits"));
+  EXPECT_THAT(none.text, testing::HasSubstr("It would take"));
+}
+
+TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
+  single("viscous_damping").fit.parameters.scales[0] = 2e3;
+  single("viscous_damping").fit.held_out = 0.01;
+  diagnosis::Judgement judgement;
+  judgement.verdict = diagnosis::Verdict::named;
+  judgement.model = diagnosis::Evidence::kFirstSingle;
+  diagnosis::ExperimentLimits limits;
+  limits.stroke = 0.004;
+  limits.speed = 0.1;
+  limits.force = 2500.0;
+  limits.duration = 12.0;
+  for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
+    judgement.model = diagnosis::Evidence::kFirstSingle + c;
+    const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1).proposed;
+    for (std::size_t i = 1; i < proposed.displacement.size(); ++i) {
+      ASSERT_LE(std::abs(proposed.displacement[i]), 0.004);
+      ASSERT_LE(std::abs(proposed.displacement[i] - proposed.displacement[i - 1]), 0.1 * proposed.dt * (1.0 + 1e-9));
+      ASSERT_LE(std::abs(1e6 * proposed.displacement[i]), 2500.0);  // its static stiffness is 1e6 N/m
+    }
+    ASSERT_LE(static_cast<double>(proposed.displacement.size()) * proposed.dt, 12.0);
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension
