@@ -259,7 +259,7 @@ int main(int argc, char** argv) {
             ->type_name("KEY=VALUE");
         app.add_option("--limits", options->limits,
                        "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
-                       "force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
+                       "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
             ->type_name("KEY=VALUE");
         app.add_option("--output", options->output, "folder of the report; made if missing")
             ->required()

@@ -61,7 +61,9 @@ diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> log
 }
 
 std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
-  return fmt::format("{} {}", diagnosis.verdict, diagnosis.confounded);
+  return fmt::format("{} {} gap {:.4f} {:.4f} {:.4f} floor {:.4f}", diagnosis.verdict, diagnosis.confounded,
+                     diagnosis.gap.as_configured, diagnosis.gap.re_estimated, diagnosis.gap.augmented,
+                     diagnosis.gap.noise_floor);
 }
 
 void runCase(unsigned seed, const Options& options, Tally& tally) {

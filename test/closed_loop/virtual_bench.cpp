@@ -73,6 +73,7 @@ VirtualBench::VirtualBench(unsigned seed) : draw_(seed) {
       io::parseComponentFile(yamlOf(stiffness, ratio * stiffness, frequency), "bench").front();
   limits_.stroke = kStroke;
   limits_.speed = 0.08;
+  limits_.frequency = kFrequency;
   limits_.force = 1e3 * stiffness;
   limits_.duration = 60.0;
   addEffect(right.allElements());

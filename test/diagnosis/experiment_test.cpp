@@ -91,11 +91,13 @@ std::string refusal(const std::string& assignment) {
 
 TEST(ExperimentLimits, AreReadWithTheirUnits) {
   diagnosis::ExperimentLimits limits;
-  for (const char* assignment : {"stroke=20 mm", "speed = 0.3 m/s", "force=30 kN", "duration=2 min"}) {
+  for (const char* assignment :
+       {"stroke=20 mm", "speed = 0.3 m/s", "frequency=15 Hz", "force=30 kN", "duration=2 min"}) {
     diagnosis::setExperimentLimit(limits, assignment);
   }
   EXPECT_EQ(limits.stroke, 0.02);
   EXPECT_EQ(limits.speed, 0.3);
+  EXPECT_EQ(limits.frequency, 15.0);
   EXPECT_EQ(limits.force, 30e3);
   EXPECT_EQ(limits.duration, 120.0);
 }
@@ -201,15 +203,18 @@ TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
     }
   }
   judgement.confounded = {judgement.effects};
-  const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, {}, 1);
+  diagnosis::ExperimentLimits limits;  // the logs are slow
+  limits.speed = 0.1;
+  limits.frequency = 15.0;
+  const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1);
   ASSERT_FALSE(proposed.proposed.displacement.empty()) << proposed.text;
   EXPECT_GE(proposed.proposed.floors, diagnosis::kLeastFloors);
   EXPECT_EQ(proposed.proposed.decides, "viscous_damping");
   EXPECT_GT(proposed.proposed.probability, 0.5);
   EXPECT_THAT(proposed.text, testing::HasSubstr("viscous_damping"));
 
-  search_.noise *= 2.0 * proposed.proposed.floors / diagnosis::kLeastFloors;
-  const auto none = diagnosis::nextExperiment(fitter_, search_, judgement, {}, 1);
+  search_.noise *= 1.2 * proposed.proposed.floors / diagnosis::kLeastFloors;
+  const auto none = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1);
   EXPECT_TRUE(none.proposed.displacement.empty()) << none.text;
   EXPECT_THAT(none.text, testing::StartsWith("None within the limits"));
   EXPECT_THAT(none.text, testing::HasSubstr("It would take"));
@@ -224,6 +229,7 @@ TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
   diagnosis::ExperimentLimits limits;
   limits.stroke = 0.004;
   limits.speed = 0.1;
+  limits.frequency = 15.0;
   limits.force = 2500.0;
   limits.duration = 12.0;
   for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {

@@ -284,7 +284,9 @@ TEST(FirstScreen, AnswersTheFiveQuestions) {
                     {"friction", "displacement", "m", 0.0, 3.5e-4, {3e-4, 4e-4}}};
   d.where = {{"sines", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.31, 10.0}};
   d.next_experiment = "sine at 4 Hz";
-  d.proposed = {"sine", 0.01, std::vector<double>(201, 0.0)};
+  d.proposed.description = "sine";
+  d.proposed.dt = 0.01;
+  d.proposed.displacement.assign(201, 0.0);
   d.workings = std::make_shared<diagnosis::Workings>();
   const std::string html = diagnosis::firstScreen(d, "<figure>LOOP</figure>");
   for (const char* answer :

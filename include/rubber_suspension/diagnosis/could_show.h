@@ -1,4 +1,5 @@
 // What logs could have shown: each effect implanted into them at a stated size, and what would be found.
+// Throws nothing.
 #pragma once
 
 #include <string>

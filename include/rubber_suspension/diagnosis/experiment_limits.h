@@ -9,10 +9,11 @@ namespace rubber_suspension::diagnosis {
 
 /// Limits of a proposed experiment. What is not given is what the logs themselves reached.
 struct ExperimentLimits {
-  std::optional<double> stroke;    ///< largest displacement to either side of 0 [m]
-  std::optional<double> speed;     ///< largest rate of the displacement [m/s]
-  std::optional<double> force;     ///< largest force to either side of 0 [N]
-  std::optional<double> duration;  ///< of the whole log [s]
+  std::optional<double> stroke;     ///< largest displacement to either side of 0 [m]
+  std::optional<double> speed;      ///< largest rate of the displacement [m/s]
+  std::optional<double> frequency;  ///< highest of a motion [Hz]
+  std::optional<double> force;      ///< largest force to either side of 0 [N]
+  std::optional<double> duration;   ///< of the whole log [s]
 };
 
 /// One row of the table that option and reference page follow.

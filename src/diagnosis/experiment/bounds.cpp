@@ -28,7 +28,7 @@ Bounds boundsOf(const fit::Excitation& excitation, const std::vector<log::Record
   Bounds bounds;
   bounds.stroke = limits.stroke ? Stroke{0.0, *limits.stroke} : strokeOf(low, high);
   bounds.speed = limits.speed.value_or(excitation.highest_rate);
-  bounds.frequency = excitation.highest_frequency;
+  bounds.frequency = limits.frequency.value_or(excitation.highest_frequency);
   bounds.force = limits.force.value_or(kOverForce * force);
   bounds.duration = limits.duration.value_or(excitation.longest_duration);
   bounds.dt = excitation.dt;

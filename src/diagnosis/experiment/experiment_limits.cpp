@@ -33,6 +33,7 @@ const std::vector<ExperimentLimitInfo>& experimentLimitTable() {
   static const std::vector<ExperimentLimitInfo> table = {
       {"stroke", "m", "largest displacement to either side of 0", &ExperimentLimits::stroke},
       {"speed", "m/s", "largest rate of the displacement", &ExperimentLimits::speed},
+      {"frequency", "Hz", "highest frequency of a motion", &ExperimentLimits::frequency},
       {"force", "N", "largest force to either side of 0", &ExperimentLimits::force},
       {"duration", "s", "duration of the whole log", &ExperimentLimits::duration},
   };

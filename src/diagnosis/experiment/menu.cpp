@@ -245,7 +245,7 @@ void addAmplitudes(const Frequencies& f, Menu& menu) {
   add("amplitudes", {1.0, 0.3, 0.1});
 }
 
-// Motion of full stroke that is repeated after a rest, that goes on, and that stands between rests.
+// Motion of full stroke that is repeated after a rest, that continues, and that stands between rests.
 void addRepeats(const Frequencies& f, double room, Menu& menu) {
   const double omega = kTwoPi * f.full;
   const double cycle = 1.0 / f.full;
@@ -256,11 +256,12 @@ void addRepeats(const Frequencies& f, double room, Menu& menu) {
               return fmt::format("5 cycles at {:.3g} Hz with {:.3g} mm, a rest of {:.3g} s, and the same again", f.full,
                                  peak, 2.0 * part);
             }});
-  menu.add({"standstill", 0.95 * room, cycle, f.full, 1.0,
-            [=](double t) { return burst(t - 0.475 * room + 0.5 * part); },
+  const double standing = 0.475 * room - 0.5 * part;
+  menu.add({"standstill", standing > cycle ? 0.95 * room : 0.0, cycle, f.full, 1.0,
+            [=](double t) { return burst(t - standing); },
             [=](double peak) {
-              return fmt::format("{:.3g} s at 0, 5 cycles at {:.3g} Hz with {:.3g} mm, and {:.3g} s at 0",
-                                 0.475 * room - 0.5 * part, f.full, peak, 0.475 * room - 0.5 * part);
+              return fmt::format("{:.3g} s at 0, 5 cycles at {:.3g} Hz with {:.3g} mm, and {:.3g} s at 0", standing,
+                                 f.full, peak, standing);
             }});
   menu.add({"long sine", 0.95 * room, cycle, f.full, 1.0, [=](double t) { return std::sin(omega * t); },
             [=](double peak) {
