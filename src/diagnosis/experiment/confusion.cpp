@@ -38,7 +38,7 @@ Outcome outcomeOf(const Judgement& judgement, int effect) {
   for (std::size_t i = 0; i < judgement.effects.size(); ++i) {
     const std::vector<int>& set = judgement.confounded[i];
     if (std::find(set.begin(), set.end(), effect) != set.end()) {
-      return set.size() == 1 ? Outcome::found : Outcome::confounded;
+      return set.size() == 1 && !judgement.values_would_do ? Outcome::found : Outcome::confounded;
     }
   }
   return Outcome::taken_for;
@@ -72,6 +72,9 @@ class EffectRow {
       for (const int other : othersOf(judgement)) {
         in_its_place[other] += share;
       }
+      if (judgement.values_would_do) {
+        in_its_place[kWrongValues] += share;
+      }
     }
     row.outcome = nameOf(std::max_element(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) {
                            return a.second < b.second;
@@ -82,7 +85,12 @@ class EffectRow {
   }
 
  private:
-  std::string name(int effect) const { return search_.candidates[static_cast<std::size_t>(effect)].effect; }
+  static constexpr int kWrongValues = -1;  // in the place of an effect
+
+  std::string name(int effect) const {
+    return effect == kWrongValues ? toString(Verdict::parameter_error)
+                                  : search_.candidates[static_cast<std::size_t>(effect)].effect;
+  }
 
   Judgement judgementOf(const Implant& implant, double size) const {
     return implant.hidden_by_rig ? Judgement{} : judge(diagnosis::evidenceOf(search_, implant, size), criteria_);

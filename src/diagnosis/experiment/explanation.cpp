@@ -87,6 +87,9 @@ std::vector<double> probabilitiesOf(const std::vector<double>& left, double nois
 std::vector<Explanation> explanationsOf(const Search& search, const Judgement& judgement, const Criteria& criteria) {
   const FittedHypothesis& judged = search.at(judgement.model);
   std::vector<const FittedHypothesis*> chosen = othersOfSet(search, judgement, judged);
+  if (judgement.values_would_do) {
+    chosen.push_back(&search.re_estimated);
+  }
   if (chosen.empty()) {
     if (const FittedHypothesis* rival = rivalOf(search, judged)) {
       chosen.push_back(rival);

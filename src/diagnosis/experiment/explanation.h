@@ -15,9 +15,9 @@ struct Explanation {
   double probability = 0.0;
 };
 
-/// The hypothesis judged and, of the largest set that cannot be told apart, those with another member in its place; the
-/// best other one where no set has two members. The one judged comes first, then by probability. One alone where there
-/// is no other.
+/// The hypothesis judged and, of the largest set that cannot be told apart, those with another member in its place,
+/// wrong values among them; the best other one where no set has two members. The one judged comes first, then by
+/// probability. One alone where there is no other.
 std::vector<Explanation> explanationsOf(const Search& search, const Judgement& judgement, const Criteria& criteria);
 
 /// Probabilities of explanations by what each leaves (a gap), by the law of the judgement: a power of what is left
