@@ -61,9 +61,15 @@ diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> log
 }
 
 std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
-  return fmt::format("{} {} gap {:.4f} {:.4f} {:.4f} floor {:.4f}", diagnosis.verdict, diagnosis.confounded,
-                     diagnosis.gap.as_configured, diagnosis.gap.re_estimated, diagnosis.gap.augmented,
-                     diagnosis.gap.noise_floor);
+  std::string text = fmt::format("{} {}, gap {:.4f} {:.4f} {:.4f} floor {:.4f};", diagnosis.verdict,
+                                 diagnosis.confounded, diagnosis.gap.as_configured, diagnosis.gap.re_estimated,
+                                 diagnosis.gap.augmented, diagnosis.gap.noise_floor);
+  constexpr std::size_t kMost = 4;
+  for (std::size_t i = 0; i < std::min(kMost, diagnosis.candidates.size()); ++i) {
+    const diagnosis::CandidateResult& candidate = diagnosis.candidates[i];
+    text += fmt::format(" {} {:.2f} {:.4f}", candidate.effect, candidate.probability, candidate.gap);
+  }
+  return text;
 }
 
 void runCase(unsigned seed, const Options& options, Tally& tally) {

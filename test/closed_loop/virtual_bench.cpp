@@ -109,7 +109,7 @@ void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
        }},
       {"bump_stop", k,
        [=](double s) {
-         return one("bump_stop", {{"stiffness", {s}}, {"gap", {(0.25 + 0.4 * shape) * z}}});
+         return one("bump_stop", {{"stiffness", {s}}, {"gap", {(0.45 + 0.4 * shape) * z}}});
        }},
       {"free_play", 0.05 * z,
        [=](double s) {

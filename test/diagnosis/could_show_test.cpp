@@ -1,0 +1,166 @@
+// What logs could show: known answers of plans, implants against real fits, programmes that cannot be used.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/experiment/implant.h"
+#include "diagnosis/screening.h"
+#include "gap/simulate.h"
+#include "rig.h"
+#include "rubber_suspension/diagnosis/plan.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::ImplantedEffect;
+
+log::Log programme(const std::function<double(double)>& law) {
+  log::Log log;
+  log.name = "programme";
+  for (int i = 0; i < 5000; ++i) {
+    const double t = 0.004 * i;
+    log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
+    log.displacement.push_back(std::min(1.0, t) * law(t));
+  }
+  return log;
+}
+
+log::Log sine() {
+  return programme([](double t) { return 0.002 * std::sin(2.0 * element::kPi * 3.0 * t); });
+}
+
+log::Log sweep() {
+  return programme([](double t) {
+    return (0.0011 + 0.0009 * std::sin(0.7 * t)) * std::sin(2.0 * element::kPi * (0.2 * t + 0.25 * t * t));
+  });
+}
+
+diagnosis::Plan planOf(const std::vector<log::Log>& logs, double size = 0.1) {
+  diagnosis::PlanOptions options;
+  options.size = size;
+  options.threads = 1;
+  return diagnosis::plan(rigComponent(), logs, options);
+}
+
+const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effect) {
+  const auto& rows = plan.could_show.implanted;
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const ImplantedEffect& other) { return other.effect == effect; });
+  if (found == rows.end()) {
+    throw std::logic_error(effect);
+  }
+  return *found;
+}
+
+// Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
+// them.
+TEST(Plan, OneSineHidesWhatASweepFinds) {
+  const diagnosis::Plan one = planOf({sine()});
+  const diagnosis::Plan many = planOf({sweep()});
+  for (const char* effect : {"viscous_damping", "inertia", "time_delay"}) {
+    EXPECT_EQ(row(one, effect).outcome, "out_of_reach") << effect;
+    EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
+    EXPECT_LT(row(many, effect).least_size, 0.1) << effect;
+    EXPECT_GT(row(one, effect).least_size, row(many, effect).least_size) << effect;
+  }
+}
+
+// A zero that is new in each log is the rig's.
+TEST(Plan, NeverFindsAZeroThatTheRigMayHave) {
+  const diagnosis::Plan plan = planOf({sweep()});
+  EXPECT_EQ(row(plan, "force_offset").outcome, "out_of_reach");
+  EXPECT_TRUE(std::isinf(row(plan, "force_offset").least_size));
+}
+
+TEST(Plan, LeastSizesAreWhereFindingBegins) {
+  const diagnosis::Plan plan = planOf({sweep()});
+  for (const char* effect : {"friction", "bump_stop", "viscous_damping"}) {
+    const double least = row(plan, effect).least_size;
+    ASSERT_TRUE(std::isfinite(least)) << effect;
+    EXPECT_THAT(row(planOf({sweep()}, 1.1 * least), effect).outcome, testing::AnyOf("found", "confounded")) << effect;
+    EXPECT_THAT(row(planOf({sweep()}, 0.5 * least), effect).outcome,
+                testing::Not(testing::AnyOf("found", "confounded")))
+        << effect;
+  }
+}
+
+TEST(Plan, SharesOfShapesAddUp) {
+  const diagnosis::Plan plan = planOf({sweep()});
+  for (const ImplantedEffect& effect : plan.could_show.implanted) {
+    double sum = effect.nothing_named;
+    for (const double share : effect.named_as) {
+      sum += share;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9) << effect.effect;
+  }
+}
+
+TEST(Plan, DoesNotLookAtAMeasuredForce) {
+  log::Log with = sweep();
+  with.force.assign(with.size(), 1.0);
+  EXPECT_EQ(diagnosis::toJson(planOf({with})), diagnosis::toJson(planOf({sweep()})));
+}
+
+TEST(Plan, RefusesWhatCannotBePlayed) {
+  log::Log still = sweep();
+  std::fill(still.displacement.begin(), still.displacement.end(), 0.001);
+  EXPECT_THROW(planOf({still}), log::LogError);
+  log::Log brief = sweep();
+  brief.stamp.resize(50);
+  brief.displacement.resize(50);
+  EXPECT_THROW(planOf({brief}), log::LogError);
+  EXPECT_THROW(planOf({}), log::LogError);
+}
+
+TEST(Plan, WritesWhatItSays) {
+  const diagnosis::Plan plan = planOf({sweep()});
+  const auto json = nlohmann::json::parse(diagnosis::toJson(plan));
+  EXPECT_EQ(json["schema"], "rubber_suspension/experiment_plan/1");
+  const std::string page = diagnosis::toHtml(plan);
+  const std::string text = diagnosis::toText(plan.could_show);
+  ASSERT_EQ(json["could_show"]["implanted"].size(), plan.could_show.implanted.size());
+  for (std::size_t i = 0; i < plan.could_show.implanted.size(); ++i) {
+    const ImplantedEffect& effect = plan.could_show.implanted[i];
+    EXPECT_EQ(json["could_show"]["implanted"][i]["effect"], effect.effect);
+    EXPECT_EQ(json["could_show"]["implanted"][i]["outcome"], effect.outcome);
+    EXPECT_THAT(text, testing::HasSubstr(effect.effect));
+  }
+  EXPECT_THAT(page, testing::HasSubstr("Experiment plan"));
+}
+
+// What projection says is left is what a fit leaves of a force to which the effect was really added.
+TEST(Implants, LeaveWhatAFitLeaves) {
+  const fit::ModelParameters model(rigComponent(), fit::Level::specification);
+  const std::vector<log::Record> records = {log::makeRecord(runRig(
+      "plain", 1, [](double, double, double) { return 0.0; }, 2.0))};
+  const fit::Fitter fitter(records, model);
+  auto candidates = diagnosis::candidates(fit::summarise(records));
+  fit::findUnitEffects(candidates, records, 1);
+  diagnosis::FittedHypothesis about;
+  about.fit.parameters = fitter.configured(about.hypothesis);
+  const diagnosis::Screening screening(fitter, candidates, about, 1);
+  constexpr double kSize = 0.05;
+  int compared = 0;
+  for (const diagnosis::Implant& implant : diagnosis::implantAll(fitter, screening, 1)) {
+    const fit::Candidate& candidate = candidates[static_cast<std::size_t>(implant.effect)];
+    const fit::BasisTerm& term = candidate.terms[implant.term];
+    if (implant.hidden_by_rig || !term.additive || !term.unit_effect || implant.model.gap < 0.2) {
+      continue;
+    }
+    std::vector<log::Record> with = records;
+    with.front().force += kSize * implant.scale * (*term.unit_effect).front();
+    const fit::Fitter fitted(with, model);
+    const double left = fitted.fit({}, fitted.configured({}), 10).gap;
+    // The model is not linear in its parameters, and noise of 0.2 % of the force is left as well.
+    EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
