@@ -21,7 +21,6 @@ class Projected {
  public:
   Projected(const fit::Fitter& fitter, const Screening& screening)
       : fitter_(fitter),
-        screening_(screening),
         model_(screening.modelSize()),
         size_(screening.blocks().sum.rows() - 1),
         plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)) {
@@ -70,7 +69,6 @@ class Projected {
 
  private:
   const fit::Fitter& fitter_;
-  const Screening& screening_;
   Eigen::Index model_;
   Eigen::Index size_;
   Eigen::MatrixXd plain_;      // without priors
