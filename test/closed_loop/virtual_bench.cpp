@@ -52,6 +52,39 @@ double standardDeviation(const std::vector<double>& values) {
   return std::sqrt(square);
 }
 
+constexpr std::size_t kFiner = 8;  // steps of the component for one of a log: it moves smoothly between samples
+
+// Between samples by cubic interpolation (Catmull-Rom).
+std::vector<double> finer(const std::vector<double>& z) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i + 1 < z.size(); ++i) {
+    const double before = z[i == 0 ? 0 : i - 1];
+    const double after = z[std::min(i + 2, z.size() - 1)];
+    for (std::size_t k = 0; k < kFiner; ++k) {
+      const double u = static_cast<double>(k) / kFiner;
+      result.push_back(z[i] + 0.5 * u *
+                                  (z[i + 1] - before +
+                                   u * (2.0 * before - 5.0 * z[i] + 4.0 * z[i + 1] - after +
+                                        u * (3.0 * (z[i] - z[i + 1]) + after - before))));
+    }
+  }
+  result.push_back(z.back());
+  return result;
+}
+
+// Force at the samples of a programme, from the state after the first of them.
+std::vector<double> forceAtSamples(const component::Component& component, component::ComponentState& state,
+                                   const Programme& programme) {
+  const std::vector<double> z = finer(programme.displacement);
+  std::vector<double> force(z.size() - 1);
+  component.simulate(state, programme.dt / kFiner, z.data() + 1, force.size(), force.data());
+  std::vector<double> sampled;
+  for (std::size_t i = kFiner - 1; i < force.size(); i += kFiner) {
+    sampled.push_back(force[i]);
+  }
+  return sampled;
+}
+
 // A law of an effect at a strength; laws and shapes are not those of the candidates where the elements allow it.
 struct Effect {
   const char* name;
@@ -162,14 +195,12 @@ void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
 std::vector<double> VirtualBench::forceOf(const component::Component& component, const Programme& programme) const {
   component::ComponentState state = component.makeState();
   component.initialise(state, programme.displacement.front());
-  std::vector<double> force(programme.displacement.size() - 1);
-  component.simulate(state, programme.dt, programme.displacement.data() + 1, force.size(), force.data());
-  return force;
+  return forceAtSamples(component, state, programme);
 }
 
 std::vector<Programme> VirtualBench::poorProgrammes() {
   std::vector<Programme> programmes;
-  const int count = uniform(0.0, 1.0) < 0.5 ? 1 : 2;
+  const int count = uniform(0.0, 1.0) < 0.75 ? 1 : 2;
   for (int i = 0; i < count; ++i) {
     const double amplitude = kStroke * uniform(0.15, 0.7);
     const double frequency = std::exp(uniform(std::log(0.3), std::log(0.5 * kFrequency)));
@@ -220,13 +251,11 @@ log::Log VirtualBench::play(const Programme& programme) {
   log::Log log;
   log.name = programme.name;
   log.displacement = programme.displacement;
-  log.force.resize(programme.displacement.size());
-  log.force[0] = (memory_.used ? component.relax(memory_.state, programme.displacement[0])
-                               : component.initialise(memory_.state, programme.displacement[0]))
-                     .total;
+  const auto first = memory_.used ? component.relax(memory_.state, programme.displacement[0])
+                                  : component.initialise(memory_.state, programme.displacement[0]);
+  log.force = forceAtSamples(component, memory_.state, programme);
+  log.force.insert(log.force.begin(), first.total);
   memory_.used = true;
-  component.simulate(memory_.state, programme.dt, programme.displacement.data() + 1, log.force.size() - 1,
-                     log.force.data() + 1);
   std::normal_distribution<double> normal(0.0, noise_);
   for (std::size_t i = 0; i < log.force.size(); ++i) {
     log.stamp.push_back(static_cast<std::int64_t>(std::llround(1e9 * programme.dt * static_cast<double>(i))));

@@ -133,8 +133,8 @@ struct ProposedExperiment {
   std::vector<double> displacement;  ///< [m], at even steps; empty: none is proposed
   std::string decides;               ///< the explanation judged, by its effects
   std::vector<std::string> against;  ///< those that it is to be told from
-  double difference = 0.0;   ///< RMS force by which the nearest of these, refitted, is expected to be off there [N]
-  double floors = 0.0;       ///< the same in noise floors
+  double difference = 0.0;   ///< were it right: RMS force by which the nearest other, refitted, would be off there [N]
+  double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
   double probability = 0.0;  ///< expected, of the right explanation once the log is among those diagnosed
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotients
 constexpr double kTermStep = 0.02;    // of the typical scale
+constexpr double kMostFloors = 10.0;  // count: what decides one question beyond doubt leaves the others open
 constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
 constexpr double kLeastNoise = 1e-4;  // of the force
 
@@ -89,7 +90,8 @@ double Discriminator::unrefitted(std::size_t motion) const {
         least = std::min(least, rms(withoutFree(force - says_[wrong].force[motion], false)));
       }
     }
-    expected += explanations_[right].probability * least / floorOf(rms(withoutFree(force, false)));
+    expected +=
+        explanations_[right].probability * std::min(kMostFloors, least / floorOf(rms(withoutFree(force, false))));
   }
   return expected;
 }
@@ -219,8 +221,8 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
       }
     }
     const double probability = explanations_[right].probability;
-    result.difference += probability * least;
-    result.floors += probability * least / floorOf(deviation);
+    result.difference = right == 0 ? least : result.difference;
+    result.floors += probability * std::min(kMostFloors, least / floorOf(deviation));
     result.probability += probability * probabilitiesOf(left, joined(search_.noise, noise),
                                                         search_.re_estimated.fit.held_out, criteria_)[right];
     result.nearest = right == 0 ? nearest : result.nearest;

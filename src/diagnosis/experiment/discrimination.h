@@ -12,8 +12,8 @@ namespace rubber_suspension::diagnosis {
 /// A motion and what it is expected to decide.
 struct Discrimination {
   const Experiment* experiment = nullptr;
-  double difference = 0.0;   ///< RMS force by which the nearest wrong explanation, refitted, would still be off [N]
-  double floors = 0.0;       ///< the same in noise floors
+  double difference = 0.0;   ///< were the first right: RMS force by which the nearest other would still be off [N]
+  double floors = 0.0;       ///< expected over what may be right, in noise floors of which ten count at most
   double probability = 0.0;  ///< expected, of the right explanation once the motion is among the logs
   std::size_t nearest = 0;   ///< the explanation nearest to the first
 };

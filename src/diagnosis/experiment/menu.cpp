@@ -17,6 +17,7 @@ namespace {
 constexpr double kTwoPi = 2.0 * element::kPi;
 constexpr double kWithin = 1.0 - 1e-6;  // of a bound, so that rounding does not exceed it
 constexpr double kMostSamples = 5e5;    // of one motion
+constexpr double kCycles = 40.0;        // of a motion, where there is room: a fit to part of it has to predict the rest
 constexpr double kPerPeriod = 40.0;     // samples of the highest frequency by which models are compared
 
 using Law = std::function<double(double)>;
@@ -101,16 +102,23 @@ struct Frequencies {
 };
 
 Frequencies frequenciesOf(const Bounds& bounds, double room) {
-  constexpr double kCycles = 5.0;
+  constexpr double kFewCycles = 5.0;
   const double full = std::min(bounds.frequency, bounds.speed / (kTwoPi * bounds.stroke.half));
-  return {bounds.frequency, full, std::min(kCycles / room, full)};
+  return {bounds.frequency, full, std::min(kFewCycles / room, full)};
 }
 
-void addSines(const Frequencies& f, Menu& menu) {
+// So many cycles, or as many as there is room for; 0 where these are fewer than tell anything.
+double cyclesWithin(double room, double frequency, double wanted) {
+  constexpr double kFewest = 6.0;
+  const double cycles = std::min(wanted, std::floor(0.95 * room * frequency));
+  return cycles < kFewest ? 0.0 : cycles;
+}
+
+void addSines(const Frequencies& f, double room, Menu& menu) {
   for (const double part : {0.03, 0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * f.highest;
-      menu.add({"sine", 8.0 / frequency, 1.0 / frequency, frequency, share,
+      menu.add({"sine", cyclesWithin(room, frequency, kCycles) / frequency, 1.0 / frequency, frequency, share,
                 [=](double t) { return std::sin(kTwoPi * frequency * t); },
                 [=](double peak) {
                   return fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, peak);
@@ -149,12 +157,12 @@ void addSweeps(const Frequencies& f, double room, Menu& menu) {
 
 // Lines of an odd or an even multiple of one frequency, of equal speed, with phases that keep the peaks low
 // (Schroeder).
-void addMultisines(const Frequencies& f, Menu& menu) {
+void addMultisines(const Frequencies& f, double room, Menu& menu) {
   constexpr int kLines = 8;
   for (const int first : {1, 2}) {
     const double base = f.highest / (first + 2.0 * (kLines - 1));
     for (const double share : {0.2, 1.0}) {
-      menu.add({"multisine", 5.0 / base, 1.0 / base, f.highest, share,
+      menu.add({"multisine", cyclesWithin(room, base, 0.5 * kCycles) / base, 1.0 / base, f.highest, share,
                 [=](double t) {
                   double sum = 0.0;
                   for (int i = 0; i < kLines; ++i) {
@@ -196,11 +204,11 @@ void addHolds(const Frequencies& f, double room, Menu& menu) {
             }});
 }
 
-void addTriangles(const Frequencies& f, Menu& menu) {
+void addTriangles(const Frequencies& f, double room, Menu& menu) {
   for (const double part : {0.1, 1.0}) {
     for (const double share : {0.2, 1.0}) {
       const double frequency = part * f.full;
-      menu.add({"triangle", 6.0 / frequency, 1.0 / frequency, f.full, share,
+      menu.add({"triangle", cyclesWithin(room, frequency, kCycles) / frequency, 1.0 / frequency, f.full, share,
                 [=](double t) { return triangle(frequency * t); },
                 [=](double peak) {
                   return fmt::format("triangle at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, peak);
@@ -209,13 +217,14 @@ void addTriangles(const Frequencies& f, Menu& menu) {
   }
 }
 
-void addPreloads(const Frequencies& f, Menu& menu) {
+void addPreloads(const Frequencies& f, double room, Menu& menu) {
   const double cycle = 1.0 / f.full;
   const double omega = kTwoPi * f.full;
+  const double cycles = cyclesWithin(room, f.full, kCycles);
   for (const double side : {1.0, -1.0}) {
-    menu.add({"preload", 10.0 * cycle, cycle, f.full, 0.8,
+    menu.add({"preload", cycles * cycle, cycle, f.full, 0.8,
               [=](double t) {
-                const double fade = std::min(eased(t - cycle, cycle), eased(9.0 * cycle - t, cycle));
+                const double fade = std::min(eased(t - cycle, cycle), eased((cycles - 1.0) * cycle - t, cycle));
                 return side * 0.5 + 0.3 * fade * std::sin(omega * t);
               },
               [=](double peak) {
@@ -226,9 +235,10 @@ void addPreloads(const Frequencies& f, Menu& menu) {
 }
 
 // Amplitudes one after the other, at the fastest sine of full stroke.
-void addAmplitudes(const Frequencies& f, Menu& menu) {
+void addAmplitudes(const Frequencies& f, double room, Menu& menu) {
   const double omega = kTwoPi * f.full;
-  const double phase = 5.0 / f.full;
+  const double cycles = std::floor(cyclesWithin(room, f.full, kCycles) / 3.0);  // of each amplitude
+  const double phase = cycles / f.full;
   const auto add = [&](const std::string& kind, const std::array<double, 3>& part) {
     menu.add({kind, 3.0 * phase, 1.0 / f.full, f.full, 1.0,
               [=](double t) {
@@ -236,8 +246,9 @@ void addAmplitudes(const Frequencies& f, Menu& menu) {
                 return part[now] * std::sin(omega * t);
               },
               [=](double peak) {
-                return fmt::format("sine at {:.3g} Hz: 5 cycles with {:.3g} mm, 5 with {:.3g} mm, and 5 with {:.3g} mm",
-                                   f.full, part[0] * peak, part[1] * peak, part[2] * peak);
+                return fmt::format(
+                    "sine at {:.3g} Hz: {:.0f} cycles with {:.3g} mm, as many with {:.3g} mm, and with {:.3g} mm",
+                    f.full, cycles, part[0] * peak, part[1] * peak, part[2] * peak);
               }});
   };
   add("small after large", {0.2, 1.0, 0.2});
@@ -281,13 +292,13 @@ std::vector<Experiment> experimentMenu(const Bounds& bounds) {
     return {};
   }
   const Frequencies f = frequenciesOf(bounds, room);
-  addSines(f, menu);
+  addSines(f, room, menu);
   addSweeps(f, room, menu);
-  addMultisines(f, menu);
+  addMultisines(f, room, menu);
   addHolds(f, room, menu);
-  addTriangles(f, menu);
-  addPreloads(f, menu);
-  addAmplitudes(f, menu);
+  addTriangles(f, room, menu);
+  addPreloads(f, room, menu);
+  addAmplitudes(f, room, menu);
   addRepeats(f, room, menu);
   return menu.take();
 }
