@@ -6,7 +6,6 @@
 #include <pthread.h>
 #include <ros/console.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -100,13 +99,15 @@ LiveDiagnoser::LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::Co
   pthread_setname_np(thread_.native_handle(), "diagnosis");
 }
 
-LiveDiagnoser::~LiveDiagnoser() {
+void LiveDiagnoser::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
   }
   wake_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
 }
 
 bool LiveDiagnoser::isStopping() const {
@@ -116,7 +117,7 @@ bool LiveDiagnoser::isStopping() const {
 
 // On Linux niceness belongs to the thread.
 void LiveDiagnoser::run() {
-  if (setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), settings_.nice) != 0) {
+  if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
     ROS_WARN("the live diagnosis runs at normal priority");
   }
   while (!isStopping()) {

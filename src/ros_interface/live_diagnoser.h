@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -34,9 +35,12 @@ class LiveDiagnoser {
   /// The channels must outlive the object.
   LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
                 const LiveDiagnoserSettings& settings);
-  ~LiveDiagnoser();
+  ~LiveDiagnoser() { stop(); }
   LiveDiagnoser(const LiveDiagnoser&) = delete;
   LiveDiagnoser& operator=(const LiveDiagnoser&) = delete;
+
+  /// End the thread: a look that runs is cancelled. What was found last can still be asked for.
+  void stop();
 
   /// The model that closes what was found of a component. Throws std::invalid_argument that says why there is none.
   io::ComponentDescription found(const std::string& component) const;

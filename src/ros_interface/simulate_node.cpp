@@ -52,7 +52,9 @@ void SimulateNode::start() {
 
 SimulateNode::~SimulateNode() {
   registration_.reset();
-  live_.reset();
+  if (live_) {
+    live_->stop();  // services and diagnostics may ask it until they end
+  }
   for (auto& server : servers_) {
     server->shutdown();
   }
