@@ -62,15 +62,14 @@ double probabilityOf(const std::string& effect, const Diagnosis& diagnosis) {
   return found == diagnosis.candidates.end() ? 0.0 : found->probability;
 }
 
-log::Log logOf(std::deque<LiveSample>::const_iterator first, std::deque<LiveSample>::const_iterator last,
-               std::size_t step) {
+// Every `step`-th sample from number `first` on.
+log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::size_t step) {
   log::Log log;
   log.name = "live";
-  for (auto sample = first; sample < last;
-       sample += static_cast<std::ptrdiff_t>(std::min<std::size_t>(step, static_cast<std::size_t>(last - sample)))) {
-    log.stamp.push_back(sample->stamp);
-    log.displacement.push_back(sample->displacement);
-    log.force.push_back(sample->force);
+  for (std::size_t i = first; i < samples.size(); i += step) {
+    log.stamp.push_back(samples[i].stamp);
+    log.displacement.push_back(samples[i].displacement);
+    log.force.push_back(samples[i].force);
   }
   return log;
 }
@@ -224,13 +223,14 @@ bool LiveDiagnosis::lookIsDue() const {
 std::vector<log::Log> LiveDiagnosis::windowLogs(std::int64_t begin) const {
   const auto first =
       std::find_if(samples_.begin(), samples_.end(), [&](const LiveSample& sample) { return sample.stamp >= begin; });
-  const auto count = static_cast<std::size_t>(samples_.end() - first);
+  const auto before = static_cast<std::size_t>(first - samples_.begin());
+  const std::size_t count = samples_.size() - before;
   std::size_t step = (count + settings_.most_samples - 1) / settings_.most_samples;
   if (step > 1) {
-    step = std::min(step, largestStep(logOf(first, samples_.end(), 1)));
+    step = std::min(step, largestStep(logOf(samples_, before, 1)));
   }
   const std::size_t taken = std::min(count, step * settings_.most_samples);
-  return cut(logOf(samples_.end() - static_cast<std::ptrdiff_t>(taken), samples_.end(), step));
+  return cut(logOf(samples_, samples_.size() - taken, step));
 }
 
 void LiveDiagnosis::look(const std::function<bool()>& stop) {
