@@ -167,7 +167,11 @@ class Network:
             except socket.timeout:
                 raise WireError(f"nobody subscribed to {topic}") from None
             connection.settimeout(PATIENCE)
-            fields = receive_header(connection)
+            try:
+                fields = receive_header(connection)
+            except WireError:  # closed: the master's word that the last publisher left came late; it calls again
+                connection.close()
+                continue
             send_header(connection, {"callerid": CALLER, "type": fields["type"], "md5sum": fields["md5sum"],
                                      "topic": fields["topic"], "latching": "0", "message_definition": ""})
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -55,6 +56,25 @@ std::string confusionTable(const CouldShow& could_show) {
   return table.html();
 }
 
+// "Found: friction, creep. Out of reach: inertia.", which is all that fits on paper.
+std::string outcomesInWords(const CouldShow& could_show) {
+  std::string text;
+  for (const char* outcome : {"found", "confounded", "taken_for", "unexplained", "out_of_reach"}) {
+    std::vector<std::string> effects;
+    for (const ImplantedEffect& row : could_show.implanted) {
+      if (row.outcome == outcome) {
+        effects.push_back(spoken(row.effect));
+      }
+    }
+    if (!effects.empty()) {
+      std::string sentence = outcomeText(outcome) + ": " + enumerated(effects) + ".";
+      sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+      text += (text.empty() ? "" : " ") + sentence;
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string outcomeText(const std::string& outcome) {
@@ -68,13 +88,14 @@ std::string outcomeText(const std::string& outcome) {
 
 std::string couldShowHtml(const CouldShow& could_show) {
   return fmt::format(
-             "<p class=note>Each effect is implanted into this component, motion and noise, in several shapes of its "
+             "<p class=\"note screen\">Each effect is implanted into this component, motion and noise, in several "
+             "shapes of its "
              "law, with an RMS force of {} % of the force's standard deviation ({}; noise floor {} %), and judged as "
-             "the "
-             "logs are. The least size is that from which half of the shapes are found, alone or in a set.</p>\n",
+             "the logs are. The least size is that from which half of the shapes are found, alone or in a set.</p>\n",
              fmt::format("{:.2g}", 100.0 * could_show.size), escape(could_show.why),
              fmt::format("{:.2g}", 100.0 * could_show.noise)) +
-         outcomeTable(could_show) + folded("What would be taken for what", confusionTable(could_show));
+         "<p>" + escape(outcomesInWords(could_show)) + "</p>\n<div class=screen>" + outcomeTable(could_show) +
+         "</div>\n" + folded("What would be taken for what", confusionTable(could_show));
 }
 
 std::string toText(const CouldShow& could_show) {
