@@ -103,11 +103,11 @@ log::Log benchLog(const std::string& name, unsigned seed, double zero) {
   return log;
 }
 
+// Of a parameter that a fit left at zero, too.
 double worstRatio(const fit::Identification& result) {
-  const auto given = description().allElements();
   double worst = 0.0;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    worst = std::max(worst, std::abs(result.elements[i].value("stiffness") / given[i].value("stiffness") - 1.2));
+  for (const fit::IdentifiedParameter& parameter : result.parameters) {
+    worst = std::max(worst, std::abs(parameter.value / parameter.given - 1.2));
   }
   return worst;
 }
