@@ -66,7 +66,7 @@ class Discriminator {
   const fit::Fitter& fitter_;
   const Search& search_;
   const std::vector<Explanation>& explanations_;
-  const Criteria& criteria_;
+  Criteria criteria_;
   NewLogNoise noise_;
   double force_limit_;
   int threads_;
