@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "element/suggestion.h"
+#include "io/named_row.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
@@ -21,16 +21,7 @@ std::string accepted(const RigToleranceInfo& info) {
 }
 
 const RigToleranceInfo& findRow(const std::string& key) {
-  const auto& table = rigToleranceTable();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const RigToleranceInfo& row) { return row.name == key; });
-  if (found == table.end()) {
-    std::vector<std::string> names(table.size());
-    std::transform(table.begin(), table.end(), names.begin(), [](const RigToleranceInfo& row) { return row.name; });
-    throw std::invalid_argument(fmt::format("{}: no tolerance of a rig{}; accepted: {}", log::quoted(key),
-                                            element::didYouMean(key, names), log::join(names)));
-  }
-  return *found;
+  return namedRow(rigToleranceTable(), key, "no tolerance of a rig");
 }
 
 }  // namespace

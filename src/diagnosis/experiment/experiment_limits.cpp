@@ -3,32 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "element/suggestion.h"
+#include "io/named_row.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::diagnosis {
-namespace {
-
-const ExperimentLimitInfo& findRow(const std::string& key) {
-  const auto& table = experimentLimitTable();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const ExperimentLimitInfo& row) { return row.name == key; });
-  if (found == table.end()) {
-    std::vector<std::string> names(table.size());
-    std::transform(table.begin(), table.end(), names.begin(), [](const auto& row) { return row.name; });
-    throw std::invalid_argument(fmt::format("{}: no limit of an experiment{}; accepted: {}", log::quoted(key),
-                                            element::didYouMean(key, names), log::join(names)));
-  }
-  return *found;
-}
-
-}  // namespace
-
 const std::vector<ExperimentLimitInfo>& experimentLimitTable() {
   static const std::vector<ExperimentLimitInfo> table = {
       {"stroke", "m", "largest displacement to either side of 0", &ExperimentLimits::stroke},
@@ -47,7 +29,7 @@ void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment)
         fmt::format("{}: no '='; accepted: KEY=VALUE, as stroke=20 mm", log::quoted(assignment)));
   }
   const std::string key = log::trimmed(assignment.substr(0, equal));
-  const ExperimentLimitInfo& row = findRow(key);
+  const ExperimentLimitInfo& row = io::namedRow(experimentLimitTable(), key, "no limit of an experiment");
   const std::string text = log::trimmed(assignment.substr(equal + 1));
   const std::string accepted = fmt::format("a number in {} or text with such a unit, above 0", row.unit);
   double value = 0.0;

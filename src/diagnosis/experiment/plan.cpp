@@ -16,15 +16,11 @@
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
-
-double standardDeviation(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
-  return std::sqrt((all - all.mean()).square().mean());
-}
 
 // The force that the component would have over each log, one after the other, with noise.
 void simulateForces(const component::Component& component, double noise, std::vector<log::Log>& logs) {
@@ -38,9 +34,10 @@ void simulateForces(const component::Component& component, double noise, std::ve
     for (std::size_t i = 1; i < log.size(); ++i) {
       log.force[i] = component.step(state, log.time(i) - log.time(i - 1), log.displacement[i]).total;
     }
-    std::normal_distribution<double> normal(0.0, noise * standardDeviation(log.force));
-    for (double& force : log.force) {
-      force += normal(generator);
+    const Eigen::Map<const Eigen::VectorXd> force(log.force.data(), static_cast<Eigen::Index>(log.size()));
+    std::normal_distribution<double> normal(0.0, noise * gap::standardDeviation(force));
+    for (double& value : log.force) {
+      value += normal(generator);
     }
   }
 }

@@ -1,6 +1,7 @@
 // All thresholds of the judgement, each with its reason.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace rubber_suspension::diagnosis {
@@ -74,6 +75,9 @@ struct Criteria {
   // parameters alone or nothing was to explain it, `unknown`. A vehicle engineer accepts 2 % of the force.
   double beyond_noise = 0.02;          ///< of the force
   double beyond_noise_of_floor = 5.0;  ///< times the floor
+
+  /// What may be left above a floor before it counts as not explained, as a gap.
+  double beyondNoise(double floor) const { return std::max(beyond_noise, beyond_noise_of_floor * floor); }
 };
 
 }  // namespace rubber_suspension::diagnosis

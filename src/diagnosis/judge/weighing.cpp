@@ -39,7 +39,8 @@ double Weighing::tolerated() const {
 double Weighing::enough() const {
   // However large the gap is: one large trivial effect, such as an offset, must not hide the rest.
   const double share = criteria_.share_of_gap_enough * left(evidence_.reEstimated());
-  return std::max(criteria_.within_noise * evidence_.noise_floor, std::min(share, beyondNoise(evidence_.noise_floor)));
+  return std::max(criteria_.within_noise * evidence_.noise_floor,
+                  std::min(share, criteria_.beyondNoise(evidence_.noise_floor)));
 }
 
 std::optional<int> Weighing::bestSingle(bool trends) const {
@@ -96,10 +97,6 @@ double Weighing::slowNoise() const {
     }
   }
   return most;
-}
-
-double Weighing::beyondNoise(double floor) const {
-  return std::max(criteria_.beyond_noise, criteria_.beyond_noise_of_floor * floor);
 }
 
 double Weighing::leftUnseen(const UnseenErrors& errors) {

@@ -49,7 +49,7 @@ class Weighing {
 
   /// True if so much is left that it counts as not explained; of unseen logs, if both the prediction and the component
   /// leave it, since the latter makes more noise of a sensor's noise.
-  bool isBeyondNoise(double rest, double floor) const { return rest > beyondNoise(floor); }
+  bool isBeyondNoise(double rest, double floor) const { return rest > criteria_.beyondNoise(floor); }
   bool isBeyondNoise(const UnseenErrors& errors) const;
 
   /// What is left of unseen logs above their floor, by the better of prediction and component.
@@ -74,7 +74,6 @@ class Weighing {
   std::optional<int> hiddenEffect() const;
 
  private:
-  double beyondNoise(double floor) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 

@@ -81,9 +81,7 @@ class Check {
   }
 
   bool isBeyondNoise(double gap) const {
-    const Criteria criteria;
-    return gap::residualAboveFloor(gap, d_.gap.noise_floor) >
-           std::max(criteria.beyond_noise, criteria.beyond_noise_of_floor * d_.gap.noise_floor);
+    return gap::residualAboveFloor(gap, d_.gap.noise_floor) > Criteria().beyondNoise(d_.gap.noise_floor);
   }
 
   void checkNamed() {
