@@ -62,7 +62,7 @@ summary { cursor: pointer; color: var(--link); }
   body { font-size: 8.6pt; line-height: 1.3; padding: 0; max-width: none; }
   h1 { font-size: 11.5pt; } h2 { font-size: 10pt; margin: 2.6mm 0 1mm; break-after: avoid; }
   .first { grid-template-columns: 1fr 1fr; gap: 0 5mm; }
-  .figures { grid-template-columns: repeat(3, 1fr); gap: 1mm 3mm; }
+  .figures { grid-template-columns: repeat(4, 1fr); gap: 1mm 3mm; }
   .pair { grid-template-columns: 1fr 1fr; gap: 0 5mm; }
   table { font-size: 7.6pt; margin: 1mm 0; }
   tr { break-inside: avoid; }
@@ -70,6 +70,7 @@ summary { cursor: pointer; color: var(--link); }
   p { margin: 1mm 0; }
   dd { margin-bottom: 1mm; }
   .track { width: 20mm; }
+  .value { white-space: nowrap; }
   details, .screen { display: none; }
   pre { padding: 1mm; }
 }

@@ -194,7 +194,8 @@ std::string findingText(const measurement::RigFinding& finding) {
     text += fmt::format(" ({} to {})", quantity(finding.interval_95[0], finding.unit),
                         quantity(finding.interval_95[1], finding.unit));
   }
-  return escape(text) + (finding.beyond_tolerance && !finding.fatal ? " <b>beyond the rig's tolerance</b>" : "");
+  return "<span class=\"value\">" + escape(text) + "</span>" +
+         (finding.beyond_tolerance && !finding.fatal ? " <b>beyond the rig's tolerance</b>" : "");
 }
 
 // One row per kind of finding: what it means and how to mend it is the same for all logs.
