@@ -43,6 +43,7 @@ struct Options {
   std::vector<std::string> plan;
   std::string effect_size = "10 %";
   std::string noise = "0.5 %";
+  std::size_t most_samples = diagnosis::kMostSamples;
   int threads = 2;
   LogOptions log_options;
   OutputOptions outputs;
@@ -178,6 +179,13 @@ int runPlan(const Options& options) {
   return kSuccess;
 }
 
+std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
+  return diagnosis.samples == diagnosis.recorded_samples
+             ? ""
+             : fmt::format("excerpts: {} of {} samples were searched (--most-samples)\n", diagnosis.samples,
+                           diagnosis.recorded_samples);
+}
+
 int run(const Options& options) {
   if (!options.plan.empty()) {
     return runPlan(options);
@@ -199,6 +207,7 @@ int run(const Options& options) {
   }
   diagnosis::DiagnosisOptions settings;
   settings.limits = limits;
+  settings.most_samples = options.most_samples;
   settings.threads = options.threads;
   settings.progress = showStage;
   settings.evidence = options.evidence;
@@ -218,8 +227,8 @@ int run(const Options& options) {
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\n{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), toText(diagnosis.comparison),
-             options.output);
+  fmt::print("{}\n{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis),
+             toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
 
@@ -270,6 +279,12 @@ int main(int argc, char** argv) {
         app.add_flag("--evidence", options->evidence,
                      "also write evidence.json: what every hypothesis leaves, of which the judgement is made");
         addPlotOption(app, options->plot, "loops, residuals and the gap over frequency, amplitude and time");
+        app.add_option("--most-samples", options->most_samples,
+                       "samples that the search takes, of all logs together; of longer logs it takes excerpts of all "
+                       "their amplitudes")
+            ->type_name("COUNT")
+            ->capture_default_str()
+            ->check(CLI::Range(std::size_t{1000}, std::size_t{100000000}));
         app.add_option("--threads", options->threads, "number of threads")
             ->type_name("COUNT")
             ->capture_default_str()
@@ -280,7 +295,8 @@ int main(int argc, char** argv) {
           if (options->plan.empty()) {
             refuseUnused(app, {"--effect-size", "--noise"}, "without --plan");
           } else {
-            refuseUnused(app, {"--log", "--hold-out", "--limits", "--compare", "--plot"}, "with --plan");
+            refuseUnused(app, {"--log", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
+                         "with --plan");
           }
           return run(*options);
         };

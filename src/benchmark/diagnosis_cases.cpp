@@ -115,7 +115,21 @@ std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   against_one_thread.baseline = "the same in 1 thread";
   against_one_thread.baseline_count = six->samples();
   against_one_thread.bare = [six] { six->run(1); };
-  return {against_loop, against_half, against_one_thread};
+
+  // An hour and its first five minutes: of the hour the search takes excerpts, so that what grows is the reading.
+  constexpr std::size_t kHour = 180;
+  constexpr std::size_t kFiveMinutes = 15;
+  const auto hour = std::make_shared<DiagnosisBench>(kHour * samples, 1);
+  Case against_minutes = diagnosisCase(hour);
+  against_minutes.name = fmt::format("fit and diagnosis of one log of {:g} s at 1 kHz, 2 threads",
+                                     static_cast<double>(kHour) * size.log_duration);
+  against_minutes.baseline = fmt::format("the same of {:g} s", static_cast<double>(kFiveMinutes) * size.log_duration);
+  against_minutes.unit = "diagnosis";
+  against_minutes.count = 1.0;
+  against_minutes.baseline_count = 1.0;
+  const auto minutes = std::make_shared<DiagnosisBench>(kFiveMinutes * samples, 1);
+  against_minutes.bare = [minutes] { minutes->run(2); };
+  return {against_loop, against_half, against_one_thread, against_minutes};
 }
 
 }  // namespace rubber_suspension::benchmark

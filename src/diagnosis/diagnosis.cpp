@@ -10,6 +10,7 @@
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/bench_evidence.h"
+#include "diagnosis/excerpts.h"
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/memory.h"
 #include "diagnosis/report/describe.h"
@@ -28,18 +29,33 @@ namespace {
 using measurement::PreparedLog;
 using measurement::RigFinding;
 
-std::vector<PreparedLog> prepare(const std::vector<log::Log>& logs, int threads) {
+// The logs, then those held out.
+std::vector<PreparedLog> prepare(const Excerpts& excerpts, int threads) {
+  std::vector<const log::Log*> logs;
+  for (const auto* list : {&excerpts.logs, &excerpts.hold_out}) {
+    for (const log::Log& log : *list) {
+      logs.push_back(&log);
+    }
+  }
   std::vector<PreparedLog> prepared(logs.size());
-  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { prepared[i] = measurement::prepareLog(logs[i]); });
+  fit::parallelFor(logs.size(), threads, [&](std::size_t i) { prepared[i] = measurement::prepareLog(*logs[i]); });
   return prepared;
 }
 
-std::vector<log::Record> recordsOf(const std::vector<PreparedLog>& prepared, std::size_t first, std::size_t last) {
+std::vector<log::Record> takeRecords(std::vector<PreparedLog> prepared) {
   std::vector<log::Record> records;
-  for (std::size_t i = first; i < last; ++i) {
-    records.push_back(prepared[i].record);
+  for (PreparedLog& log : prepared) {
+    records.push_back(std::move(log.record));
   }
   return records;
+}
+
+// All but the first `count`, which stay.
+std::vector<log::Record> splitOff(std::vector<log::Record>& records, std::size_t count) {
+  const auto first = std::make_move_iterator(records.begin() + static_cast<std::ptrdiff_t>(count));
+  std::vector<log::Record> others(first, std::make_move_iterator(records.end()));
+  records.resize(count);
+  return others;
 }
 
 std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
@@ -180,8 +196,11 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   }
   const std::vector<RigPart> of_held_out = rigParts(elements, tolerances, held_out);
   takeOut(of_held_out, delay, held_out);
+  forgetUnitEffects(judged.workings->search);  // two searches are not in memory at once
   Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
   if (leastScore(without) >= leastScore(judged)) {
+    without = {};
+    findUnitEffects(judged.workings->search, judged.prepared->training, options.threads);
     return;
   }
   judged = std::move(without);
@@ -190,11 +209,6 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
       findings.insert(findings.end(), part.findings.begin(), part.findings.end());
     }
   }
-}
-
-std::size_t samplesOf(const std::vector<log::Log>& logs) {
-  return std::accumulate(logs.begin(), logs.end(), std::size_t{0},
-                         [](std::size_t sum, const log::Log& log) { return sum + log.size(); });
 }
 
 Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {
@@ -212,6 +226,32 @@ Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFind
   return result;
 }
 
+// `whole`: the logs that the gap as recorded is of.
+Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Excerpts& excerpts,
+                           const std::vector<log::Log>& whole, const DiagnosisOptions& options) {
+  std::vector<PreparedLog> prepared = prepare(excerpts, options.threads);
+  std::vector<RigFinding> findings = findingsOf(prepared);
+  std::vector<log::Record> training = takeRecords(std::move(prepared));
+  const auto bench = measurement::checkBench(component.allElements(), training);
+  findings.insert(findings.end(), bench.begin(), bench.end());
+  if (measurement::anyFatal(findings)) {
+    auto evidence = std::make_shared<BenchEvidence>(benchEvidence(component.allElements(), training, findings));
+    Diagnosis result = refused(component, std::move(findings));
+    result.bench_evidence = std::move(evidence);
+    return result;
+  }
+  std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
+  const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
+  freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
+  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  takeOutRig(component, tolerances, options, judged, findings);
+  std::vector<log::Record> recorded;
+  for (const log::Log& log : whole) {
+    recorded.push_back(log::evenRecord(log));
+  }
+  return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
@@ -219,32 +259,13 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   if (logs.empty()) {
     throw log::LogError("no log: a diagnosis needs at least one");
   }
-  requireMemory(samplesOf(logs) + samplesOf(hold_out), options.threads,
+  const Excerpts excerpts = makeExcerpts(logs, hold_out, options.most_samples);
+  requireMemory(excerpts.samples, excerpts.of, options.threads,
                 options.available_memory > 0 ? options.available_memory : io::availableMemory());
-  std::vector<log::Log> all = logs;
-  all.insert(all.end(), hold_out.begin(), hold_out.end());
-  const std::vector<PreparedLog> prepared = prepare(all, options.threads);
-  std::vector<RigFinding> findings = findingsOf(prepared);
-  const auto bench = measurement::checkBench(component.allElements(), recordsOf(prepared, 0, prepared.size()));
-  findings.insert(findings.end(), bench.begin(), bench.end());
-  if (measurement::anyFatal(findings)) {
-    auto evidence = std::make_shared<BenchEvidence>(
-        benchEvidence(component.allElements(), recordsOf(prepared, 0, prepared.size()), findings));
-    Diagnosis result = refused(component, std::move(findings));
-    result.bench_evidence = std::move(evidence);
-    return result;
-  }
-  std::vector<log::Record> training = recordsOf(prepared, 0, logs.size());
-  std::vector<log::Record> held_out = recordsOf(prepared, logs.size(), prepared.size());
-  const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
-  freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
-  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  takeOutRig(component, tolerances, options, judged, findings);
-  std::vector<log::Record> recorded;
-  for (const log::Log& log : hold_out.empty() ? logs : hold_out) {
-    recorded.push_back(log::makeRecord(log));
-  }
-  return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
+  Diagnosis result = diagnoseExcerpts(component, excerpts, hold_out.empty() ? logs : hold_out, options);
+  result.samples = excerpts.samples;
+  result.recorded_samples = excerpts.of;
+  return result;
 }
 
 }  // namespace rubber_suspension::diagnosis

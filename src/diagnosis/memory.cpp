@@ -10,12 +10,14 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Every basis term of every candidate keeps its force over all samples, twice where the logs without what the rig did
-// are searched again, and each thread has columns of its own. Measured as the resident memory at its peak: with two
-// threads 3090 bytes a sample for 300,000 samples, 3158 for 600,000, 3186 for 1,200,000; for 120,000 with one, two and
-// eight threads 2729, 2946 and 4462.
+// Every basis term of every candidate keeps its force over all samples, and each thread has columns of its own.
+// Measured as the resident memory at its peak, the program's own taken off: with two threads 2790 bytes a sample of one
+// log of 120,000 samples, 3070 of 300,000, 2470 of 600,000; with eight threads 3610 of 120,000. The share of a thread
+// is larger where many effects have to be simulated.
 constexpr std::uint64_t kBytesPerSample = 2700;
 constexpr std::uint64_t kBytesPerSampleAndThread = 250;
+// The logs as read, and what the gap as recorded takes of them.
+constexpr std::uint64_t kBytesPerRecordedSample = 100;
 constexpr std::uint64_t kBytesOfProgram = 64 * 1024 * 1024;
 
 std::string readable(std::uint64_t bytes) {
@@ -29,18 +31,19 @@ std::uint64_t bytesPerSample(int threads) {
 
 }  // namespace
 
-std::uint64_t memoryNeeded(std::size_t samples, int threads) {
-  return kBytesOfProgram + bytesPerSample(threads) * samples;
+std::uint64_t memoryNeeded(std::size_t samples, std::size_t recorded, int threads) {
+  return kBytesOfProgram + bytesPerSample(threads) * samples + kBytesPerRecordedSample * recorded;
 }
 
-void requireMemory(std::size_t samples, int threads, std::uint64_t available) {
-  const std::uint64_t needed = memoryNeeded(samples, threads);
+void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::uint64_t available) {
+  const std::uint64_t needed = memoryNeeded(samples, recorded, threads);
   if (needed > available) {
-    const std::size_t most = available > kBytesOfProgram ? (available - kBytesOfProgram) / bytesPerSample(threads) : 0;
+    const std::uint64_t fixed = memoryNeeded(0, recorded, threads);
+    const std::uint64_t most = available > fixed ? (available - fixed) / bytesPerSample(threads) : 0;
     throw log::LogError(
-        fmt::format("the logs have {} samples, and a diagnosis of them takes about {}, of which {} are available; "
-                    "accepted: {} samples in all, by fewer or shorter logs or a lower sampling rate",
-                    samples, readable(needed), readable(available), most));
+        fmt::format("a search that takes {} of {} samples needs about {}, and {} are available; accepted: {} samples "
+                    "(--most-samples), or fewer or shorter logs",
+                    samples, recorded, readable(needed), readable(available), most));
   }
 }
 

@@ -6,10 +6,10 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Most that a diagnosis of logs with so many samples in all takes, about [bytes].
-std::uint64_t memoryNeeded(std::size_t samples, int threads);
+/// Most that a diagnosis takes whose search takes so many samples, of so many that the logs have, about [bytes].
+std::uint64_t memoryNeeded(std::size_t samples, std::size_t recorded, int threads);
 
-/// Throws log::LogError where a diagnosis of so many samples takes more than what is available [bytes].
-void requireMemory(std::size_t samples, int threads, std::uint64_t available);
+/// Throws log::LogError where such a diagnosis takes more than what is available [bytes].
+void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::uint64_t available);
 
 }  // namespace rubber_suspension::diagnosis

@@ -295,6 +295,15 @@ std::vector<int> containedIn(const std::vector<fit::Candidate>& candidates) {
   return contains;
 }
 
+// From the candidates as they are now.
+void remakeHypotheses(Search& search) {
+  for (auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (FittedHypothesis& fitted : *list) {
+      fitted.hypothesis = fit::makeHypothesis(search.candidates, fitted.hypothesis.members);
+    }
+  }
+}
+
 }  // namespace
 
 const FittedHypothesis& Search::at(int hypothesis) const {
@@ -309,6 +318,20 @@ const FittedHypothesis& Search::at(int hypothesis) const {
     place -= list->size();
   }
   return triples.at(place);
+}
+
+void forgetUnitEffects(Search& search) {
+  for (fit::Candidate& candidate : search.candidates) {
+    for (fit::BasisTerm& term : candidate.terms) {
+      term.unit_effect = nullptr;
+    }
+  }
+  remakeHypotheses(search);
+}
+
+void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads) {
+  fit::findUnitEffects(search.candidates, records, threads);
+  remakeHypotheses(search);
 }
 
 Evidence evidenceOf(const Search& search) {

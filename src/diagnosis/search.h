@@ -44,6 +44,11 @@ struct Search {
   const FittedHypothesis& at(int hypothesis) const;
 };
 
+/// Let go of the unit effects of all candidates, most of what a search keeps, and find them again, the same to the last
+/// bit.
+void forgetUnitEffects(Search& search);
+void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads);
+
 /// The numbers of a search, without errors on unseen logs.
 Evidence evidenceOf(const Search& search);
 

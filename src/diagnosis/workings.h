@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,17 +21,19 @@ struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
                std::vector<log::Record> hold_out)
       : component(configured),
-        training(std::move(logs)),
+        records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
+        training(*records),
         held_out(std::move(hold_out)),
         model(component, fit::Level::specification),
         element_model(component, fit::Level::elements),
-        fitter(training, model),
-        element_fitter(training, element_model) {}
+        fitter(records, model),
+        element_fitter(records, element_model) {}
   PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
   PreparedCase& operator=(const PreparedCase&) = delete;
 
   io::ComponentDescription component;
-  std::vector<log::Record> training;
+  std::shared_ptr<const std::vector<log::Record>> records;  ///< of the logs of the fit
+  const std::vector<log::Record>& training;                 ///< these
   std::vector<log::Record> held_out;
   fit::ModelParameters model;
   fit::ModelParameters element_model;

@@ -23,7 +23,8 @@ constexpr double kNothing = 1e-9;     // of the typical scale: a term of this sc
 
 }  // namespace
 
-Fitter::Fitter(std::vector<log::Record> records, const ModelParameters& model) : forces_(std::move(records), model) {
+Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model)
+    : forces_(std::move(records), model) {
   const auto count = static_cast<double>(this->records().size());
   for (const log::Record& record : this->records()) {
     weights_.push_back(1.0 / (record.force_deviation * std::sqrt(record.counted() * count)));

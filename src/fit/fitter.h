@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "fit/hypothesis.h"
@@ -34,7 +36,9 @@ struct Fit {
 /// far from all that was specified.
 class Fitter {
  public:
-  Fitter(std::vector<log::Record> records, const ModelParameters& model);
+  Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
+  Fitter(std::vector<log::Record> records, const ModelParameters& model)
+      : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
   const ModelParameters& model() const { return forces_.model(); }

@@ -58,7 +58,8 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
   return result;
 }
 
-HypothesisForces::HypothesisForces(std::vector<log::Record> records, const ModelParameters& model)
+HypothesisForces::HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records,
+                                   const ModelParameters& model)
     : records_(std::move(records)), model_(model), of_model_(interactionOf(model)) {}
 
 HypothesisForces::Interaction HypothesisForces::interactionOf(const ModelParameters& model) {
@@ -111,8 +112,8 @@ std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesi
   if (!elements) {
     return std::nullopt;
   }
-  auto result = gap::simulate(*elements, records_);
-  for (std::size_t r = 0; r < records_.size(); ++r) {
+  auto result = gap::simulate(*elements, records());
+  for (std::size_t r = 0; r < records().size(); ++r) {
     addForces(hypothesis, known, false, r, result[r]);
     soften(hypothesis, known, r, result[r]);
     addForces(hypothesis, known, true, r, result[r]);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fit/hypothesis.h"
@@ -20,9 +22,11 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
 /// What hypotheses about one model say of some logs. Thread-safe once constructed; the model has to outlive it.
 class HypothesisForces {
  public:
-  HypothesisForces(std::vector<log::Record> records, const ModelParameters& model);
+  HypothesisForces(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model);
+  HypothesisForces(std::vector<log::Record> records, const ModelParameters& model)
+      : HypothesisForces(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
-  const std::vector<log::Record>& records() const { return records_; }
+  const std::vector<log::Record>& records() const { return *records_; }
   const ModelParameters& model() const { return model_; }
 
   /// True where the force of the model is the sum of those of its elements.
@@ -56,7 +60,7 @@ class HypothesisForces {
   ForceColumn knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
                           const std::vector<Eigen::VectorXd>& base) const;
 
-  std::vector<log::Record> records_;
+  std::shared_ptr<const std::vector<log::Record>> records_;
   const ModelParameters& model_;
   Interaction of_model_;
 };

@@ -187,8 +187,6 @@ void smoothDisplacement(Record& record) {
     record.displacement = smooth(record.raw_displacement, record.dt, pass);
     record.notes.push_back(fmt::format("displacement noise {:.2g} m: smoothed above {:.3g} Hz for the fits",
                                        record.displacement_noise, pass));
-  } else {
-    record.displacement = record.raw_displacement;
   }
 }
 
@@ -265,7 +263,7 @@ double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequenc
   return std::sqrt(median(lines) / medianToMean(segments) * 0.5 / dt);
 }
 
-Record makeRecord(const Log& log) {
+Record evenRecord(const Log& log) {
   if (log.force.empty()) {
     throw LogError(log.name + ": has no measured force; needed is a column force_<unit>");
   }
@@ -284,6 +282,12 @@ Record makeRecord(const Log& log) {
   if (!changes(record.force) || !changes(record.raw_displacement)) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
+  record.displacement = record.raw_displacement;
+  return record;
+}
+
+Record makeRecord(const Log& log) {
+  Record record = evenRecord(log);
   smoothDisplacement(record);
   record.lowest_frequency = excitedFrom(record.displacement, record.dt);
   record.mean_frequency = meanFrequency(record.displacement, record.dt);

@@ -23,6 +23,9 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// Samples that a search takes unless it is told otherwise: no verdict needs more, and memory and time grow with them.
+constexpr std::size_t kMostSamples = 300000;
+
 /// What a diagnosis is told besides the component and the logs.
 struct DiagnosisOptions {
   int threads = 2;
@@ -33,6 +36,8 @@ struct DiagnosisOptions {
   ExperimentLimits limits;  ///< of the experiment that is proposed
   bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
+  /// Of all logs and hold-outs together, that the search takes; of longer ones it takes excerpts.
+  std::size_t most_samples = kMostSamples;
 };
 
 /// What the diagnosis says of one candidate effect.
@@ -186,6 +191,8 @@ struct Diagnosis {
 
   std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
 
+  std::size_t samples = 0;           ///< that the search took
+  std::size_t recorded_samples = 0;  ///< that the logs have; more than `samples` where it took excerpts
   std::vector<Admission> admission;
   ParameterRatios parameter_ratios;
   std::vector<ParameterByLog> by_log;
@@ -203,6 +210,8 @@ struct Diagnosis {
 
 /// Diagnose one component. Logs in the order of recording, on one component; each hold-out starts with a new one.
 /// Without hold-outs the gaps are those of blocks that took no part in the fit (cross validation).
+/// Of logs with more samples than the options allow it takes excerpts, each of them a log in the report;
+/// `gap_as_recorded` is of the whole logs all the same.
 /// Throws LogError for a log that cannot be used, or where all of them take more memory than there is,
 /// std::invalid_argument for a component that cannot be built.
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,

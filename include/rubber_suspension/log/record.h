@@ -48,6 +48,10 @@ struct Record {
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
 
+/// Even time steps and nothing else: the displacement as recorded, no noise nor frequencies known.
+/// Throws LogError as makeRecord() does.
+Record evenRecord(const Log& log);
+
 /// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);
 

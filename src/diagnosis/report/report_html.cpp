@@ -229,6 +229,19 @@ std::string findings(const Diagnosis& d) {
   return html + table.html();
 }
 
+std::string excerptsTaken(const Diagnosis& d) {
+  if (d.samples == d.recorded_samples) {
+    return "";
+  }
+  return fmt::format(
+      "<p>The search took {} of {} samples: excerpts, each a log below, its seconds since the log's beginning in its "
+      "name. "
+      "Between them the component rests, so of what grows over longer than an excerpt (heat, creep, drift) little is "
+      "seen. The gap of the whole logs as they "
+      "were recorded: {} as configured, {} after.</p>\n",
+      d.samples, d.recorded_samples, percent(d.gap_as_recorded.as_configured), percent(d.gap_as_recorded.augmented));
+}
+
 std::string admission(const Diagnosis& d) {
   Table table({"log", "#length [s]", "#rate [Hz]", "#largest |z| [mm]", "#excited up to [Hz]", "#noise floor",
                "#repeats", "notes"});
@@ -238,7 +251,7 @@ std::string admission(const Diagnosis& d) {
                fmt::format("{:.3g}", log.highest_frequency), percent(log.noise), wholePercent(log.repeats) + " %",
                escape(enumerated(log.notes))});
   }
-  return heading("The logs") + table.html();
+  return heading("The logs") + excerptsTaken(d) + table.html();
 }
 
 std::string runRecord(const Diagnosis& d) {

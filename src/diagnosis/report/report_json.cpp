@@ -210,6 +210,7 @@ std::string toJson(const Diagnosis& diagnosis) {
        {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
         {"augmented", errorsJson(diagnosis.errors_augmented)}}},
       {"own_parameters", parametersJson(diagnosis)},
+      {"samples", {{"searched", diagnosis.samples}, {"recorded", diagnosis.recorded_samples}}},
       {"admission", list(diagnosis.admission, admissionJson)}};
   if (!diagnosis.proposed.displacement.empty()) {
     report["next_experiment_log"] = "next_experiment.csv";

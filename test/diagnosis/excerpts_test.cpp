@@ -1,0 +1,135 @@
+// Of logs that are longer than a search takes, excerpts stand for the whole.
+#include "diagnosis/excerpts.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "rig.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+using diagnosis::Excerpts;
+using diagnosis::makeExcerpts;
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr std::int64_t kStep = 10000000;  // [ns]
+
+// A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
+log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
+  log::Log log;
+  log.name = "stairs";
+  const auto each = static_cast<std::size_t>(seconds * 100.0);
+  for (std::size_t i = 0; i < each * amplitudes.size(); ++i) {
+    log.stamp.push_back(static_cast<std::int64_t>(i) * kStep);
+    log.displacement.push_back(1e-3 * amplitudes[i / each] * std::sin(kTwoPi * 0.01 * static_cast<double>(i)));
+    log.force.push_back(1e6 * log.displacement.back());
+  }
+  return log;
+}
+
+std::size_t samplesOf(const std::vector<log::Log>& logs) {
+  std::size_t sum = 0;
+  for (const log::Log& log : logs) {
+    sum += log.size();
+  }
+  return sum;
+}
+
+double largest(const log::Log& log) {
+  return std::max(*std::max_element(log.displacement.begin(), log.displacement.end()),
+                  -*std::min_element(log.displacement.begin(), log.displacement.end()));
+}
+
+TEST(Excerpts, LogsThatAreShortEnoughAreTakenAsTheyAre) {
+  const std::vector<log::Log> logs = {stairs({1.0}, 60.0), stairs({2.0}, 30.0)};
+  const Excerpts excerpts = makeExcerpts(logs, {}, 9000);
+  ASSERT_EQ(excerpts.logs.size(), 2U);
+  EXPECT_EQ(excerpts.logs[0].stamp, logs[0].stamp);
+  EXPECT_EQ(excerpts.logs[0].notes, logs[0].notes);
+  EXPECT_EQ(excerpts.logs[1].displacement, logs[1].displacement);
+  EXPECT_EQ(excerpts.samples, 9000U);
+  EXPECT_EQ(excerpts.of, 9000U);
+}
+
+TEST(Excerpts, HoldTheBeginningTheLargestMotionAndAllAmplitudes) {
+  const std::vector<double> amplitudes = {1.0, 0.5, 2.0, 4.0, 0.25, 8.0, 1.5, 3.0, 0.5, 1.0, 6.0, 2.0};
+  const log::Log log = stairs(amplitudes, 600.0);  // 720,000 samples
+  const Excerpts excerpts = makeExcerpts({log}, {}, 80000);
+  EXPECT_LE(excerpts.samples, 80000U);
+  EXPECT_GT(excerpts.samples, 70000U);
+  EXPECT_EQ(excerpts.of, log.size());
+  EXPECT_EQ(excerpts.logs.front().stamp.front(), 0);
+  EXPECT_EQ(excerpts.logs.front().name.substr(0, 11), "stairs (0 t");
+  EXPECT_THAT(excerpts.logs.front().notes, testing::Contains("excerpt of 7200 s"));
+  std::set<double> seen;
+  std::int64_t last = -1;
+  for (const log::Log& excerpt : excerpts.logs) {
+    EXPECT_GT(excerpt.stamp.front(), last);  // in the order of recording, none twice
+    last = excerpt.stamp.back();
+    EXPECT_EQ(excerpt.force.size(), excerpt.size());
+    seen.insert(std::round(1e5 * largest(excerpt)) / 100.0);
+  }
+  EXPECT_TRUE(seen.count(8.0)) << "the largest motion";
+  EXPECT_GE(seen.size(), 5U);
+}
+
+TEST(Excerpts, LeaveOutAStandstill) {
+  const log::Log log = stairs({1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, 1000.0);
+  for (const log::Log& excerpt : makeExcerpts({log}, {}, 80000).logs) {
+    EXPECT_GT(largest(excerpt), 0.9e-3) << excerpt.name;
+  }
+}
+
+TEST(Excerpts, WindowsHoldTenCyclesWhereTheyCan) {
+  log::Log log = stairs({1.0}, 4000.0);
+  for (std::int64_t& stamp : log.stamp) {
+    stamp /= 100;  // as fast as it may be: what counts are cycles, not seconds
+  }
+  for (const std::size_t most : {80000U, 8000U, 4000U, 1500U}) {
+    for (const log::Log& excerpt : makeExcerpts({log}, {}, most).logs) {
+      EXPECT_GE(excerpt.size(), 1000U) << most;
+    }
+  }
+}
+
+TEST(Excerpts, WhatShortLogsLeaveGoesToLongOnes) {
+  const std::vector<log::Log> logs = {stairs({1.0}, 50.0), stairs({2.0}, 2000.0), stairs({2.0}, 2000.0)};
+  const Excerpts excerpts = makeExcerpts(logs, {}, 65000);
+  EXPECT_EQ(excerpts.logs.front().size(), 5000U);
+  EXPECT_EQ(excerpts.logs.front().notes, logs.front().notes);
+  EXPECT_NEAR(static_cast<double>(samplesOf(excerpts.logs)), 65000.0, 100.0);
+}
+
+TEST(Excerpts, AHoldOutGivesItsBeginning) {
+  const log::Log log = stairs({1.0, 3.0}, 1000.0);
+  const Excerpts excerpts = makeExcerpts({log}, {log}, 20000);
+  ASSERT_EQ(excerpts.hold_out.size(), 1U);
+  EXPECT_EQ(excerpts.hold_out.front().size(), 10000U);
+  EXPECT_EQ(excerpts.hold_out.front().stamp.front(), 0);
+}
+
+TEST(Excerpts, ALongLogIsDiagnosedByThem) {
+  const log::Log log = runRig("long", 1, [](double, double, double) { return 0.0; });
+  diagnosis::DiagnosisOptions options;
+  const diagnosis::Diagnosis whole = diagnosis::diagnose(rigComponent(), {log}, {}, options);
+  EXPECT_EQ(whole.samples, log.size());
+  EXPECT_EQ(whole.recorded_samples, log.size());
+  options.most_samples = log.size() / 2;
+  const diagnosis::Diagnosis part = diagnosis::diagnose(rigComponent(), {log}, {}, options);
+  EXPECT_LE(part.samples, options.most_samples);
+  EXPECT_EQ(part.recorded_samples, log.size());
+  EXPECT_EQ(part.verdict, whole.verdict);
+  // Of the whole log, whatever was searched; the parameters may differ by what the noise leaves open.
+  EXPECT_NEAR(part.gap_as_recorded.as_configured, whole.gap_as_recorded.as_configured, 1e-12);
+  EXPECT_THAT(diagnosis::toHtml(part), testing::HasSubstr("samples: excerpts"));
+  EXPECT_THAT(diagnosis::toHtml(whole), testing::Not(testing::HasSubstr("samples: excerpts")));
+}
+
+}  // namespace
+}  // namespace rubber_suspension
