@@ -232,6 +232,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   std::vector<PreparedLog> prepared = prepare(excerpts, options.threads);
   std::vector<RigFinding> findings = findingsOf(prepared);
   std::vector<log::Record> training = takeRecords(std::move(prepared));
+  addLeadIns(excerpts.lead_in, training);
   const auto bench = measurement::checkBench(component.allElements(), training);
   findings.insert(findings.end(), bench.begin(), bench.end());
   if (measurement::anyFatal(findings)) {

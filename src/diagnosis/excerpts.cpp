@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -147,34 +146,36 @@ std::size_t fairShare(const std::vector<std::size_t>& sizes, std::size_t most) {
   return ascending.back();
 }
 
-std::vector<log::Log> ofTheFit(const log::Log& log, std::size_t share) {
-  const std::vector<Window> windows = windowsOf(log, share);
-  const std::size_t count = share / (windows[0].last - windows[0].first);
-  std::vector<log::Log> result;
-  for (const Window& window : joined(windows, choose(log, windows, count))) {
-    result.push_back(excerpt(log, window));
+// The motion of a window in means over `coarse` samples each, but for what is left of them at its beginning.
+LeadIn leadIn(const log::Log& log, const Window& window, std::size_t coarse) {
+  const std::size_t count = (window.last - window.first) / coarse;
+  LeadIn result;
+  result.continues = window.first > 0;
+  result.dt = (log.time(window.last - 1) - log.time(window.first)) /
+              static_cast<double>(window.last - 1 - window.first) * static_cast<double>(coarse);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto end = log.displacement.begin() + static_cast<std::ptrdiff_t>(window.last - (count - 1 - i) * coarse);
+    result.displacement.push_back(std::accumulate(end - static_cast<std::ptrdiff_t>(coarse), end, 0.0) /
+                                  static_cast<double>(coarse));
   }
   return result;
+}
+
+void addExcerptsOfTheFit(const log::Log& log, std::size_t share, Excerpts& result) {
+  const std::vector<Window> windows = windowsOf(log, share);
+  const std::size_t count = share / (windows[0].last - windows[0].first);
+  const std::size_t coarse = (log.size() - 1) / share + 1;
+  std::size_t done = 0;
+  for (const Window& window : joined(windows, choose(log, windows, count))) {
+    result.lead_in.push_back(window.first > done ? leadIn(log, {done, window.first}, coarse) : LeadIn{});
+    result.logs.push_back(excerpt(log, window));
+    done = window.last;
+  }
 }
 
 std::size_t samplesOf(const std::vector<log::Log>& logs) {
   return std::accumulate(logs.begin(), logs.end(), std::size_t{0},
                          [](std::size_t sum, const log::Log& log) { return sum + log.size(); });
-}
-
-// All logs, each as it is or by what `take` makes of it.
-std::vector<log::Log> taken(const std::vector<log::Log>& logs, std::size_t share,
-                            const std::function<std::vector<log::Log>(const log::Log&)>& take) {
-  std::vector<log::Log> result;
-  for (const log::Log& log : logs) {
-    if (log.size() <= share) {
-      result.push_back(log);
-      continue;
-    }
-    std::vector<log::Log> excerpts = take(log);
-    result.insert(result.end(), std::make_move_iterator(excerpts.begin()), std::make_move_iterator(excerpts.end()));
-  }
-  return result;
 }
 
 }  // namespace
@@ -188,12 +189,28 @@ Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::
   }
   result.of = samplesOf(logs) + samplesOf(hold_out);
   const std::size_t share = fairShare(sizes, most);
-  result.logs = taken(logs, share, [&](const log::Log& log) { return ofTheFit(log, share); });
-  result.hold_out = taken(hold_out, share, [&](const log::Log& log) {
-    return std::vector<log::Log>{excerpt(log, {0, share})};
-  });
+  for (const log::Log& log : logs) {
+    if (log.size() <= share) {
+      result.logs.push_back(log);
+      result.lead_in.emplace_back();
+    } else {
+      addExcerptsOfTheFit(log, share, result);
+    }
+  }
+  for (const log::Log& log : hold_out) {
+    result.hold_out.push_back(log.size() <= share ? log : excerpt(log, {0, share}));
+  }
   result.samples = samplesOf(result.logs) + samplesOf(result.hold_out);
   return result;
+}
+
+void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records) {
+  for (std::size_t i = 0; i < lead_in.size(); ++i) {
+    const std::vector<double>& z = lead_in[i].displacement;
+    records[i].lead_in = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+    records[i].lead_in_dt = lead_in[i].dt;
+    records[i].continues = lead_in[i].continues;
+  }
 }
 
 }  // namespace rubber_suspension::diagnosis

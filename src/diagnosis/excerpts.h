@@ -5,12 +5,21 @@
 #include <vector>
 
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
+
+/// What leads to the first sample of an excerpt: the means of the log's displacement over so many samples each.
+struct LeadIn {
+  double dt = 0.0;                   ///< [s]
+  std::vector<double> displacement;  ///< [m]; empty where the component rested
+  bool continues = false;            ///< begins where the excerpt before ended
+};
 
 /// Logs of one component as the search takes them.
 struct Excerpts {
   std::vector<log::Log> logs;      ///< in the order of recording
+  std::vector<LeadIn> lead_in;     ///< of each of them
   std::vector<log::Log> hold_out;  ///< each from the beginning of its log
   std::size_t samples = 0;         ///< of all of these
   std::size_t of = 0;              ///< of all logs and hold-outs that were given
@@ -22,8 +31,12 @@ struct Excerpts {
 ///     that move least to those that move most, so that each amplitude of the log is there; windows that stand still
 ///     (less than a tenth of what moves most) are left out, windows that touch are one excerpt;
 ///   - a hold-out gives its beginning: what a new component does later depends on what came before.
-/// A window holds at least ten cycles of the log, where the share is long enough. Each excerpt has a note of where it
-/// is from, and its name tells the seconds.
+/// What lies between two excerpts leads the component from one to the other, in no more steps than the share has
+/// samples. A window holds at least ten cycles of the log, where the share is long enough. Each excerpt has a note of
+/// where it is from, and its name tells the seconds.
 Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most);
+
+/// Give the records of excerpts, in their order, what leads into them.
+void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis

@@ -180,6 +180,7 @@ bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector
     const double later = parts[r].shows_delay ? (parts[r].delay - common_delay) / records[r].dt : 0.0;
     const bool late = std::abs(later) > kMatters;
     any = any || late || parts[r].displacement_zero != 0.0;
+    records[r].lead_in.array() -= parts[r].displacement_zero;
     for (Eigen::VectorXd* displacement : {&records[r].displacement, &records[r].raw_displacement}) {
       displacement->array() -= parts[r].displacement_zero;
       *displacement = late ? measurement::delayed(*displacement, later) : *displacement;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "fit/parallel.h"
 #include "gap/simulate.h"
@@ -19,15 +20,24 @@ std::vector<Eigen::VectorXd> softenedShare(const BasisTerm& term, const std::vec
   std::vector<Eigen::VectorXd> result;
   for (const log::Record& record : records) {
     const Eigen::VectorXd& z = record.displacement;
+    const bool led_in = record.lead_in.size() > 0;
+    double last = led_in ? record.lead_in[0] : z[0];
     Eigen::VectorXd factor(z.size());
     if (result.empty()) {
-      law->initialise(z[0], memory.data());
+      law->initialise(last, memory.data());
       factor[0] = 1.0;
-    } else {
-      factor[0] = law->relax(z[0], memory.data());
+    } else if (!record.continues) {
+      factor[0] = law->relax(last, memory.data());
     }
-    for (Eigen::Index i = 1; i < z.size(); ++i) {
-      factor[i] = law->step({record.dt, z[i], z[i] - z[i - 1]}, {}, memory.data());
+    const auto step = [&](double dt, double displacement) {
+      const double before = std::exchange(last, displacement);
+      return law->step({dt, displacement, displacement - before}, {}, memory.data());
+    };
+    for (const double displacement : record.lead_in) {
+      step(record.lead_in_dt, displacement);
+    }
+    for (Eigen::Index i = led_in ? 0 : 1; i < z.size(); ++i) {
+      factor[i] = step(record.dt, z[i]);
     }
     result.emplace_back((1.0 - factor.array()) / term.typical);
   }

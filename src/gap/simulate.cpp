@@ -1,22 +1,61 @@
 // Simulation of elements over prepared records.
 #include "gap/simulate.h"
 
+#include <algorithm>
+
 #include "rubber_suspension/component/component.h"
 
 namespace rubber_suspension::gap {
 
+namespace {
+
+using component::Component;
+using component::ComponentState;
+
+enum class Before { nothing, another_record };
+
+double rest(const Component& component, ComponentState& state, double displacement, Before before) {
+  return (before == Before::nothing ? component.initialise(state, displacement) : component.relax(state, displacement))
+      .total;
+}
+
+// A record that begins at rest.
+Eigen::VectorXd simulateRested(const Component& component, ComponentState& state, double dt, const Eigen::VectorXd& z,
+                               Before before) {
+  Eigen::VectorXd force(z.size());
+  force[0] = rest(component, state, z[0], before);
+  component.simulate(state, dt, z.data() + 1, static_cast<std::size_t>(z.size() - 1), force.data() + 1);
+  return force;
+}
+
+// An excerpt, to which its lead-in leads.
+Eigen::VectorXd simulateLedIn(const Component& component, ComponentState& state, const log::Record& record,
+                              const Eigen::VectorXd& z, Before before) {
+  if (before == Before::nothing || !record.continues) {
+    rest(component, state, record.lead_in[0], before);
+  }
+  Eigen::VectorXd force(std::max(z.size(), record.lead_in.size()));
+  component.simulate(state, record.lead_in_dt, record.lead_in.data(), static_cast<std::size_t>(record.lead_in.size()),
+                     force.data());
+  force.conservativeResize(z.size());
+  component.simulate(state, record.dt, z.data(), static_cast<std::size_t>(z.size()), force.data());
+  return force;
+}
+
+}  // namespace
+
 Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
                 const Drive& drive) {
-  const component::Component component(elements);
-  component::ComponentState state = component.makeState();
+  const Component component(elements);
+  ComponentState state = component.makeState();
   Forces forces;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd other = drive ? drive(records[r]) : Eigen::VectorXd();
-    const Eigen::VectorXd& z = drive ? other : records[r].displacement;
-    Eigen::VectorXd force(z.size());
-    force[0] = (r == 0 ? component.initialise(state, z[0]) : component.relax(state, z[0])).total;
-    component.simulate(state, records[r].dt, z.data() + 1, static_cast<std::size_t>(z.size() - 1), force.data() + 1);
-    forces.push_back(std::move(force));
+    const log::Record& record = records[r];
+    const Eigen::VectorXd other = drive ? drive(record) : Eigen::VectorXd();
+    const Eigen::VectorXd& z = drive ? other : record.displacement;
+    const Before before = r == 0 ? Before::nothing : Before::another_record;
+    forces.push_back(record.lead_in.size() > 0 ? simulateLedIn(component, state, record, z, before)
+                                               : simulateRested(component, state, record.dt, z, before));
   }
   return forces;
 }

@@ -17,7 +17,7 @@ using Forces = std::vector<Eigen::VectorXd>;
 using Drive = std::function<Eigen::VectorXd(const log::Record&)>;
 
 /// Force of a component over records in the order of their recording on one component [N]: between two of them it
-/// relaxes. It is driven by the records' displacement unless `drive` gives another.
+/// relaxes, but for what leads into excerpts. It is driven by the records' displacement unless `drive` gives another.
 Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
                 const Drive& drive = {});
 

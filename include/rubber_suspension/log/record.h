@@ -24,6 +24,11 @@ struct Record {
   double lowest_frequency = 0.0;     ///< below this the displacement has no power to speak of [Hz]
   double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
+  /// Of an excerpt, the motion that leads to its first sample [m], at even steps of `lead_in_dt` [s]: coarse, it is for
+  /// what the component remembers, and compared with nothing. Empty where the component rested before the record.
+  Eigen::VectorXd lead_in;
+  double lead_in_dt = 0.0;
+  bool continues = false;  ///< the lead-in begins where the record before this one ended, without a rest
   /// 1 for samples that count in residuals, 0 for those that a channel did not measure; empty: all count.
   Eigen::VectorXd counts;
   /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.

@@ -234,11 +234,10 @@ std::string excerptsTaken(const Diagnosis& d) {
     return "";
   }
   return fmt::format(
-      "<p>The search took {} of {} samples: excerpts, each a log below, its seconds since the log's beginning in its "
-      "name. "
-      "Between them the component rests, so of what grows over longer than an excerpt (heat, creep, drift) little is "
-      "seen. The gap of the whole logs as they "
-      "were recorded: {} as configured, {} after.</p>\n",
+      "<p>The search took {} of {} samples (<code>--most-samples</code>): excerpts, each a log below, with its seconds "
+      "in "
+      "its name. What lies between them moved the component, and was compared with nothing. The gap of the whole logs "
+      "as they were recorded: {} as configured, {} after.</p>\n",
       d.samples, d.recorded_samples, percent(d.gap_as_recorded.as_configured), percent(d.gap_as_recorded.augmented));
 }
 
