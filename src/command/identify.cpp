@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,26 @@ constexpr double kCycles = 5.0;  // of a loop: more run into one area
 // Every n-th sample, so that a figure stays small.
 std::size_t stride(std::size_t samples) { return 1 + samples / 4000; }
 
+// Logs without a temperature, or at one that never changes, tell nothing of a shift.
+bool showTemperature(const std::vector<log::Log>& logs) {
+  const bool all = std::none_of(logs.begin(), logs.end(), [](const log::Log& log) { return log.temperature.empty(); });
+  return all && std::any_of(logs.begin(), logs.end(), [&](const log::Log& log) {
+           const double first = logs.front().temperature.front();
+           return std::any_of(log.temperature.begin(), log.temperature.end(), [&](double t) { return t != first; });
+         });
+}
+
+void holdShifts(const std::vector<element::ElementDescription>& elements, std::vector<std::string>& held) {
+  for (const element::ElementDescription& description : elements) {
+    const element::ElementPointer law = element::makeElement(description);
+    if (element::lawOf(law).action() == element::Action::shifts_with_temperature) {
+      for (const auto& [name, values] : element::complete(description).values) {
+        held.push_back(description.type + "." + name);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
@@ -51,6 +72,13 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     if (log.force.size() != log.size()) {
       throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
+  }
+  const component::Component component = description.makeComponent();
+  for (const log::Log& log : logs) {
+    gap::checkTemperature(component, log);
+  }
+  if (!showTemperature(logs)) {
+    holdShifts(description.allElements(), options.held);
   }
   const bool spread = description.model() == estimation::Model::multi_maxwell;
   if (spread) {

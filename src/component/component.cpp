@@ -45,6 +45,9 @@ void addSteps(const element::ParallelElement& law, const element::Motion* motion
   }
 }
 
+// Below absolute zero: no temperature is known.
+constexpr double kUnknownTemperature = -1e3;  // [degC]
+
 // Increments of displacements [m], the one before the first being kept in `last`.
 void takeIncrements(element::Motion* motion, std::size_t count, double& last) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -81,6 +84,8 @@ Component::Component(const std::vector<element::ElementDescription>& elements) {
       force_effects_.push_back({*factor, 0});
     } else if (const auto* compliance = std::get_if<std::shared_ptr<const element::SeriesElement>>(&element)) {
       series_.add(*compliance);
+    } else if (const auto* shift = std::get_if<std::shared_ptr<const element::TemperatureShift>>(&element)) {
+      shifts_.push_back(*shift);
     } else {
       place(std::get<std::shared_ptr<const element::ParallelElement>>(element), basic_laws);
     }
@@ -116,13 +121,14 @@ void Component::reserveMemory() {
   reserve(kernel_.memorySize());
   placeMemory(elements_);
   placeMemory(force_effects_);
+  temperature_slot_ = reserve(shifts_.empty() ? 0 : kTemperatureSlots);
   trial_size_ = memory_size_;
   placeMemory(displacement_effects_);
   placeMemory(rig_);
   behind_effects_slot_ = reserve(displacement_effects_.empty() ? 0 : 1);
   test_piece_slot_ = reserve(series_.empty() ? 0 : 1);
-  kernel_alone_ =
-      displacement_effects_.empty() && series_.empty() && elements_.empty() && force_effects_.empty() && rig_.empty();
+  kernel_alone_ = displacement_effects_.empty() && series_.empty() && elements_.empty() && force_effects_.empty() &&
+                  rig_.empty() && shifts_.empty();
 }
 
 ComponentState Component::makeState() const {
@@ -130,6 +136,7 @@ ComponentState Component::makeState() const {
   state.memory_.resize(memory_size_);
   state.trial_.resize(series_.empty() ? 0 : trial_size_);
   state.prepared_ = kernel_.makePreparedStep();
+  forgetTemperature(state);
   initialise(state, 0.0);
   return state;
 }
@@ -171,6 +178,9 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
     add(force, element.law->part(),
         kind == Start::as_new ? element.law->initialise(displacement, own) : element.law->relax(displacement, own));
   }
+  if (!shifts_.empty()) {
+    scale(force, memory[temperature_slot_ + kForce]);
+  }
   for (const auto& effect : force_effects_) {
     if (kind == Start::as_new) {
       effect.law->initialise(displacement, memory + effect.offset);
@@ -210,9 +220,63 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
   }
 }
 
+void Component::simulate(ComponentState& state, double dt, const double* displacement, const double* temperature,
+                         std::size_t count, double* force) const {
+  for (std::size_t first = 0; first < count;) {
+    const double* const next = std::find_if(temperature + first, temperature + count,
+                                            [&](double value) { return value != temperature[first]; });
+    const auto size = static_cast<std::size_t>(next - (temperature + first));
+    setTemperature(state, temperature[first]);
+    simulate(state, dt, displacement + first, size, force + first);
+    first += size;
+  }
+}
+
+element::Range Component::temperatures() const {
+  element::Range range;
+  for (const auto& shift : shifts_) {
+    range = element::intersection(range, shift->temperatures());
+  }
+  return range;
+}
+
+element::Shift Component::shiftAt(double temperature) const {
+  if (!shifts_.empty() && !temperatures().contains(temperature)) {
+    throw std::invalid_argument(fmt::format("temperature: {:g} degC is out of range; accepted: {} degC", temperature,
+                                            describe(temperatures())));
+  }
+  element::Shift sum;
+  for (const auto& law : shifts_) {
+    const element::Shift shift = law->at(temperature);
+    sum.time *= shift.time;
+    sum.force *= shift.force;
+  }
+  return sum;
+}
+
+void Component::setTemperature(ComponentState& state, double temperature) const {
+  if (shifts_.empty() || temperature == state.memory_[temperature_slot_ + kTemperature]) {
+    return;
+  }
+  const element::Shift shift = shiftAt(temperature);
+  double* const slots = state.memory_.data() + temperature_slot_;
+  slots[kTemperature] = temperature;
+  slots[kRate] = 1.0 / shift.time;
+  slots[kForce] = shift.force;
+}
+
+void Component::forgetTemperature(ComponentState& state) const {
+  if (shifts_.empty()) {
+    return;
+  }
+  double* const slots = state.memory_.data() + temperature_slot_;
+  slots[kTemperature] = kUnknownTemperature;
+  slots[kRate] = slots[kForce] = 1.0;
+}
+
 element::ComponentForce Component::stepAlongPath(ComponentState& state, double dt, double displacement) const {
   element::ComponentForce force;
-  if (!displacement_effects_.empty() || !series_.empty()) {
+  if (!displacement_effects_.empty() || !series_.empty() || !shifts_.empty()) {
     stepsAlongPath(state, dt, &displacement, 1, &force);
     return force;
   }
@@ -237,10 +301,10 @@ element::ComponentForce Component::stepAlongPath(ComponentState& state, double d
 
 void Component::stepsAlongPath(ComponentState& state, double dt, const double* displacement, std::size_t count,
                                element::ComponentForce* force) const {
-  if (dt != state.prepared_.dt) {
-    kernel_.prepare(dt, state.prepared_);
-  }
   double* memory = state.memory_.data();
+  if (const double reduced = reducedStep(dt, memory); reduced != state.prepared_.dt) {
+    kernel_.prepare(reduced, state.prepared_);
+  }
   std::array<element::Motion, kPathBlock> actuator;
   std::array<element::Motion, kPathBlock> test_piece;
   for (std::size_t i = 0; i < count; ++i) {
@@ -278,7 +342,7 @@ void Component::applyDisplacementEffects(element::Motion* motion, std::size_t co
 // Displacement of the test piece behind the series compliance.
 double Component::balance(ComponentState& state, const element::Motion& path) const {
   const double before = state.memory_[test_piece_slot_];
-  if (elements_.empty() && force_effects_.empty()) {
+  if (elements_.empty() && force_effects_.empty() && shifts_.empty()) {
     return series_.solve(kernel_, path, before, state.memory_.data(), state.prepared_);
   }
   return solveSeriesBalance(
@@ -292,14 +356,37 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
       before + path.increment);
 }
 
-// F = sum of F_i, scaled.
-void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
-                              double* memory, element::ComponentForce* force) const {
+// The sum of F_i.
+void Component::stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+                             double* memory, element::ComponentForce* force) const {
   for (std::size_t i = 0; i < count; ++i) {
     force[i] = kernel_.stepWithoutBranch(motion[i], memory, prepared);
   }
   for (const auto& element : elements_) {
     addSteps(*element.law, motion, count, memory + element.offset, force);
+  }
+}
+
+// The same in the reduced time, times b_T.
+void Component::stepShiftedElements(const kernel::PreparedStep& prepared, const element::Motion* motion,
+                                    std::size_t count, double* memory, element::ComponentForce* force) const {
+  std::array<element::Motion, kPathBlock> reduced{};
+  for (std::size_t i = 0; i < count; ++i) {
+    reduced[i] = {reducedStep(motion[i].dt, memory), motion[i].displacement, motion[i].increment};
+  }
+  stepElements(prepared, reduced.data(), count, memory, force);
+  for (std::size_t i = 0; i < count; ++i) {
+    scale(force[i], memory[temperature_slot_ + kForce]);
+  }
+}
+
+// F = sum of F_i, scaled.
+void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+                              double* memory, element::ComponentForce* force) const {
+  if (shifts_.empty()) {
+    stepElements(prepared, motion, count, memory, force);
+  } else {
+    stepShiftedElements(prepared, motion, count, memory, force);
   }
   for (const auto& effect : force_effects_) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -336,13 +423,15 @@ std::optional<std::complex<double>> Component::testPieceStiffness(double omega) 
   return sum;
 }
 
-std::optional<std::complex<double>> Component::complexStiffness(double frequency) const {
+std::optional<std::complex<double>> Component::complexStiffnessShifted(double frequency,
+                                                                       const element::Shift& shift) const {
   const double omega = 2.0 * element::kPi * frequency;
-  const auto test_piece = testPieceStiffness(omega);
-  if (!test_piece || !series_.linear()) {
+  const auto reduced = testPieceStiffness(shift.time * omega);
+  if (!reduced || !series_.linear()) {
     return std::nullopt;
   }
-  std::complex<double> total = *test_piece / (1.0 + series_.compliance() * *test_piece);
+  const std::complex<double> test_piece = shift.force * *reduced;
+  std::complex<double> total = test_piece / (1.0 + series_.compliance() * test_piece);
   for (const auto& effect : displacement_effects_) {
     const auto transfer = effect.law->transfer(omega);
     if (!transfer) {

@@ -177,6 +177,36 @@ std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displ
   return count;
 }
 
+bool SampleStream::setTemperature(double temperature) {
+  if (!component_.shiftsWithTemperature()) {
+    return true;
+  }
+  if (!component_.temperatures().contains(temperature)) {
+    return false;
+  }
+  component_.setTemperature(state_, temperature);
+  save();  // the steps to repeat are those since the temperature changed
+  return true;
+}
+
+std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
+                                  std::size_t count, double* force) {
+  for (std::size_t first = 0; first < count;) {
+    const double* const next = std::find_if(temperature + first, temperature + count,
+                                            [&](double value) { return value != temperature[first]; });
+    const auto size = static_cast<std::size_t>(next - (temperature + first));
+    if (!setTemperature(temperature[first])) {
+      return first;
+    }
+    const std::size_t accepted = pushAll(stamp + first, displacement + first, size, force + first);
+    first += accepted;
+    if (accepted < size) {
+      return first;
+    }
+  }
+  return count;
+}
+
 void SampleStream::reset() {
   component_.initialise(state_, 0.0);
   save();

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "rubber_suspension/element/arrhenius_shift.h"
 #include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/bump_stop.h"
@@ -36,6 +37,8 @@
 #include "rubber_suspension/element/thixotropic_maxwell.h"
 #include "rubber_suspension/element/time_delay.h"
 #include "rubber_suspension/element/variable_friction.h"
+#include "rubber_suspension/element/vertical_shift.h"
+#include "rubber_suspension/element/wlf_shift.h"
 
 namespace rubber_suspension::element {
 namespace {
@@ -97,6 +100,9 @@ const std::vector<ElementType>& elementTypes() {
       firstLoadingType(),
       stressSofteningType(),
       selfHeatingType(),
+      wlfShiftType(),
+      arrheniusShiftType(),
+      verticalShiftType(),
       freePlayType(),
       seriesComplianceType(),
       timeDelayType(),

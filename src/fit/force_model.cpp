@@ -193,7 +193,11 @@ Eigen::VectorXd ForceModel::simulate(const std::vector<element::ElementDescripti
     const std::size_t size = log.stamp.size();
     component::SampleStream stream(component);
     // A sample without a finite force, and all after it, counts as none at all.
-    stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
+    if (component.shiftsWithTemperature() && !log.temperature.empty()) {
+      stream.pushAll(log.stamp.data(), log.displacement.data(), log.temperature.data(), size, first);
+    } else {
+      stream.pushAll(log.stamp.data(), log.displacement.data(), size, first);
+    }
     first += size;
   }
   return force;

@@ -12,8 +12,13 @@
 namespace rubber_suspension::fit {
 namespace {
 
+// The shift with temperature is no element of these: no fit moves it.
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
-  return {description.name, description.allElements()};
+  io::ComponentDescription unshifted = description;
+  unshifted.temperature.reset();
+  io::ComponentDescription result(description.name, unshifted.allElements());
+  result.temperature = description.temperature;
+  return result;
 }
 
 }  // namespace
@@ -182,6 +187,7 @@ io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithm
           : io::ComponentDescription(description_.name, description_.model(),
                                      relaxes ? specificationOf(relaxation) : std::move(specification));
   result.add = std::move(added);
+  result.temperature = description_.temperature;
   return result;
 }
 

@@ -105,9 +105,44 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
 
 }  // namespace
 
+void checkTemperature(const component::Component& component, const log::Log& log) {
+  if (!component.shiftsWithTemperature()) {
+    return;
+  }
+  const element::Range range = component.temperatures();
+  const auto bad = std::find_if(log.temperature.begin(), log.temperature.end(),
+                                [&](double temperature) { return !range.contains(temperature); });
+  if (bad != log.temperature.end()) {
+    throw log::LogError(
+        fmt::format("{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
+                    "the component's shift holds",
+                    log.name, bad - log.temperature.begin() + 1, *bad, element::describe(range)));
+  }
+}
+
+namespace {
+
+// As many of the samples [first, first + size) as are accepted, with their temperatures where these do something.
+std::size_t push(component::SampleStream& stream, const log::Log& log, bool shifted, std::size_t first,
+                 std::size_t size, double* force) {
+  const std::int64_t* const stamp = log.stamp.data() + first;
+  const double* const displacement = log.displacement.data() + first;
+  return shifted ? stream.pushAll(stamp, displacement, log.temperature.data() + first, size, force)
+                 : stream.pushAll(stamp, displacement, size, force);
+}
+
+[[noreturn]] void refuseSample(const component::Component& component, const log::Log& log, std::size_t sample) {
+  checkTemperature(component, log);
+  throw log::LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name,
+                                  sample + 1, log.displacement[sample]));
+}
+
+}  // namespace
+
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters) {
   log::checkLengths(log);
+  const bool shifted = component.shiftsWithTemperature() && !log.temperature.empty();
   component::SampleStream stream(component);
   io::Progress progress("simulating " + log.name, log.size());
   std::vector<double> force;
@@ -117,12 +152,11 @@ std::vector<double> simulateLog(const component::Component& component, const log
     const std::size_t size = std::min(kPortion, log.size() - first);
     log::checkSamples(log, first, size);
     force.resize(first + size);
-    const std::size_t accepted =
-        stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, size, force.data() + first);
-    // All samples are checked, so every sample is accepted but one whose force is too large for a double.
+    const std::size_t accepted = push(stream, log, shifted, first, size, force.data() + first);
+    // All samples are checked, so every sample is accepted but one whose force is too large for a double, or one at a
+    // temperature beyond the component's shift.
     if (accepted < size) {
-      throw log::LogError(fmt::format("{}: sample {}: displacement {:g} m gives a force that is not finite", log.name,
-                                      first + accepted + 1, log.displacement[first + accepted]));
+      refuseSample(component, log, first + accepted);
     }
     progress.advance(size);
   }

@@ -6,7 +6,6 @@
 #include "rubber_suspension/component/component.h"
 
 namespace rubber_suspension::gap {
-
 namespace {
 
 using component::Component;
@@ -19,12 +18,41 @@ double rest(const Component& component, ComponentState& state, double displaceme
       .total;
 }
 
+// The temperature of each sample; of a motion before the record, that of its first.
+Eigen::VectorXd temperatureOf(const log::Record& record, Eigen::Index samples) {
+  const Eigen::Index before = samples - record.temperature.size();
+  Eigen::VectorXd temperature(samples);
+  temperature << Eigen::VectorXd::Constant(before, record.temperature[0]), record.temperature;
+  return temperature;
+}
+
+// Samples of a record's drive from `first` on.
+void simulateFrom(const Component& component, ComponentState& state, const log::Record& record,
+                  const Eigen::VectorXd& z, Eigen::Index first, Eigen::VectorXd& force) {
+  const auto count = static_cast<std::size_t>(z.size() - first);
+  if (component.shiftsWithTemperature() && record.temperature.size() > 0) {
+    const Eigen::VectorXd temperature = temperatureOf(record, z.size());
+    component.simulate(state, record.dt, z.data() + first, temperature.data() + first, count, force.data() + first);
+  } else {
+    component.simulate(state, record.dt, z.data() + first, count, force.data() + first);
+  }
+}
+
+// At the temperature of the first sample, where there is one.
+void setTemperature(const Component& component, ComponentState& state, const log::Record& record) {
+  if (component.shiftsWithTemperature() && record.temperature.size() > 0) {
+    component.setTemperature(state, record.temperature[0]);
+  } else {
+    component.forgetTemperature(state);
+  }
+}
+
 // A record that begins at rest.
-Eigen::VectorXd simulateRested(const Component& component, ComponentState& state, double dt, const Eigen::VectorXd& z,
-                               Before before) {
+Eigen::VectorXd simulateRested(const Component& component, ComponentState& state, const log::Record& record,
+                               const Eigen::VectorXd& z, Before before) {
   Eigen::VectorXd force(z.size());
   force[0] = rest(component, state, z[0], before);
-  component.simulate(state, dt, z.data() + 1, static_cast<std::size_t>(z.size() - 1), force.data() + 1);
+  simulateFrom(component, state, record, z, 1, force);
   return force;
 }
 
@@ -38,7 +66,7 @@ Eigen::VectorXd simulateLedIn(const Component& component, ComponentState& state,
   component.simulate(state, record.lead_in_dt, record.lead_in.data(), static_cast<std::size_t>(record.lead_in.size()),
                      force.data());
   force.conservativeResize(z.size());
-  component.simulate(state, record.dt, z.data(), static_cast<std::size_t>(z.size()), force.data());
+  simulateFrom(component, state, record, z, 0, force);
   return force;
 }
 
@@ -54,8 +82,9 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
     const Eigen::VectorXd other = drive ? drive(record) : Eigen::VectorXd();
     const Eigen::VectorXd& z = drive ? other : record.displacement;
     const Before before = r == 0 ? Before::nothing : Before::another_record;
+    setTemperature(component, state, record);
     forces.push_back(record.lead_in.size() > 0 ? simulateLedIn(component, state, record, z, before)
-                                               : simulateRested(component, state, record.dt, z, before));
+                                               : simulateRested(component, state, record, z, before));
   }
   return forces;
 }

@@ -125,6 +125,31 @@ struct DocumentStart : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
+// How the key `temperature` calls a law.
+struct ShiftLaw {
+  std::string name;
+  std::string type;
+};
+
+const std::vector<ShiftLaw>& shiftLaws() {
+  static const std::vector<ShiftLaw> laws = {{"wlf", "wlf_shift"}, {"arrhenius", "arrhenius_shift"}};
+  return laws;
+}
+
+std::vector<std::string> shiftNames() {
+  std::vector<std::string> names;
+  for (const ShiftLaw& law : shiftLaws()) {
+    names.push_back(law.name);
+  }
+  return names;
+}
+
+constexpr const char* kVertical = "vertical";
+
+bool startsAsNumber(const std::string& text) {
+  return !text.empty() && std::string("+-.0123456789").find(text[0]) != std::string::npos;
+}
+
 // One file while it is read. `path` is where in the component a node stands: "specification.loss_angle", "add[0].type".
 class Loader {
  public:
@@ -266,6 +291,9 @@ class Loader {
     if (const YAML::Node rig = node["rig"]) {
       description.rig = loadRig(rig);
     }
+    if (const YAML::Node temperature = node["temperature"]) {
+      description.temperature = loadTemperature(temperature);
+    }
     try {
       description.makeComponent();
     } catch (const std::invalid_argument& error) {
@@ -288,10 +316,10 @@ class Loader {
 
   ComponentDescription loadContent(const YAML::Node& node, estimation::Model model) {
     if (model != estimation::Model::elements) {
-      checkKeys(node, "", {"model", "specification", "add", "rig"});
+      checkKeys(node, "", {"model", "specification", "add", "rig", "temperature"});
       return loadSpecification(require(node, "", "specification", "a map"), model);
     }
-    checkKeys(node, "", {"model", "elements", "add", "rig"});
+    checkKeys(node, "", {"model", "elements", "add", "rig", "temperature"});
     std::vector<element::ElementDescription> elements =
         loadEntries(require(node, "", "elements", "a list of elements"), "elements");
     if (elements.empty()) {
@@ -316,6 +344,63 @@ class Loader {
       }
     }
     return tolerances;
+  }
+
+  const ShiftLaw& loadShift(const YAML::Node& node) const {
+    const std::string accepted_names = log::join(shiftNames());
+    const YAML::Node shift = require(node, "temperature", "shift", accepted_names);
+    const auto& laws = shiftLaws();
+    const auto found = std::find_if(
+        laws.begin(), laws.end(), [&](const ShiftLaw& law) { return shift.IsScalar() && shift.Scalar() == law.name; });
+    if (found == laws.end()) {
+      refuse(shift, "temperature.shift",
+             fmt::format("{} is not a law of temperature{}; accepted: {}", kindOf(shift), hintOf(shift, shiftNames()),
+                         accepted_names));
+    }
+    return *found;
+  }
+
+  element::ElementDescription loadTemperature(const YAML::Node& node) {
+    if (!node.IsMap()) {
+      refuse(node, "temperature", fmt::format("{}; accepted: a map with the key 'shift'", kindOf(node)));
+    }
+    checkUnique(node, "temperature");
+    const ShiftLaw& law = loadShift(node);
+    const std::vector<element::ParameterInfo>& table = element::findElementType(law.type)->parameters;
+    std::vector<std::string> keys = namesOf(table);
+    keys.insert(keys.begin(), "shift");
+    checkKeys(node, "temperature", keys);
+    element::ElementDescription description{law.type, {}};
+    for (element::ParameterInfo parameter : table) {
+      if (parameter.name == "activation_energy") {
+        parameter.range = element::Range{0.0, parameter.range.upper, true, false};
+      }
+      const std::string path = child("temperature", parameter.name);
+      if (parameter.name != kVertical) {
+        const YAML::Node value = require(node, "temperature", parameter.name, accepted(parameter));
+        description.values[parameter.name] = {loadNumber(value, path, parameter)};
+      } else if (const YAML::Node value = node[kVertical]) {
+        description.values[kVertical] = {loadVertical(value, path, parameter, description.value("reference"))};
+      }
+    }
+    return description;
+  }
+
+  // The reference stands before in the tables.
+  double loadVertical(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter,
+                      double reference) const {
+    if (node.IsScalar() && node.Scalar() == "proportional") {
+      return 1.0 / (reference + element::kZeroCelsius);
+    }
+    if (node.IsScalar() && node.Scalar() == "none") {
+      return 0.0;
+    }
+    if (!node.IsScalar() || !startsAsNumber(node.Scalar())) {
+      refuse(node, path,
+             fmt::format("{} is not a vertical shift{}; accepted: proportional (b_T = T/T_0), none, or {}",
+                         kindOf(node), hintOf(node, {"proportional", "none"}), accepted(parameter)));
+    }
+    return loadNumber(node, path, parameter);
   }
 
   RigTolerance loadTolerance(const YAML::Node& node, const std::string& key) const {
@@ -373,6 +458,7 @@ class Loader {
       refuse(node, path,
              fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
     }
+    refuseScaleOfTemperature(node, path, parameter);
     if (!parameter.range.contains(value)) {
       refuse(node, path,
              fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
@@ -380,6 +466,17 @@ class Loader {
                          acceptedIn(log::unitOfQuantity(node.Scalar()), parameter)));
     }
     return value;
+  }
+
+  // "50 degC" is a temperature, and 323 K; what is wanted in K is a difference of two.
+  void refuseScaleOfTemperature(const YAML::Node& node, const std::string& path,
+                                const element::ParameterInfo& parameter) const {
+    const std::string unit = parameter.unit == "K" ? log::unitOfQuantity(node.Scalar()) : "";
+    if (!unit.empty() && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
+      refuse(node, path,
+             fmt::format("{} is a temperature, not a difference of two; accepted: {}", log::quoted(node.Scalar()),
+                         accepted(parameter)));
+    }
   }
 
   std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
@@ -477,6 +574,17 @@ std::string entriesYaml(const std::string& key, const std::vector<element::Eleme
   return text;
 }
 
+std::string temperatureYaml(const element::ElementDescription& description) {
+  const auto& laws = shiftLaws();
+  const auto law =
+      std::find_if(laws.begin(), laws.end(), [&](const ShiftLaw& known) { return known.type == description.type; });
+  std::string text = fmt::format("    temperature: {{shift: {}", law->name);
+  for (const auto& [name, values] : description.values) {
+    text += fmt::format(", {}: {}", name, number(values.at(0)));
+  }
+  return text + "}\n";
+}
+
 std::string rigYaml(const RigTolerances& tolerances) {
   std::string text = "    rig:\n";
   for (const RigToleranceInfo& row : rigToleranceTable()) {
@@ -517,6 +625,9 @@ void ComponentDescription::specify(estimation::Specification specification) {
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {
   std::vector<element::ElementDescription> all = elements_;
   all.insert(all.end(), add.begin(), add.end());
+  if (temperature) {
+    all.push_back(*temperature);
+  }
   return all;
 }
 
@@ -559,6 +670,7 @@ std::string toYaml(const std::vector<ComponentDescription>& components) {
     text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
                                                              : specificationYaml(component.specification());
     text += entriesYaml("add", component.add);
+    text += component.temperature ? temperatureYaml(*component.temperature) : "";
     text += component.rig ? rigYaml(*component.rig) : "";
   }
   return text;

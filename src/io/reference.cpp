@@ -77,6 +77,22 @@ std::string toleranceTable() {
   return text;
 }
 
+std::string temperatureSection() {
+  return "\n## Keys of `temperature`\n\n"
+         "As `{shift: wlf, c1: 6.13, c2: 146.8 K, reference: 20 degC, vertical: proportional}`. The temperature itself "
+         "comes\n"
+         "from the column `temperature_degC` of a log or from the node's topic; without one the component stays at its "
+         "reference.\n\n"
+         "| key | meaning |\n|---|---|\n"
+         "| `shift` | `wlf` or `arrhenius`: the law, with the keys of `wlf_shift` or `arrhenius_shift` below |\n"
+         "| `reference` | temperature at which all other values of the component hold; a number is in degC, text may "
+         "be "
+         "in K |\n"
+         "| `c2` | a difference of temperatures: in K, never in degC |\n"
+         "| `activation_energy` | greater than 0 here, as `50 kJ/mol` |\n"
+         "| `vertical` | `proportional` (b_T = T/T_0), `none` (default), or a coefficient in 1/K |\n";
+}
+
 }  // namespace
 
 std::string parameterReference() {
@@ -86,7 +102,9 @@ std::string parameterReference() {
       "Numbers are SI, in the units below; text carries its own unit, as `\"3 kN/mm\"`, `\"5.7 deg\"` or `\"5 %\"`.\n\n"
       "A component has a `model`, a `specification` (or a list of `elements`, for the model of that name), and may "
       "have\n"
-      "effects on top in a list `add` and the tolerances of the rig that measures it in a map `rig`.\n\n"
+      "effects on top in a list `add`, the tolerances of the rig that measures it in a map `rig`, and how it follows "
+      "the\n"
+      "temperature in a map `temperature`.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {
@@ -107,6 +125,7 @@ std::string parameterReference() {
       "Standard deviations of what a rig may do to a log and is no cause in the component, new in each log; 0: it does "
       "not do it.\n\n" +
       toleranceTable();
+  text += temperatureSection();
   text += "\n## Elements, for `elements` and `add`\n\nA key without default is needed.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);

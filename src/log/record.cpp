@@ -53,10 +53,12 @@ void setTimeBase(const Log& log, Record& record) {
   });
   const Eigen::Map<const Eigen::VectorXd> displacement(log.displacement.data(), count);
   const Eigen::Map<const Eigen::VectorXd> force(log.force.data(), count);
+  const Eigen::Map<const Eigen::VectorXd> temperature(log.temperature.data(), log.temperature.empty() ? 0 : count);
   if (std::abs(*worst - record.dt) <= kJitterAllowed * record.dt) {
     record.dt = last / static_cast<double>(count - 1);
     record.raw_displacement = displacement;
     record.force = force;
+    record.temperature = temperature;
     return;
   }
   record.notes.push_back(
@@ -64,6 +66,7 @@ void setTimeBase(const Log& log, Record& record) {
   const auto even = static_cast<Eigen::Index>(std::floor(last / record.dt)) + 1;
   record.raw_displacement.resize(even);
   record.force.resize(even);
+  record.temperature.resize(log.temperature.empty() ? 0 : even);
   std::size_t left = 0;
   for (Eigen::Index i = 0; i < even; ++i) {
     const double time = static_cast<double>(i) * record.dt;
@@ -74,6 +77,9 @@ void setTimeBase(const Log& log, Record& record) {
     const double share = std::clamp((time - at(left)) / (at(left + 1) - at(left)), 0.0, 1.0);
     record.raw_displacement[i] = (1.0 - share) * log.displacement[left] + share * log.displacement[left + 1];
     record.force[i] = (1.0 - share) * log.force[left] + share * log.force[left + 1];
+    if (!log.temperature.empty()) {
+      record.temperature[i] = (1.0 - share) * log.temperature[left] + share * log.temperature[left + 1];
+    }
   }
 }
 

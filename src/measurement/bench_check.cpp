@@ -300,11 +300,16 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
                   e.measured.stiffness, e.configured.stiffness, e.loss));
 }
 
-VectorXd simulate(const component::Component& component, const VectorXd& displacement, double dt) {
+// At the record's mean temperature: what is checked are orders of magnitude.
+VectorXd simulate(const component::Component& component, const VectorXd& displacement, const log::Record& record) {
   component::ComponentState state = component.makeState();
+  if (record.temperature.size() > 0) {
+    component.setTemperature(state, record.temperature.mean());
+  }
   VectorXd force(displacement.size());
   force[0] = component.initialise(state, displacement[0]).total;
-  component.simulate(state, dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1), force.data() + 1);
+  component.simulate(state, record.dt, displacement.data() + 1, static_cast<std::size_t>(force.size() - 1),
+                     force.data() + 1);
   return force;
 }
 
@@ -313,7 +318,7 @@ std::optional<double> unitsOfSwap(const component::Component& component, const l
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
     const VectorXd force = record.displacement / units;
-    const VectorXd simulated = simulate(component, displacement, record.dt);
+    const VectorXd simulated = simulate(component, displacement, record);
     if (simulated.allFinite() &&
         plausible(slopeOf(displacement, force).stiffness / slopeOf(displacement, simulated).stiffness)) {
       return units;
@@ -440,7 +445,7 @@ std::optional<RigFinding> checkRecord(const component::Component& component, con
   if (auto too_short = lengthFinding(record)) {
     return too_short;
   }
-  const VectorXd simulated = simulate(component, record.displacement, record.dt);
+  const VectorXd simulated = simulate(component, record.displacement, record);
   if (!simulated.allFinite()) {
     return std::nullopt;
   }
@@ -467,6 +472,9 @@ void bringForward(Index samples, log::Record& record) {
   record.force = VectorXd(record.force.segment(of_force, count));
   record.displacement = VectorXd(record.displacement.segment(of_displacement, count));
   record.raw_displacement = VectorXd(record.raw_displacement.segment(of_displacement, count));
+  if (record.temperature.size() > 0) {
+    record.temperature = VectorXd(record.temperature.segment(of_displacement, count));
+  }
 }
 
 void exchangeColumns(double units, log::Record& record) {

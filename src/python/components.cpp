@@ -31,6 +31,8 @@ class Motion {
     return force_.total;
   }
 
+  void setTemperature(double temperature) { component_->setTemperature(state_, temperature); }
+
   static void requireFinite(double displacement) {
     if (!std::isfinite(displacement)) {
       throw std::invalid_argument(
@@ -119,6 +121,8 @@ void addMotion(py::module_& module) {
   py::class_<Motion>(module, "Motion", "A component in motion, which keeps its history; made by Component.start().")
       .def("step", &Motion::step, py::arg("dt"), py::arg("displacement"),
            "Advance by dt > 0 [s] to a displacement [m], linear in between; returns the force [N]. Raises ValueError.")
+      .def("set_temperature", &Motion::setTemperature, py::arg("temperature"),
+           "The temperature [degC] of the steps that follow, of a component that shifts with it. Raises ValueError.")
       .def_property_readonly(
           "force", [](const Motion& motion) { return motion.force().total; }, "[N]")
       .def_property_readonly(
@@ -155,8 +159,14 @@ void addComponents(py::module_& module) {
            "Forces [N] at the samples of a log, to the last bit as the command replay and the node. Raises LogError.")
       .def(
           "stiffness",
-          [](const ComponentDescription& d, double frequency) { return d.makeComponent().complexStiffness(frequency); },
-          py::arg("frequency"), "Complex dynamic stiffness [N/m] at a frequency [Hz]; None of a nonlinear component.")
+          [](const ComponentDescription& d, double frequency, const std::optional<double>& temperature) {
+            const component::Component component = d.makeComponent();
+            return temperature ? component.complexStiffness(frequency, *temperature)
+                               : component.complexStiffness(frequency);
+          },
+          py::arg("frequency"), py::arg("temperature") = py::none(),
+          "Complex dynamic stiffness [N/m] at a frequency [Hz] and, for a component that shifts with it, a temperature "
+          "[degC]; None of a nonlinear component. Raises ValueError.")
       .def(
           "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "The text of a component file.")
       .def("__repr__", [](const ComponentDescription& d) {

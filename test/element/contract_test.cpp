@@ -306,15 +306,17 @@ TEST_P(BoundedContract, NeverGivesMoreEnergyThanItGot) {
   }
 }
 
-/// The forces of a walk whose displacements are a weighted sum of two.
+/// The forces of a walk whose displacements are a weighted sum of two, at two temperatures by turns.
 Eigen::VectorXd walkOfBoth(const component::Component& component, double first, double second) {
   component::ComponentState state = component.makeState();
   RandomMoves moves(10);
   RandomMoves others(11);
   Eigen::VectorXd forces(200);
+  int count = 0;
   for (double& force : forces) {
     const double dt = moves.dt();
     const double displacement = first * moves.displacement();
+    component.setTemperature(state, ++count % 50 < 25 ? 5.0 : 50.0);
     force = component.step(state, dt, displacement + second * others.displacement()).total;
   }
   return forces;

@@ -232,5 +232,49 @@ TEST(ToYaml, ReadsBackASpecification) {
   EXPECT_EQ(io::toYaml(read), io::toYaml(components));
 }
 
+const char* const kWithTemperature = R"(components:
+  bush:
+    model: elements
+    elements:
+      - {type: spring, stiffness: 1e6}
+    temperature: {shift: wlf, c1: 6.14, c2: 146.6 K, reference: 293.15 K, vertical: proportional}
+)";
+
+// Absolute temperatures convert with their zero, differences without; b_T = T/T_0 is a coefficient of 1/T_0.
+TEST(ComponentFile, TemperatureWithUnits) {
+  const io::ComponentDescription bush = parse(kWithTemperature).at(0);
+  ASSERT_TRUE(bush.temperature);
+  EXPECT_EQ(bush.temperature->type, "wlf_shift");
+  EXPECT_DOUBLE_EQ(bush.temperature->value("c2"), 146.6);
+  EXPECT_NEAR(bush.temperature->value("reference"), 20.0, 1e-12);
+  EXPECT_NEAR(bush.temperature->value("vertical"), 1.0 / 293.15, 1e-17);
+  EXPECT_EQ(bush.allElements().back().type, "wlf_shift");
+  EXPECT_TRUE(bush.makeComponent().shiftsWithTemperature());
+}
+
+TEST(ComponentFile, TemperatureInOtherWords) {
+  const auto with = [](const std::string& temperature) {
+    return *parse("components: {bush: {model: elements, elements: [{type: spring, stiffness: 1e6}], temperature: {" +
+                  temperature + "}}}")
+                .at(0)
+                .temperature;
+  };
+  const element::ElementDescription arrhenius =
+      with("shift: arrhenius, activation_energy: 50 kJ/mol, reference: 68 degF, vertical: -0.002");
+  EXPECT_DOUBLE_EQ(arrhenius.value("activation_energy"), 5e4);
+  EXPECT_NEAR(arrhenius.value("reference"), 20.0, 1e-12);
+  EXPECT_DOUBLE_EQ(arrhenius.value("vertical"), -0.002);
+  EXPECT_DOUBLE_EQ(with("shift: wlf, c1: 6.14, c2: 146.6 kelvin, reference: 20").value("reference"), 20.0);
+  EXPECT_DOUBLE_EQ(with("shift: wlf, c1: 6, c2: 50, reference: 20, vertical: none").value("vertical"), 0.0);
+}
+
+TEST(ComponentFile, TemperatureReadsBackToTheSameNumbers) {
+  const std::vector<io::ComponentDescription> written = parse(kWithTemperature);
+  const io::ComponentDescription read = parse(io::toYaml(written)).at(0);
+  ASSERT_TRUE(read.temperature);
+  EXPECT_EQ(read.temperature->type, written[0].temperature->type);
+  EXPECT_EQ(read.temperature->values, written[0].temperature->values);
+}
+
 }  // namespace
 }  // namespace rubber_suspension

@@ -51,6 +51,17 @@ class Components(unittest.TestCase):
         self.assertEqual(component.simulate([0.0, 1e-3, -1e-3], dt=0.1).tolist(), [0.0, 2e3, -2e3])
         self.assertEqual(component.elements, [{"type": "spring", "stiffness": 2e6}])
 
+    def test_follows_a_temperature(self):
+        shift = {"type": "vertical_shift", "coefficient": 0.01, "reference": "20 degC"}
+        component = rs.Component([{"type": "spring", "stiffness": 2e6}, shift])
+        motion = component.start()
+        self.assertEqual(motion.step(0.1, 1e-3), 2e3)
+        motion.set_temperature(30.0)
+        self.assertAlmostEqual(motion.step(0.1, 1e-3), 2.2e3, delta=1e-9)
+        self.assertAlmostEqual(component.stiffness(1.0, temperature=30.0).real, 2.2e6, delta=1e-6)
+        with self.assertRaisesRegex(ValueError, "temperature: -300 degC"):
+            motion.set_temperature(-300.0)
+
 
 class Errors(unittest.TestCase):
     def test_of_files(self):

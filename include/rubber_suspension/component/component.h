@@ -53,6 +53,8 @@ struct Tangent {
 ///   2. test piece: F = sum of F_i over the elements in parallel;
 ///   3. softening and heating scale this force;
 ///   4. what belongs to the rig (inertia, offset, drift) is moved by z itself and adds to F.
+/// Where the component has a shift with temperature, the elements of the test piece run on the reduced time dt/a_T and
+/// their sum is multiplied by b_T, before softening and heating. Without a temperature a_T = b_T = 1.
 ///
 /// Order of the path, whatever that of the entries: what is late is a sensor, so the delay comes first and all else
 /// sees the displacement as it was at the time of the force. Free play comes before the compliance: it is given, and
@@ -87,9 +89,27 @@ class Component {
     return kernel_.step(motion, state.memory_.data(), state.prepared_);
   }
 
+  /// Whether a temperature does anything.
+  bool shiftsWithTemperature() const { return !shifts_.empty(); }
+
+  /// The temperatures [degC] at which its shifts hold.
+  element::Range temperatures() const;
+
+  /// The temperature [degC] of the steps that follow, until another is set; what the component remembers stays. Does
+  /// nothing where the temperature is the same or the component has no shift; factors are computed here alone.
+  /// Throws std::invalid_argument outside of temperatures(). Allocates nothing otherwise.
+  void setTemperature(ComponentState& state, double temperature) const;
+
+  /// Back to a_T = b_T = 1, as in makeState().
+  void forgetTemperature(ComponentState& state) const;
+
   /// As many steps of dt [s] as there are displacements [m]; the total forces [N] go to `force`. The same bits as
   /// step() after step(), several times as fast. Allocates nothing.
   void simulate(ComponentState& state, double dt, const double* displacement, std::size_t count, double* force) const;
+
+  /// The same with the temperature [degC] of each step.
+  void simulate(ComponentState& state, double dt, const double* displacement, const double* temperature,
+                std::size_t count, double* force) const;
 
   /// Linearise the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two trial
   /// steps 10 nm to either side (relative error about 1e-7 for friction that reverses within 0.1 mm, 1e-9 for linear
@@ -101,7 +121,15 @@ class Component {
   bool linear() const;
 
   /// K* = dynamic stiffness at a frequency [Hz], [N/m]; nothing if an element is nonlinear.
-  std::optional<std::complex<double>> complexStiffness(double frequency) const;
+  std::optional<std::complex<double>> complexStiffness(double frequency) const {
+    return complexStiffnessShifted(frequency, {});
+  }
+
+  /// K* at a frequency [Hz] and a temperature [degC]: that of the test piece is b_T K*(a_T omega). Throws as
+  /// setTemperature() does.
+  std::optional<std::complex<double>> complexStiffness(double frequency, double temperature) const {
+    return complexStiffnessShifted(frequency, shiftAt(temperature));
+  }
 
   /// The entries that the component was made of, defaults filled in.
   const std::vector<element::ElementDescription>& elements() const { return descriptions_; }
@@ -113,6 +141,7 @@ class Component {
     std::size_t offset;  // of its memory in the state
   };
   enum class Start { as_new, relaxed };
+  enum TemperatureSlot { kTemperature, kRate /* 1/a_T */, kForce /* b_T */, kTemperatureSlots };
   static constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
 
   void place(const std::shared_ptr<const element::ParallelElement>& law, element::BasicLaws& basic_laws);
@@ -132,7 +161,17 @@ class Component {
   double balance(ComponentState& state, const element::Motion& path) const;
   void stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
                      double* memory, element::ComponentForce* force) const;
+  void stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+                    double* memory, element::ComponentForce* force) const;
+  void stepShiftedElements(const kernel::PreparedStep& prepared, const element::Motion* motion, std::size_t count,
+                           double* memory, element::ComponentForce* force) const;
+  element::Shift shiftAt(double temperature) const;
+  /// The step of the elements that a step of dt [s] is.
+  double reducedStep(double dt, const double* memory) const {
+    return shifts_.empty() ? dt : dt * memory[temperature_slot_ + kRate];
+  }
   std::optional<std::complex<double>> testPieceStiffness(double omega) const;
+  std::optional<std::complex<double>> complexStiffnessShifted(double frequency, const element::Shift& shift) const;
 
   std::vector<element::ElementDescription> descriptions_;
 
@@ -149,9 +188,12 @@ class Component {
 
   std::vector<Placed<element::ParallelElement>> rig_;
 
+  std::vector<std::shared_ptr<const element::TemperatureShift>> shifts_;
+  std::size_t temperature_slot_ = 0;
+
   bool kernel_alone_ = true;  // nothing but the kernel
-  // Order of the memory: kernel, other elements, force effects, which is all that a trial step of the series balance
-  // changes; then displacement effects, rig, and the two displacements.
+  // Order of the memory: kernel, other elements, force effects, temperature with its factors, which is all that a trial
+  // step of the series balance needs; then displacement effects, rig, and the two displacements.
   std::size_t memory_size_ = 0;
   std::size_t trial_size_ = 0;
 };

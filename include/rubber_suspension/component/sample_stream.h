@@ -55,7 +55,16 @@ class SampleStream {
   /// [N], the same to the last bit, go to `force`. Several times as fast where samples are evenly spaced.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
-  /// Back to a new test piece at rest; the next sample starts again. Counters stay.
+  /// The temperature [degC] at which the samples that follow are taken, until another is set; false, and nothing has
+  /// happened, where it is none at which the component's shifts hold. Nothing where the component has no shift.
+  /// Allocates nothing.
+  bool setTemperature(double temperature);
+
+  /// pushAll() with the temperature [degC] of each sample, each of which the component has to take.
+  std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
+                      std::size_t count, double* force);
+
+  /// Back to a new test piece at rest, of the same temperature; the next sample starts again. Counters stay.
   void reset();
 
   const StreamCounters& counters() const { return counters_; }

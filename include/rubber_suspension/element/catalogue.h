@@ -9,11 +9,13 @@
 
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::element {
 
 using ElementPointer = std::variant<std::shared_ptr<const ParallelElement>, std::shared_ptr<const DisplacementEffect>,
-                                    std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>>;
+                                    std::shared_ptr<const ForceEffect>, std::shared_ptr<const SeriesElement>,
+                                    std::shared_ptr<const TemperatureShift>>;
 
 /// What all laws have in common.
 inline const Element& lawOf(const ElementPointer& element) {

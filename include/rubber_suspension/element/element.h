@@ -29,10 +29,11 @@ struct ComponentForce {
 
 /// Where on the way from displacement to force a law acts.
 enum class Action {
-  adds_force,    ///< its force adds to that of the others
-  displaces,     ///< changes the displacement before the others see it
-  scales_force,  ///< a factor on the force of the others
-  yields,        ///< in series with all that adds force
+  adds_force,               ///< its force adds to that of the others
+  displaces,                ///< changes the displacement before the others see it
+  scales_force,             ///< a factor on the force of the others
+  yields,                   ///< in series with all that adds force
+  shifts_with_temperature,  ///< rates and force of the others, by the temperature
 };
 
 /// Common to all laws: an immutable object whose memory is a block of doubles that the caller owns.

@@ -11,10 +11,14 @@
 
 namespace rubber_suspension::gap {
 
+/// Throws LogError, with the first such sample, where a log has a temperature at which the component's shifts do not
+/// hold.
+void checkTemperature(const component::Component& component, const log::Log& log);
+
 /// The force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last bit.
-/// The component is new and at rest at the log's first displacement. Shows progress on a terminal.
-/// `counters`, if given, receives what the stream counted. Throws LogError as checkLog does, and where a force is not
-/// finite.
+/// The component is new and at rest at the log's first displacement, at the log's temperature where it has one. Shows
+/// progress on a terminal. `counters`, if given, receives what the stream counted. Throws LogError as checkLog does,
+/// where a force is not finite, and where a temperature is none at which the component's shift holds.
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);
 

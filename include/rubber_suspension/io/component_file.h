@@ -31,6 +31,8 @@ class ComponentDescription {
   std::string name;                              ///< a ROS base name
   std::vector<element::ElementDescription> add;  ///< effects on top
   std::optional<RigTolerances> rig;              ///< tolerances of the rig that measures it, where given
+  /// A wlf_shift or arrhenius_shift: how it follows a temperature, where given.
+  std::optional<element::ElementDescription> temperature;
 
   estimation::Model model() const { return model_; }
 
@@ -44,7 +46,7 @@ class ComponentDescription {
   /// description as it was; std::logic_error for the model `elements`, which has none.
   void specify(estimation::Specification specification);
 
-  /// The elements of the model, and those added.
+  /// The elements of the model, those added, and the shift with temperature.
   std::vector<element::ElementDescription> allElements() const;
 
   component::Component makeComponent() const { return component::Component(allElements()); }

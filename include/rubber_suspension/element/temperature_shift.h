@@ -1,0 +1,52 @@
+// The interface of laws by which temperature moves a test piece along the axes of time and force. Throws nothing.
+#pragma once
+
+#include "rubber_suspension/element/element.h"
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension::element {
+
+constexpr double kZeroCelsius = 273.15;  ///< 0 degC [K]
+
+/// Factors of time-temperature superposition: K*(omega, T) = b_T K*(a_T omega, T_0).
+struct Shift {
+  double time = 1.0;   ///< a_T: what takes 1 s at T_0 takes a_T s
+  double force = 1.0;  ///< b_T, on all that the test piece holds
+};
+
+/// A law of temperature. Several shift one after the other: their factors multiply.
+///
+/// All that is a rate in the elements of the test piece (relaxation, dashpots, build-up of structure) runs on the
+/// reduced time, the integral of dt/a_T, and their force is multiplied by b_T: a law is the same at any temperature in
+/// units of a_T and b_T (thermorheologically simple), so no state changes with the temperature. Rig, delay, series
+/// compliance, self-heating and the recovery of stress softening keep their own time.
+/// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11; L. W. Morland, E. H. Lee,
+/// Trans. Soc. Rheol. 4 (1960) 233-263 (temperature that changes).
+class TemperatureShift : public Element {
+ public:
+  /// The factors at a temperature [degC] within temperatures().
+  virtual Shift at(double temperature) const = 0;
+
+  /// Where the law holds [degC].
+  virtual Range temperatures() const = 0;
+
+  Action action() const final { return Action::shifts_with_temperature; }
+  /// At constant temperature.
+  bool linear() const final { return true; }
+  /// What is loaded cold and unloaded hot gives back another energy than it took.
+  bool passive() const final { return false; }
+};
+
+/// Slower or faster than this, in decades, no law holds.
+constexpr double kMostDecades = 20.0;
+
+/// What is in both.
+Range intersection(const Range& a, const Range& b);
+
+/// The row of a coefficient beta of b_T = 1 + beta (T - T_0).
+ParameterInfo verticalParameter(const std::string& name, const std::optional<double>& default_value);
+
+/// The row of the reference temperature T_0.
+ParameterInfo referenceParameter();
+
+}  // namespace rubber_suspension::element

@@ -1,0 +1,28 @@
+// Shift of the force with temperature. Throws nothing.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::element {
+
+/// b_T = 1 + beta (T - T_0), a_T = 1.
+///
+/// The entropic elasticity of rubber, b_T = T rho/(T_0 rho_0), is beta = 1/T_0 less the coefficient of thermal
+/// expansion of the volume (T_0 in K); filled rubbers soften instead, by some 0.1 to 1 % per kelvin. Holds where the
+/// factor is positive. Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+class VerticalShift final : public TemperatureShift {
+ public:
+  VerticalShift(double coefficient /* beta [1/K] */, double reference /* T_0 [degC] */)
+      : coefficient_(coefficient), reference_(reference) {}
+
+  Shift at(double temperature) const override { return {1.0, 1.0 + coefficient_ * (temperature - reference_)}; }
+  Range temperatures() const override;
+
+ private:
+  double coefficient_;
+  double reference_;
+};
+
+ElementType verticalShiftType();
+
+}  // namespace rubber_suspension::element

@@ -1,0 +1,98 @@
+// The temperature of a log in its replay: sample by sample, where there is none, and where the shift does not hold.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gap/simulate.h"
+#include "rubber_suspension/gap/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<element::ElementDescription> kElements = {
+    {"spring", {{"stiffness", {3e6}}}},
+    {"maxwell", {{"stiffness", {1.2e6}}, {"break_frequency", {2.0}}}},
+    {"wlf_shift", {{"c1", {6.13}}, {"c2", {146.8}}, {"reference", {20.0}}, {"vertical", {0.003}}}}};
+
+// More samples than a portion of the replay has.
+log::Log warmingLog() {
+  log::Log log;
+  log.name = "warming";
+  for (int i = 0; i < 6000; ++i) {
+    log.stamp.push_back(i * 2000000LL);
+    log.displacement.push_back(1e-3 * std::sin(0.05 * i) + 2e-4 * std::sin(0.4 * i));
+    log.force.push_back(3e6 * log.displacement.back());
+    log.temperature.push_back(10.0 + 0.01 * (i / 10));
+  }
+  return log;
+}
+
+TEST(ReplayWithTemperature, EachSampleHasItsOwn) {
+  const component::Component component(kElements);
+  const log::Log log = warmingLog();
+  const std::vector<double> forces = gap::simulateLog(component, log);
+  component::SampleStream stream(component);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    ASSERT_TRUE(stream.setTemperature(log.temperature[i]));
+    ASSERT_EQ(forces[i], stream.push(log.stamp[i], log.displacement[i]).force.total) << i;
+  }
+}
+
+TEST(ReplayWithTemperature, WithoutTheColumnOrTheKeyNothingChanges) {
+  log::Log without = warmingLog();
+  without.temperature.clear();
+  const std::vector<element::ElementDescription> unshifted(kElements.begin(), kElements.begin() + 2);
+  const std::vector<double> plain = gap::simulateLog(component::Component(unshifted), without);
+  EXPECT_EQ(gap::simulateLog(component::Component(kElements), without), plain);
+  EXPECT_EQ(gap::simulateLog(component::Component(unshifted), warmingLog()), plain);
+}
+
+TEST(ReplayWithTemperature, RefusesWhereTheShiftDoesNotHold) {
+  log::Log cold = warmingLog();
+  cold.temperature[4321] = -120.0;
+  const component::Component component(kElements);
+  for (const auto& refuse : {std::function<void()>([&] { gap::simulateLog(component, cold); }),
+                             std::function<void()>([&] { gap::checkTemperature(component, cold); })}) {
+    try {
+      refuse();
+      FAIL() << "accepted";
+    } catch (const log::LogError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("warming: sample 4322: temperature -120 degC is out of range; accepted: at "
+                                          "least -92.36"));  // 20 - 146.8 20/26.13
+    }
+  }
+}
+
+// What the diagnosis simulates is what `replay` gives: up to the time step, which a record has as a double.
+TEST(ReplayWithTemperature, RecordsFollowItToo) {
+  const log::Log log = warmingLog();
+  const std::vector<double> replayed = gap::simulateLog(component::Component(kElements), log);
+  const gap::Forces forces = gap::simulateEach(kElements, {log::makeRecord(log)});
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    ASSERT_NEAR(forces[0][static_cast<Eigen::Index>(i)], replayed[i], 1e-9 * 3e3) << i;
+  }
+  log::Log without = log;
+  without.temperature.clear();
+  const gap::Forces both = gap::simulate(kElements, {log::makeRecord(log), log::makeRecord(without)});
+  const std::vector<element::ElementDescription> unshifted(kElements.begin(), kElements.begin() + 2);
+  const gap::Forces plain = gap::simulate(unshifted, {log::makeRecord(without), log::makeRecord(without)});
+  EXPECT_EQ(both[1], plain[1]) << "a record without a temperature is at the reference";
+}
+
+// A motion before the log, of which a rig's part may be made, is at the log's first temperature.
+TEST(ReplayWithTemperature, AMotionBeforeTheLogHasItsFirstTemperature) {
+  log::Record record = log::makeRecord(warmingLog());
+  log::Record longer = record;
+  constexpr Eigen::Index kBefore = 50;
+  longer.displacement = Eigen::VectorXd::Constant(record.size() + kBefore, record.displacement[0]);
+  longer.displacement.tail(record.size()) = record.displacement;
+  const Eigen::VectorXd force = gap::simulate(kElements, {record}).front();
+  // At rest before, so that nothing is left of it; up to rounding, as the steps are other ones.
+  EXPECT_LE((gap::simulate(kElements, {longer}).front().tail(record.size()) - force).cwiseAbs().maxCoeff(), 1e-9 * 3e3);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
