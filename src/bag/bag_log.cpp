@@ -7,8 +7,10 @@
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
+#include <sensor_msgs/Temperature.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -22,6 +24,7 @@ namespace {
 
 constexpr const char* kDisplacement = "/displacement";
 constexpr const char* kMeasuredForce = "/measured_force";
+constexpr const char* kTemperature = "/temperature";
 
 struct Series {
   std::vector<std::int64_t> stamp;
@@ -68,6 +71,7 @@ std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, c
 
 double valueOf(const Displacement& message) { return message.displacement; }
 double valueOf(const MeasuredForce& message) { return message.force; }
+double valueOf(const sensor_msgs::Temperature& message) { return message.temperature; }
 
 template <class Message>
 Series readTopic(const rosbag::Bag& bag, const std::string& path, const std::string& topic) {
@@ -200,6 +204,40 @@ void addMeasuredForce(const Series& displacement, const Series& measured, const 
   }
 }
 
+// Those that the node would have taken.
+Series finiteOnes(const Series& series) {
+  Series finite;
+  for (std::size_t i = 0; i < series.stamp.size(); ++i) {
+    if (std::isfinite(series.value[i])) {
+      finite.stamp.push_back(series.stamp[i]);
+      finite.value.push_back(series.value[i]);
+    }
+  }
+  return finite;
+}
+
+// As in the node, each temperature holds from its stamp to that of the next.
+void addTemperature(const Series& measured, const std::string& topic, log::Log& log) {
+  const Series finite = finiteOnes(measured);
+  if (finite.stamp.empty()) {
+    return;
+  }
+  checkIncreasing(finite, log.name, topic);
+  std::size_t j = 0;
+  std::size_t early = 0;
+  for (const std::int64_t stamp : log.stamp) {
+    while (j + 1 < finite.stamp.size() && finite.stamp[j + 1] <= stamp) {
+      ++j;
+    }
+    early += finite.stamp[j] > stamp ? 1 : 0;
+    log.temperature.push_back(finite.value[j]);
+  }
+  if (early > 0) {
+    log.notes.push_back(
+        fmt::format("{}: {}: {} samples before the first temperature take that one", log.name, topic, early));
+  }
+}
+
 log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
   const std::string topic = displacementTopic(bag, path, component);
   const Series displacement = readTopic<Displacement>(bag, path, topic);
@@ -215,6 +253,7 @@ log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std:
     checkIncreasing(measured, path, force_topic);
     addMeasuredForce(displacement, measured, force_topic, log);
   }
+  addTemperature(readTopic<sensor_msgs::Temperature>(bag, path, base + kTemperature), base + kTemperature, log);
   log::checkLog(log);
   return log;
 }
@@ -300,6 +339,13 @@ void BagWriter::writeMeasuredForce(std::int64_t stamp, double force) {
   write(kMeasuredForce, message);
 }
 
+void BagWriter::writeTemperature(std::int64_t stamp, double temperature) {
+  sensor_msgs::Temperature message;
+  message.header.stamp = toRosTime(stamp);
+  message.temperature = temperature;
+  write(kTemperature, message);
+}
+
 void BagWriter::writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force) {
   Force message;
   message.header.stamp = toRosTime(stamp);
@@ -335,6 +381,9 @@ void writeBagLog(const std::string& path, const std::string& component, const lo
     writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
     if (!log.force.empty()) {
       writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
+    }
+    if (!log.temperature.empty() && (i == 0 || log.temperature[i] != log.temperature[i - 1])) {
+      writer.writeTemperature(log.stamp[i] + shift, log.temperature[i]);
     }
   }
   writer.close();

@@ -14,12 +14,12 @@
 
 namespace rubber_suspension::bag {
 
-/// Read displacement and, if recorded, measured force of one component from a bag: from topics that end in
-/// <component>/displacement and <component>/measured_force; with an empty name the bag's only component. Forces are
-/// matched by stamp; those whose stamps come from a clock of their own, which may drift against that of the
-/// displacement, or at another rate, are interpolated linearly, with a note. A bag in which only a part of the samples
-/// has a measured force gives the longest stretch in which all have one, with a note. Throws LogError that names bag,
-/// topic, message and reason.
+/// Read displacement and, if recorded, measured force and temperature of one component from a bag: from topics that end
+/// in <component>/displacement, <component>/measured_force and <component>/temperature; with an empty name the bag's
+/// only component. Forces are matched by stamp; those whose stamps come from a clock of their own, which may drift
+/// against that of the displacement, or at another rate, are interpolated linearly, with a note. A bag in which only a
+/// part of the samples has a measured force gives the longest stretch in which all have one, with a note. Throws
+/// LogError that names bag, topic, message and reason.
 log::Log readBagLog(const std::string& path, const std::string& component = "");
 
 /// True for a file that ends in .bag or begins as a bag does.
@@ -46,6 +46,7 @@ class BagWriter {
 
   void writeDisplacement(std::int64_t stamp, double displacement);
   void writeMeasuredForce(std::int64_t stamp, double force);
+  void writeTemperature(std::int64_t stamp, double temperature);
   void writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force);
   void writeGap(const Gap& gap);
   void close();
@@ -60,7 +61,7 @@ class BagWriter {
   rosbag::Bag bag_;
 };
 
-/// Write displacement and, if the log has one, measured force. Throws LogError.
+/// Write displacement and, if the log has them, measured force and temperature, where that changes. Throws LogError.
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log);
 
 }  // namespace rubber_suspension::bag

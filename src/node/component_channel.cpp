@@ -111,6 +111,12 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
       ++disabled_;
       return false;
     }
+    if (std::isfinite(displacement)) {
+      if (temperatures_.take(stamp)) {
+        keepTemperature(*model_);
+        keepTemperature(promotion_);
+      }
+    }
     const component::StreamForce answer = model_->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       return false;
@@ -125,6 +131,29 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
   }
   gap_.addSimulated(stamp, displacement, force.total, beside);
   return true;
+}
+
+bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!std::isfinite(temperature) || !model_->component.temperatures().contains(temperature)) {
+    ++refused_temperatures_;
+    return false;
+  }
+  temperatures_.add(stamp, temperature);
+  return true;
+}
+
+// The temperature that was measured last holds, whatever the state says.
+void ComponentChannel::keepTemperature(Model& model) const {
+  if (temperatures_.current()) {
+    model.stream.setTemperature(*temperatures_.current());
+  }
+}
+
+void ComponentChannel::keepTemperature(const std::shared_ptr<Promotion>& promotion) const {
+  if (promotion) {
+    keepTemperature(*promotion->model);
+  }
 }
 
 void ComponentChannel::countLatency(std::int64_t nanoseconds) {
@@ -227,6 +256,8 @@ void ComponentChannel::load(const SavedState& state) {
   } else {
     model_->stream.reset();
   }
+  keepTemperature(*model_);
+  keepTemperature(promotion_);
 }
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
@@ -242,6 +273,7 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   } else if (stream.started()) {
     model->stream.deserialise(stream.lastStamp(), stream.state().displacement(), stream.state().memory());
   }
+  keepTemperature(*model);
   earlier_ = sum(earlier_, stream.counters());
   std::swap(model_, old);
 }
@@ -257,6 +289,7 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
                                             toString(promotion_->fade.stage())));
   }
   promotion_ = std::move(promotion);
+  keepTemperature(promotion_);
   note_.clear();
 }
 
@@ -315,6 +348,9 @@ ChannelReport ComponentChannel::report() {
   result.started = stream.started();
   result.last_time = 1e-9 * static_cast<double>(stream.lastStamp());
   result.displacement = stream.state().displacement();
+  result.shifts_with_temperature = model_->component.shiftsWithTemperature();
+  result.temperature = temperatures_.current();
+  result.refused_temperatures = refused_temperatures_;
   result.latency = latency_;
   latency_.clear();
   return result;

@@ -12,6 +12,7 @@
 #include "node/gap_monitor.h"
 #include "node/latency_histogram.h"
 #include "node/promotion.h"
+#include "node/temperature_feed.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -66,9 +67,12 @@ struct ChannelReport {
   std::map<std::string, std::uint64_t> undelivered_to;  ///< the same by subscriber
   bool enabled = true;
   bool started = false;
-  double last_time = 0.0;     ///< stamp of the last accepted sample [s]
-  double displacement = 0.0;  ///< of the last accepted sample [m]
-  LatencyHistogram latency;   ///< of the samples since the last report
+  double last_time = 0.0;                  ///< stamp of the last accepted sample [s]
+  double displacement = 0.0;               ///< of the last accepted sample [m]
+  bool shifts_with_temperature = false;    ///< whether the component does
+  std::optional<double> temperature;       ///< of the last sample [degC], where one has come
+  std::uint64_t refused_temperatures = 0;  ///< not finite, or none at which the component's shift holds
+  LatencyHistogram latency;                ///< of the samples since the last report
 };
 
 /// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
@@ -83,6 +87,10 @@ class ComponentChannel {
 
   /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
+
+  /// The temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, where it is none at
+  /// which the component's shift holds.
+  bool setTemperature(std::int64_t stamp, double temperature);
 
   /// Count a served sample: from arrival to publication [ns].
   void countLatency(std::int64_t nanoseconds);
@@ -134,6 +142,8 @@ class ComponentChannel {
 
   std::shared_ptr<Promotion> restored(const SavedState& state) const;
   void dropFinished(std::shared_ptr<Promotion>& finished);
+  void keepTemperature(Model& model) const;
+  void keepTemperature(const std::shared_ptr<Promotion>& promotion) const;
 
   std::string name_;
   double max_gap_;
@@ -146,7 +156,9 @@ class ComponentChannel {
   component::StreamCounters earlier_;     // of the models before a reload
   std::uint64_t disabled_ = 0;
   std::uint64_t lost_ = 0;
+  std::uint64_t refused_temperatures_ = 0;
   bool enabled_ = true;
+  TemperatureFeed temperatures_;
   LatencyHistogram latency_;
   GapMonitor gap_;  // has a lock of its own
 };

@@ -69,6 +69,11 @@ bool isStampedNumber(const std::uint8_t* data, std::size_t size) {
   return fields.header() && fields.skip(sizeof(double)) && fields.atEnd();
 }
 
+bool isStampedPair(const std::uint8_t* data, std::size_t size) {
+  Fields fields(data, size);
+  return fields.header() && fields.skip(2 * sizeof(double)) && fields.atEnd();
+}
+
 bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components) {
   Fields fields(data, size);
   return fields.header() && skipTexts(fields, most_components) && skipNumbers(fields, most_components) &&

@@ -13,6 +13,9 @@ constexpr std::size_t kLongestComponentName = 100;  ///< bytes; the component fi
 /// True if these bytes are a header and one float64, to the last byte: Displacement and MeasuredForce.
 bool isStampedNumber(const std::uint8_t* data, std::size_t size);
 
+/// True if these bytes are a header and two float64, to the last byte: sensor_msgs/Temperature.
+bool isStampedPair(const std::uint8_t* data, std::size_t size);
+
 /// True if these bytes are a DisplacementArray, to the last byte, with at most that many names and numbers.
 bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <ros/init.h>
 #include <rubber_suspension/Gap.h>
+#include <sensor_msgs/Temperature.h>
 
 #include <algorithm>
 
@@ -42,6 +43,7 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
   const std::string& component = options_.component;
   displacement_publisher_ = handle_.advertise<Displacement>(component + "/displacement", kQueueSize);
   measured_force_publisher_ = handle_.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
+  temperature_publisher_ = handle_.advertise<sensor_msgs::Temperature>(component + "/temperature", kQueueSize);
   const boost::function<void(const boost::shared_ptr<const Force>&)> callback =
       [this](const boost::shared_ptr<const Force>& force) { take(*force); };
   subscriber_ = handle_.subscribe<Force>(component + "/force", kQueueSize, callback, ros::VoidConstPtr(),
@@ -146,7 +148,45 @@ bool LogPlayer::maySend() const {
   return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !isHeld() && untilDue() <= 0.0;
 }
 
+// Two topics have no order, but temperatures their stamps: they are sent well before the samples that they hold for,
+// and no more of them than the node keeps.
+void LogPlayer::announceTemperatures() {
+  constexpr std::size_t kAhead = 512;
+  const auto next = std::lower_bound(temperature_changes_.begin(), temperature_changes_.end(), result_.sent);
+  const auto last = static_cast<std::size_t>(next - temperature_changes_.begin()) + kAhead;
+  for (; announced_ < std::min(last, temperature_changes_.size()); ++announced_) {
+    const std::size_t sample = temperature_changes_[announced_];
+    sensor_msgs::Temperature temperature;
+    temperature.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
+    temperature.temperature = log_->temperature[sample];
+    temperature_publisher_.publish(temperature);
+  }
+}
+
+// The first ones have to be there before the first sample.
+void LogPlayer::startTemperatures() {
+  constexpr double kPatience = 5.0;
+  constexpr double kArrival = 0.2;  // [s], a multiple of what a message takes
+  temperature_changes_.clear();
+  announced_ = 0;
+  for (std::size_t i = 0; i < log_->temperature.size(); ++i) {
+    if (i == 0 || log_->temperature[i] != log_->temperature[i - 1]) {
+      temperature_changes_.push_back(i);
+    }
+  }
+  if (temperature_changes_.empty()) {
+    return;
+  }
+  const auto end = Steady::now() + toDuration(kPatience);
+  while (temperature_publisher_.getNumSubscribers() == 0 && Steady::now() < end && ros::ok()) {
+    ros::WallDuration(0.01).sleep();
+  }
+  announceTemperatures();
+  ros::WallDuration(kArrival).sleep();
+}
+
 void LogPlayer::send() {
+  announceTemperatures();
   const std::size_t sample = result_.sent++;
   Displacement displacement;
   displacement.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
@@ -222,6 +262,7 @@ PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool m
   result_.force.resize(log.size());
   result_.answers.resize(log.size());
   answered_ = 0;
+  startTemperatures();
   io::Progress progress("playing " + log.name, options_.show_progress ? log.size() : 0);
   const auto begin = Steady::now();
   start_ = start == Steady::time_point() ? begin : start;

@@ -82,6 +82,8 @@ class LogPlayer {
   bool isHeld() const;
   bool maySend() const;
   void send();
+  void announceTemperatures();
+  void startTemperatures();
   void sendWhatIsDue(io::Progress& progress);
   bool waitForAnswers();
   double untilDue() const;
@@ -94,6 +96,7 @@ class LogPlayer {
   ros::CallbackQueue queue_;
   ros::Publisher displacement_publisher_;
   ros::Publisher measured_force_publisher_;
+  ros::Publisher temperature_publisher_;
   ros::Subscriber subscriber_;
   ros::Subscriber gap_subscriber_;
   bool connected_ = false;
@@ -103,8 +106,10 @@ class LogPlayer {
   std::int64_t shift_ = 0;
   PlayResult result_;
   std::size_t answered_ = 0;
-  std::size_t stepped_ = 0;   // samples sent by step, in all plays
-  Steady::time_point start_;  // when the first sample was due, or would have been without pauses
+  std::size_t stepped_ = 0;                       // samples sent by step, in all plays
+  std::vector<std::size_t> temperature_changes_;  // samples of the log from which on another one holds
+  std::size_t announced_ = 0;                     // of these changes
+  Steady::time_point start_;                      // when the first sample was due, or would have been without pauses
   Steady::time_point last_answer_;
   Steady::time_point last_note_;
 };

@@ -68,6 +68,8 @@ std::string describeFaults(const node::ChannelReport& before, const node::Channe
          "forces not delivered: " + slowReaders(before.undelivered_to, now.undelivered_to));
   append(text, before.disabled, now.disabled, "while disabled (dropped)");
   append(text, old.restarted, fresh.restarted, "jumps back of more than a second (reset)");
+  append(text, before.refused_temperatures, now.refused_temperatures,
+         "temperatures refused: not finite, or none at which the component's shift holds");
   append(text, old.bridged, fresh.bridged, "time gaps longer than max_gap (bridged)");
   return text;
 }
@@ -103,6 +105,12 @@ void fillStatus(const node::ChannelReport& before, const node::ChannelReport& no
   status.add("latency maximum [us]", microseconds(now.latency.maximum()));
   status.add("last stamp [s]", fmt::format("{:.9f}", now.last_time));
   status.add("last displacement [m]", now.displacement);
+  if (now.shifts_with_temperature) {
+    status.add("temperature [degC]", now.temperature ? fmt::format("{:g}", *now.temperature) : "none has come");
+  }
+  if (now.refused_temperatures > 0) {
+    status.add("temperatures, refused", now.refused_temperatures);
+  }
 }
 
 void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const node::GapSettings& settings,

@@ -12,6 +12,7 @@
 #include <rubber_suspension/GapShare.h>
 #include <rubber_suspension/MeasuredForce.h>
 #include <rubber_suspension/Running.h>
+#include <sensor_msgs/Temperature.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -74,6 +75,9 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement"),
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
                            "optional: with the force of the real component the node watches the gap"),
+      topic<sensor_msgs::Temperature>("COMPONENT/temperature", Kind::subscribed,
+                                      "optional [degC]: holds for the samples from its stamp on, where the component "
+                                      "has the key `temperature`"),
       topic<Gap>("COMPONENT/gap", Kind::published, "once per second, with a measured force: level, where and trend"),
       topic<Gap>("COMPONENT/shadow_gap", Kind::published,
                  "the same for the model that is computed beside the one that gives the force, while there is one"),

@@ -38,17 +38,27 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
   measured_subscriber_ = subscribeChecked<MeasuredForce>(
       handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
       [this](const ros::MessageEvent<const MeasuredForce>& event) { compare(event); });
+  temperature_subscriber_ = subscribeChecked<sensor_msgs::Temperature>(
+      handle, channel.name() + "/temperature", size, node::isStampedPair, undecodable_,
+      [this](const ros::MessageEvent<const sensor_msgs::Temperature>& event) { takeTemperature(event); });
 }
 
 void SampleServer::shutdown() {
   subscriber_.shutdown();
   measured_subscriber_.shutdown();
+  temperature_subscriber_.shutdown();
   publisher_.shutdown();
 }
 
 void SampleServer::compare(const ros::MessageEvent<const MeasuredForce>& event) {
   const MeasuredForce& measured = *event.getConstMessage();
   channel_.gap().addMeasured(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.force);
+}
+
+// In the thread of the samples, but in no order with them: the stamps decide.
+void SampleServer::takeTemperature(const ros::MessageEvent<const sensor_msgs::Temperature>& event) {
+  const sensor_msgs::Temperature& measured = *event.getConstMessage();
+  channel_.setTemperature(static_cast<std::int64_t>(measured.header.stamp.toNSec()), measured.temperature);
 }
 
 void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {

@@ -5,6 +5,7 @@
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/MeasuredForce.h>
+#include <sensor_msgs/Temperature.h>
 
 #include <atomic>
 #include <cstdint>
@@ -34,7 +35,7 @@ class SampleServer {
   /// Take no more samples.
   void shutdown();
 
-  /// Messages on the topics of the component that are no samples or measured forces; dropped.
+  /// Messages on the topics of the component that are no samples, measured forces or temperatures; dropped.
   std::uint64_t undecodable() const { return undecodable_; }
 
   /// Forces that a subscriber did not get because it reads too slowly.
@@ -44,6 +45,7 @@ class SampleServer {
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
   void compare(const ros::MessageEvent<const MeasuredForce>& event);
+  void takeTemperature(const ros::MessageEvent<const sensor_msgs::Temperature>& event);
 
   node::ComponentChannel& channel_;
   MessagePool<Force> pool_;
@@ -52,6 +54,7 @@ class SampleServer {
   AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
   ros::Subscriber measured_subscriber_;
+  ros::Subscriber temperature_subscriber_;
 };
 
 }  // namespace rubber_suspension::ros_interface

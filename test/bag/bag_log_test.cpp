@@ -6,6 +6,7 @@
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -51,6 +52,33 @@ TEST_F(BagLog, ReadsBackBitByBit) {
   EXPECT_EQ(read.force, log().force);
   EXPECT_TRUE(read.notes.empty());
   EXPECT_EQ(bag::readAnyLog(path("a.bag")).displacement, log().displacement);
+}
+
+TEST_F(BagLog, TemperatureHoldsUntilTheNext) {
+  log::Log warming = log();
+  warming.temperature = {20.0, 20.0, 20.25, 20.25};
+  bag::writeBagLog(path("a.bag"), "bush", warming);
+  const log::Log read = bag::readBagLog(path("a.bag"));
+  EXPECT_EQ(read.temperature, warming.temperature);
+  EXPECT_TRUE(read.notes.empty());
+}
+
+// What the node refuses is left out; samples before the first temperature take that one, with a note.
+TEST_F(BagLog, TemperatureOfItsOwnStamps) {
+  const std::string file = path("a.bag");
+  {
+    bag::BagWriter writer(file, "bush");
+    for (int i = 0; i < 6; ++i) {
+      writer.writeDisplacement(1000000000 + i * 10, 0.1 * i);
+    }
+    writer.writeTemperature(1000000015, 20.0);
+    writer.writeTemperature(1000000020, std::nan(""));
+    writer.writeTemperature(1000000040, 21.0);
+    writer.close();
+  }
+  const log::Log read = bag::readBagLog(file);
+  EXPECT_THAT(read.temperature, testing::ElementsAre(20.0, 20.0, 20.0, 20.0, 21.0, 21.0));
+  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("2 samples before the first temperature")));
 }
 
 TEST_F(BagLog, ForceIsOptional) {

@@ -55,6 +55,7 @@ KEYS = {
     "rostest": ({"rostest", "py:rostest"}, {"librostest-dev", "python3-rostest"}),
     "rostopic": ({"py:rostopic"}, {"python3-rostopic"}),
     "rosunit": ({"py:rosunit"}, {"python3-rosunit"}),
+    "sensor_msgs": ({"sensor_msgs"}, {"libsensor-msgs-dev", "ros-sensor-msgs", "python3-sensor-msgs"}),
     "simbody": ({"Simbody"}, {"libsimbody-dev"}),
     "std_msgs": ({"std_msgs"}, {"libstd-msgs-dev", "ros-std-msgs", "python3-std-msgs"}),
     "std_srvs": ({"std_srvs"}, {"libstd-srvs-dev", "ros-std-srvs", "python3-std-srvs"}),
