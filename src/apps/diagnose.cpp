@@ -49,13 +49,14 @@ struct Options {
   OutputOptions outputs;
 };
 
-std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const std::string& component,
+std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
                                const Options& options) {
   std::vector<log::Log> logs(paths.size());
   fit::parallelFor(paths.size(), options.threads,
-                   [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component); });
+                   [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component.name); });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     LogOptions::printNotes("diagnose", paths[i], logs[i]);
+    warnOfTemperature("diagnose", paths[i], logs[i], component);
   }
   return logs;
 }
@@ -212,8 +213,8 @@ int run(const Options& options) {
   settings.progress = showStage;
   settings.evidence = options.evidence;
   showStage("reading the logs", 0.0);
-  const std::vector<log::Log> logs = readLogs(options.logs, component.name, options);
-  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component.name, options);
+  const std::vector<log::Log> logs = readLogs(options.logs, component, options);
+  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component, options);
   diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
   diagnosis.run = runRecord(options);
   if (earlier) {

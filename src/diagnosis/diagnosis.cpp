@@ -20,6 +20,7 @@
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
+#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
@@ -128,7 +129,9 @@ std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
   const Search& search = judged.workings->search;
   std::vector<const FittedHypothesis*> singles;
   for (const FittedHypothesis& single : search.singles) {
-    singles.push_back(&single);
+    if (!single.hypothesis.terms.empty()) {
+      singles.push_back(&single);
+    }
   }
   std::stable_sort(singles.begin(), singles.end(), [](const FittedHypothesis* x, const FittedHypothesis* y) {
     return x->fit.score() < y->fit.score();
@@ -263,6 +266,11 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   const Excerpts excerpts = makeExcerpts(logs, hold_out, options.most_samples);
   requireMemory(excerpts.samples, excerpts.of, options.threads,
                 options.available_memory > 0 ? options.available_memory : io::availableMemory());
+  for (const auto* list : {&logs, &hold_out}) {
+    for (const log::Log& log : *list) {
+      gap::checkTemperature(component.makeComponent(), log);
+    }
+  }
   Diagnosis result = diagnoseExcerpts(component, excerpts, hold_out.empty() ? logs : hold_out, options);
   result.samples = excerpts.samples;
   result.recorded_samples = excerpts.of;

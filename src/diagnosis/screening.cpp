@@ -69,11 +69,15 @@ Screened Screening::screen(std::vector<int> members) const {
   return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
 }
 
+bool Screening::mayJoin(int candidate) const {
+  const fit::Candidate& other = candidates_[static_cast<std::size_t>(candidate)];
+  return other.applies() && !other.last_resort;
+}
+
 std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
   std::vector<std::vector<int>> sets;
   for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-    const bool last_resort = candidates_[static_cast<std::size_t>(c)].last_resort;
-    if (!last_resort && std::find(members.begin(), members.end(), c) == members.end()) {
+    if (mayJoin(c) && std::find(members.begin(), members.end(), c) == members.end()) {
       sets.push_back(members);
       sets.back().push_back(c);
     }
@@ -84,10 +88,9 @@ std::vector<Screened> Screening::additions(const std::vector<int>& members) cons
 std::vector<Screened> Screening::pairs() const {
   std::vector<std::vector<int>> sets;
   const int count = static_cast<int>(candidates_.size());
-  const auto last_resort = [&](int c) { return candidates_[static_cast<std::size_t>(c)].last_resort; };
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      if (!last_resort(a) && !last_resort(b)) {
+      if (mayJoin(a) && mayJoin(b)) {
         sets.push_back({a, b});
       }
     }

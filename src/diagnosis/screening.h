@@ -44,6 +44,7 @@ class Screening {
 
  private:
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
+  bool mayJoin(int candidate) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 
   const std::vector<fit::Candidate>& candidates_;

@@ -39,6 +39,10 @@ void keepBetter(fit::Fit fit, FittedHypothesis& fitted) {
 // if these are far from there or if it changes what the others do; in the latter case from no effect, too.
 void fitSingle(const fit::Fitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
   const fit::Hypothesis& hypothesis = single.hypothesis;
+  if (hypothesis.terms.empty()) {
+    single.fit = re_estimated.fit;
+    return;
+  }
   const fit::ParameterVector configured = fitter.configured(hypothesis);
   fit::ParameterVector start = configured;
   start.model = re_estimated.fit.parameters.model;
@@ -222,7 +226,9 @@ class Searcher {
     fit::parallelFor(order.size(), threads_,
                      [&](std::size_t i) { fitSingle(fitter_, result_.re_estimated, *order[i]); });
     std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
-                 [](const FittedHypothesis& single) { return !single.hypothesis.last_resort; });
+                 [](const FittedHypothesis& single) {
+                   return !single.hypothesis.last_resort && !single.hypothesis.terms.empty();
+                 });
     sortByScore(ranked_);
     estimateNoise(fitter_, ranked_.front(), result_);
   }

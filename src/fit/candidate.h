@@ -43,6 +43,9 @@ struct Candidate {
   bool free_trend = false;    ///< a slow trend of each log belongs to it, which no model run reproduces
   bool last_resort = false;   ///< named only where no other effects explain the gap
   std::string contains = "";  ///< name of a simpler effect that its law contains; may be empty
+
+  /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
+  bool applies() const { return !terms.empty(); }
 };
 
 /// A basis term that scales one parameter of an element whose force is linear in it, the others being given.

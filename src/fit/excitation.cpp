@@ -8,6 +8,23 @@
 
 namespace rubber_suspension::fit {
 
+namespace {
+
+void addTemperature(const std::vector<log::Record>& records, Excitation& result) {
+  result.has_temperature = std::all_of(records.begin(), records.end(),
+                                       [](const log::Record& record) { return record.temperature.size() > 0; });
+  if (!result.has_temperature || records.empty()) {
+    return;
+  }
+  result.lowest_temperature = result.highest_temperature = records.front().temperature[0];
+  for (const log::Record& record : records) {
+    result.lowest_temperature = std::min(result.lowest_temperature, record.temperature.minCoeff());
+    result.highest_temperature = std::max(result.highest_temperature, record.temperature.maxCoeff());
+  }
+}
+
+}  // namespace
+
 Excitation summarise(const std::vector<log::Record>& records) {
   Excitation result;
   double force_power = 0.0;
@@ -28,6 +45,7 @@ Excitation summarise(const std::vector<log::Record>& records) {
     result.force = std::max(result.force, record.force_deviation);
   }
   result.stiffness = std::sqrt(force_power / displacement_power);
+  addTemperature(records, result);
   result.mass_bandwidth = massBandwidth(records, result.highest_frequency);
   return result;
 }

@@ -16,6 +16,9 @@ struct Excitation {
   double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
   double longest_duration = 0.0;      ///< [s]
   double dt = 0.0;                    ///< [s]
+  bool has_temperature = false;       ///< all logs have one
+  double lowest_temperature = 0.0;    ///< [degC]
+  double highest_temperature = 0.0;   ///< [degC]
   double mass_bandwidth = 0.0;        ///< of the filter with which the node errs least by a mass [Hz]; 0: none
 };
 

@@ -16,6 +16,7 @@
 #include "diagnosis/report/model_parameters_by_log.h"
 #include "diagnosis/report/sentence.h"
 #include "diagnosis/report/sizes.h"
+#include "diagnosis/report/temperature_note.h"
 #include "diagnosis/rig.h"
 #include "diagnosis/surrogate.h"
 #include "diagnosis/unseen_logs.h"
@@ -258,6 +259,10 @@ class Describer {
     result_.proposed = std::move(next.proposed);
     result_.sentence = sentence(judgement_, result_);
     result_.could_show = couldShow(search_, Criteria{});
+    if (const std::string note = temperatureNote(result_.effects, search_.excitation); !note.empty()) {
+      result_.sentence += " " + note;
+      result_.next_experiment += " Record temperature_degC with it.";
+    }
   }
 
   // What no effect explains is closed all the same.

@@ -10,7 +10,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute; which elements a candidate takes does not depend on it.
+// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC; which elements a candidate takes does
+// not depend on it.
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;
@@ -21,6 +22,9 @@ fit::Excitation typicalExcitation() {
   excitation.highest_rate = 0.1;
   excitation.longest_duration = 60.0;
   excitation.dt = 1e-3;
+  excitation.has_temperature = true;
+  excitation.lowest_temperature = 10.0;
+  excitation.highest_temperature = 40.0;
   return excitation;
 }
 
