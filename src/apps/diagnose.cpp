@@ -173,7 +173,7 @@ int runPlan(const Options& options) {
   options.log_options.requireUse(options.plan);
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
-  diagnosis::Plan plan = diagnosis::plan(component, readLogs(options.plan, component.name, options), settings);
+  diagnosis::Plan plan = diagnosis::plan(component, readLogs(options.plan, component, options), settings);
   plan.run = runRecord(options);
   diagnosis::writePlan(plan, options.output);
   fmt::print("{}plan: {}/plan.html\n", diagnosis::toText(plan.could_show), options.output);
