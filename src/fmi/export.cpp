@@ -115,6 +115,9 @@ ComponentData dataOf(const io::ComponentDescription& description) {
     data.elements = completed(description.elements());
   }
   data.add = completed(description.add);
+  if (description.temperature) {
+    data.temperature = completed({*description.temperature});
+  }
   data.guid = guidOf(toJson(data) + kTool);
   return data;
 }

@@ -163,6 +163,9 @@ class Description {
           for (const auto& [name, exponent] : base) {
             exponents.emplace_back(name.c_str(), std::to_string(exponent));
           }
+          if (offsetOf(unit) != 0.0) {
+            exponents.emplace_back("offset", number(offsetOf(unit)));
+          }
           xml_.element("BaseUnit", exponents);
         });
       }

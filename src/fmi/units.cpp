@@ -7,14 +7,16 @@
 #include <map>
 #include <stdexcept>
 
+#include "rubber_suspension/element/temperature_shift.h"
+
 namespace rubber_suspension::fmi {
 namespace {
 
-constexpr std::size_t kBases = 6;
+constexpr std::size_t kBases = 7;
 using Exponents = std::array<int, kBases>;
 
 const std::array<const char*, kBases>& baseNames() {
-  static const std::array<const char*, kBases> names = {"kg", "m", "s", "A", "K", "rad"};
+  static const std::array<const char*, kBases> names = {"kg", "m", "s", "A", "K", "rad", "mol"};
   return names;
 }
 
@@ -27,6 +29,8 @@ const std::map<std::string, Exponents>& symbols() {
       {"A", {0, 0, 0, 1}},
       {"K", {0, 0, 0, 0, 1}},
       {"rad", {0, 0, 0, 0, 0, 1}},
+      {"mol", {0, 0, 0, 0, 0, 0, 1}},
+      {"degC", {0, 0, 0, 0, 1}},
       {"Hz", {0, 0, -1}},
       {"N", {1, 1, -2}},
       {"Pa", {1, -1, -2}},
@@ -68,5 +72,7 @@ BaseUnit baseUnitOf(const std::string& unit) {
   }
   return result;
 }
+
+double offsetOf(const std::string& unit) { return unit == "degC" ? element::kZeroCelsius : 0.0; }
 
 }  // namespace rubber_suspension::fmi

@@ -21,7 +21,6 @@ namespace {
 using diagnosis::Excerpts;
 using diagnosis::makeExcerpts;
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr std::int64_t kStep = 10000000;  // [ns]
 
 // A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
@@ -31,7 +30,8 @@ log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
   const auto each = static_cast<std::size_t>(seconds * 100.0);
   for (std::size_t i = 0; i < each * amplitudes.size(); ++i) {
     log.stamp.push_back(static_cast<std::int64_t>(i) * kStep);
-    log.displacement.push_back(1e-3 * amplitudes[i / each] * std::sin(kTwoPi * 0.01 * static_cast<double>(i)));
+    log.displacement.push_back(1e-3 * amplitudes[i / each] *
+                               std::sin(2.0 * element::kPi * 0.01 * static_cast<double>(i)));
     log.force.push_back(1e6 * log.displacement.back());
   }
   return log;

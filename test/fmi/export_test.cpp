@@ -112,6 +112,10 @@ TEST(Units, AreTakenApart) {
   EXPECT_EQ(baseUnitOf("N s/m"), (Base{{"kg", 1}, {"s", -1}}));
   EXPECT_EQ(baseUnitOf("N/m^5"), (Base{{"kg", 1}, {"m", -4}, {"s", -2}}));
   EXPECT_EQ(baseUnitOf("1/J"), (Base{{"kg", -1}, {"m", -2}, {"s", 2}}));
+  EXPECT_EQ(baseUnitOf("J/mol"), (Base{{"kg", 1}, {"m", 2}, {"s", -2}, {"mol", -1}}));
+  EXPECT_EQ(baseUnitOf("degC"), (Base{{"K", 1}}));
+  EXPECT_EQ(offsetOf("degC"), 273.15);
+  EXPECT_EQ(offsetOf("K"), 0.0);
   EXPECT_THROW(baseUnitOf("furlong"), std::invalid_argument);
   EXPECT_THROW(baseUnitOf("m^"), std::invalid_argument);
   EXPECT_THROW(baseUnitOf(""), std::invalid_argument);

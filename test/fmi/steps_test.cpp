@@ -118,6 +118,56 @@ TEST_P(Steps, StepsMayVaryAndPartsAddUp) {
   EXPECT_EQ(importer->value(reference::kFriction), force.friction);
 }
 
+// A specimen that stiffens in the cold.
+io::ComponentDescription shifting() {
+  io::ComponentDescription description("shifting", {{"spring", {{"stiffness", {3e6}}}},
+                                                    {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}});
+  description.temperature = {"wlf_shift",
+                             {{"c1", {8.86}}, {"c2", {101.6}}, {"reference", {23.0}}, {"vertical", {1e-3}}}};
+  return description;
+}
+
+TEST_P(Steps, FollowTheTemperatureAsReplayDoes) {
+  const io::ComponentDescription description = shifting();
+  log::Log log = makeLog(400);
+  const LoadedFmu fmu(description, GetParam());
+  const Reference temperature = fmu.reference("temperature");
+  const auto importer = Importer::make(fmu, fmu.guid());
+  EXPECT_EQ(drive(*importer, log), gap::simulateLog(description.makeComponent(), log)) << "none was set";
+  ASSERT_EQ(importer->reset(), kOk);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    log.temperature.push_back(-20.0 + 0.1 * static_cast<double>(i / 7));
+  }
+  const std::vector<double> expected = gap::simulateLog(description.makeComponent(), log);
+  ASSERT_EQ(importer->set(temperature, log.temperature[0]), kOk);
+  importer->start(log.displacement[0], log.time(0));
+  EXPECT_EQ(importer->value(reference::kForce), expected[0]);
+  double time = log.time(0);
+  void* state = nullptr;
+  for (std::size_t i = 1; i < log.size(); ++i) {
+    ASSERT_EQ(importer->save(&state), kOk);
+    ASSERT_EQ(importer->set(temperature, 60.0), kOk);  // a step tried at another temperature is taken back
+    ASSERT_EQ(importer->step(time, stepOf(log, i)), kOk);
+    ASSERT_EQ(importer->restore(state), kOk);
+    ASSERT_EQ(importer->value(temperature), log.temperature[i - 1]);
+    ASSERT_EQ(importer->set(temperature, log.temperature[i]), kOk);
+    ASSERT_EQ(importer->set(reference::kDisplacement, log.displacement[i]), kOk);
+    ASSERT_EQ(importer->step(time, stepOf(log, i)), kOk);
+    ASSERT_EQ(importer->value(reference::kForce), expected[i]) << i;
+    time += stepOf(log, i);
+  }
+  for (const double bad : {-300.0, -100.0, kNaN}) {  // below absolute zero, where WLF ends, and none
+    EXPECT_EQ(importer->set(temperature, bad), kDiscard) << bad;
+  }
+  EXPECT_EQ(importer->value(temperature), log.temperature.back());
+  importer->free(&state);
+}
+
+TEST_P(Steps, AComponentWithoutShiftHasNoTemperature) {
+  const LoadedFmu fmu(everything(), GetParam());
+  EXPECT_EQ(fmu.references().count("temperature"), 0U);
+}
+
 TEST_P(Steps, ResetIsANewInstance) {
   const io::ComponentDescription description = everything();
   const log::Log log = makeLog(300);

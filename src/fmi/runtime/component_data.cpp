@@ -44,6 +44,7 @@ std::vector<element::ElementDescription> ComponentData::modelElements() const {
 std::vector<element::ElementDescription> ComponentData::allElements() const {
   std::vector<element::ElementDescription> all = modelElements();
   all.insert(all.end(), add.begin(), add.end());
+  all.insert(all.end(), temperature.begin(), temperature.end());
   return all;
 }
 
@@ -57,7 +58,8 @@ std::string toJson(const ComponentData& data) {
                {"model", estimation::toString(data.model)},
                {"specification", specification},
                {"elements", entriesToJson(data.elements)},
-               {"add", entriesToJson(data.add)}})
+               {"add", entriesToJson(data.add)},
+               {"temperature", entriesToJson(data.temperature)}})
       .dump();
 }
 
@@ -76,6 +78,7 @@ ComponentData fromJson(const std::string& text) {
   }
   data.elements = entriesFromJson(content.at("elements"));
   data.add = entriesFromJson(content.at("add"));
+  data.temperature = entriesFromJson(content.at("temperature"));
   return data;
 }
 

@@ -17,12 +17,14 @@ struct ComponentData {
   estimation::Specification specification;            ///< empty for the model `elements`
   std::vector<element::ElementDescription> elements;  ///< of the model `elements`, complete; empty for all others
   std::vector<element::ElementDescription> add;       ///< complete
+  /// Shifts with temperature, complete: those of the key `temperature`.
+  std::vector<element::ElementDescription> temperature;
 
   /// Those that the model estimates from the specification, or lists. Throws std::invalid_argument where there is no
   /// solution.
   std::vector<element::ElementDescription> modelElements() const;
 
-  /// Those of the model, and those added, in the order of the component file.
+  /// Those of the model, those added and those of the temperature, in the order of the component file.
   std::vector<element::ElementDescription> allElements() const;
 };
 

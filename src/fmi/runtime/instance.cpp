@@ -102,6 +102,8 @@ Status Instance::reset() {
   start_time_ = 0.0;
   time_ = 0.0;
   displacement_ = 0.0;
+  temperature_ = 0.0;
+  has_temperature_ = false;
   derivative_ = {};
   has_derivatives_ = false;
   force_ = {};
@@ -135,6 +137,9 @@ Status Instance::checkSet(Reference reference, double value) {
   if (variable.causality == Causality::parameter) {
     return checkParameter(reference, value);
   }
+  if (reference == table_.temperature()) {
+    return checkTemperature(value);
+  }
   if (variable.causality != Causality::input) {
     return error(fmt::format("set: {} cannot be set", variable.name));
   }
@@ -153,10 +158,27 @@ Status Instance::checkParameter(Reference reference, double value) {
                              variable.unit == "1" ? "" : " " + variable.unit, element::describe(variable.range)));
 }
 
+// Until the component is built, the range is that of the parameters at the start.
+Status Instance::checkTemperature(double value) {
+  const element::Range range = component_ ? component_->temperatures() : table_.variables()[table_.temperature()].range;
+  if (std::isfinite(value) && range.contains(value)) {
+    return Status::ok;
+  }
+  return discard(
+      fmt::format("set: temperature: {:g} degC is out of range; accepted: {}", value, element::describe(range)));
+}
+
 void Instance::assign(Reference reference, double value) {
   if (reference == reference::kDisplacement) {
     displacement_ = value;
     initialised_ = initialised_ && phase_ == Phase::stepping;
+  } else if (reference == table_.temperature()) {
+    temperature_ = value;
+    has_temperature_ = true;
+    initialised_ = initialised_ && phase_ == Phase::stepping;
+    if (initialised_) {
+      shift();
+    }
   } else {
     parameters_[reference - reference::kFirstParameter] = value;
     component_.reset();
@@ -200,6 +222,9 @@ double Instance::value(Reference reference) const {
     default:
       break;
   }
+  if (reference == table_.temperature()) {
+    return has_temperature_ ? temperature_ : table_.variables()[reference].start.value();
+  }
   const std::size_t parameter = reference - reference::kFirstParameter;
   return parameter < parameters_.size() ? parameters_[parameter] : calculated_[parameter - parameters_.size()];
 }
@@ -239,11 +264,21 @@ void Instance::take(Build build) {
   state_ = std::move(build.state);
 }
 
+// The component at the temperature that was set.
+void Instance::shift() {
+  if (has_temperature_) {
+    component_->setTemperature(*state_, temperature_);
+  } else {
+    component_->forgetTemperature(*state_);
+  }
+}
+
 void Instance::settle() {
   if (!component_) {
     take(build(parameters_));
   }
   if (!initialised_) {
+    shift();
     const element::ComponentForce force = component_->initialise(*state_, displacement_);
     if (!std::isfinite(force.total)) {
       throw std::invalid_argument(fmt::format("displacement {:g} m gives a force that is not finite", displacement_));
@@ -297,6 +332,8 @@ Status Instance::save(SavedState& state) {
   state.phase = phase_;
   state.time = phase_ == Phase::instantiated ? start_time_ : time_;
   state.displacement = displacement_;
+  state.temperature = temperature_;
+  state.has_temperature = has_temperature_;
   state.derivative = derivative_;
   state.force = force_;
   state.parameters = parameters_;
@@ -333,6 +370,8 @@ Status Instance::restore(const SavedState& state) {
   time_ = state.time;
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
   displacement_ = state.displacement;
+  temperature_ = state.temperature;
+  has_temperature_ = state.has_temperature;
   derivative_ = state.derivative;
   has_derivatives_ = std::any_of(derivative_.begin(), derivative_.end(), [](double value) { return value != 0.0; });
   force_ = state.force;

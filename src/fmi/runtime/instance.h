@@ -99,6 +99,7 @@ class Instance {
   Status getAll(const Reference* references, std::size_t count, double* values);
   Status checkSet(Reference reference, double value);
   Status checkParameter(Reference reference, double value);
+  Status checkTemperature(double value);
   void assign(Reference reference, double value);
   double value(Reference reference) const;
 
@@ -112,6 +113,7 @@ class Instance {
   Build build(const std::vector<double>& parameters) const;
   void take(Build build);
   void settle();
+  void shift();
   bool isNow(double time, double size) const;
   double extrapolated(double size);
   Status refuseStep(double time, double size);
@@ -129,6 +131,8 @@ class Instance {
   double start_time_ = 0.0;  // [s]
   double time_ = 0.0;        // [s]
   double displacement_ = 0.0;
+  double temperature_ = 0.0;      // [degC]
+  bool has_temperature_ = false;  // it was set; before, the component is as specified
   std::array<double, kMostDerivatives> derivative_ = {};
   bool has_derivatives_ = false;
 

@@ -8,9 +8,9 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3130544154535352;  // "RSSTAT01", lowest byte first
+constexpr std::uint64_t kMagic = 0x3230544154535352;  // "RSSTAT02", lowest byte first
 constexpr std::size_t kChecksumWord = 1;              // behind the magic number
-constexpr std::size_t kHeadWords = 10 + kMostDerivatives + 4;
+constexpr std::size_t kHeadWords = 12 + kMostDerivatives + 4;
 
 // FNV-1a over the bytes from a word on.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
@@ -108,6 +108,8 @@ void serialise(const SavedState& state, char* bytes) {
   out.put(state.time);
   out.put(state.displacement);
   out.put(state.component_displacement);
+  out.put(state.temperature);
+  out.put(static_cast<std::uint64_t>(state.has_temperature ? 1 : 0));
   for (const double derivative : state.derivative) {
     out.put(derivative);
   }
@@ -140,6 +142,8 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   state.time = in.finite();
   state.displacement = in.finite();
   state.component_displacement = in.finite();
+  state.temperature = in.finite();
+  state.has_temperature = in.get<std::uint64_t>() != 0;
   for (double& derivative : state.derivative) {
     derivative = in.finite();
   }

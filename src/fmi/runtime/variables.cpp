@@ -3,15 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
+#include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::fmi {
 namespace {
 
-std::string groupOf(Place::List list) { return list == Place::List::add ? "add" : "elements"; }
+std::string groupOf(Place::List list) {
+  switch (list) {
+    case Place::List::add:
+      return "add";
+    case Place::List::temperature:
+      return "temperature";
+    default:
+      return "elements";
+  }
+}
 
 std::string describe(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
@@ -25,7 +36,7 @@ element::Range settableRange(const element::ParameterInfo& parameter, double val
 }
 
 std::vector<element::ElementDescription>& entriesOf(ComponentData& data, Place::List list) {
-  return list == Place::List::add ? data.add : data.elements;
+  return list == Place::List::add ? data.add : list == Place::List::temperature ? data.temperature : data.elements;
 }
 
 [[noreturn]] void refuseOtherElements() {
@@ -43,10 +54,26 @@ VariableTable::VariableTable(const ComponentData& data) {
     addElements(data.elements, Place::List::model, Causality::parameter);
   }
   addElements(data.add, Place::List::add, Causality::parameter);
+  addElements(data.temperature, Place::List::temperature, Causality::parameter);
   free_count_ = places_.size();
   if (!listed) {
     addElements(data.modelElements(), Place::List::model, Causality::calculated_parameter);
   }
+  addTemperature(data);
+}
+
+// It starts at the reference of the first shift, where the component is as specified.
+void VariableTable::addTemperature(const ComponentData& data) {
+  const component::Component component(data.allElements());
+  if (!component.shiftsWithTemperature()) {
+    return;
+  }
+  const std::vector<element::ElementDescription> elements = data.allElements();
+  const auto shift = std::find_if(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
+    return element::lawOf(element::makeElement(element)).action() == element::Action::shifts_with_temperature;
+  });
+  variables_.push_back({"temperature", "degC", "temperature of " + data.name + " during the next step",
+                        Causality::input, shift->value("reference"), component.temperatures()});
 }
 
 void VariableTable::addCommon(const ComponentData& data) {

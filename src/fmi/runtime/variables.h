@@ -13,7 +13,7 @@ namespace rubber_suspension::fmi {
 /// The place of a variable in the list, by which an importer names it.
 using Reference = std::uint32_t;
 
-/// The variables that every FMU has; the parameters follow.
+/// The variables that every FMU has; the parameters follow, and the temperature where it does anything.
 namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
@@ -44,15 +44,15 @@ struct Variable {
 
 /// Where in the data of a component the value of a parameter stands.
 struct Place {
-  enum class List { specification, model, add };
+  enum class List { specification, model, add, temperature };
   List list;
-  std::size_t entry;     ///< of model or add
+  std::size_t entry;     ///< of model, add or temperature
   std::string key;       ///< name of the parameter
   std::size_t position;  ///< in a list of numbers; 0 for a single one
 };
 
 /// All variables of one component. Those of its parameters come in the order: specification, elements of the model
-/// where they are listed, elements added; then the calculated ones.
+/// where they are listed, elements added, shifts with temperature; then the calculated ones.
 class VariableTable {
  public:
   /// Throws std::invalid_argument where the specification has no solution.
@@ -63,6 +63,9 @@ class VariableTable {
   /// The number of parameters that can be set, and of all parameters. The first has the reference kFirstParameter.
   std::size_t freeCount() const { return free_count_; }
   std::size_t parameterCount() const { return places_.size(); }
+
+  /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
+  Reference temperature() const { return reference::kFirstParameter + static_cast<Reference>(places_.size()); }
 
   const Place& place(std::size_t parameter) const { return places_[parameter]; }
 
@@ -77,6 +80,7 @@ class VariableTable {
   void addCommon(const ComponentData& data);
   void addSpecification(const ComponentData& data);
   void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
+  void addTemperature(const ComponentData& data);
   void addParameter(const Variable& variable, const Place& place);
 
   std::vector<Variable> variables_;
