@@ -60,6 +60,12 @@ class EffectRow {
     ImplantedEffect row;
     row.effect = name(effect_);
     row.named_as.assign(search_.candidates.size(), 0.0);
+    if (implants_.empty()) {  // the logs lack what it needs
+      row.outcome = nameOf(Outcome::out_of_reach);
+      row.nothing_named = 1.0;
+      row.least_size = std::numeric_limits<double>::infinity();
+      return row;
+    }
     const double share = 1.0 / static_cast<double>(implants_.size());
     std::map<Outcome, double> outcomes;
     std::map<int, double> in_its_place;
