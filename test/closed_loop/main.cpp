@@ -61,9 +61,13 @@ diagnosis::Diagnosis diagnoseWith(VirtualBench& bench, std::vector<log::Log> log
 }
 
 std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
-  std::string text = fmt::format("{} {}, gap {:.4f} {:.4f} {:.4f} floor {:.4f};", diagnosis.verdict,
-                                 diagnosis.confounded, diagnosis.gap.as_configured, diagnosis.gap.re_estimated,
-                                 diagnosis.gap.augmented, diagnosis.gap.noise_floor);
+  const diagnosis::Posterior& posterior = diagnosis.posterior;
+  std::string text = fmt::format(
+      "{} {}, none {:.2f} values {:.2f} effects {:.2f} others {:.2f}, gap {:.4f} {:.4f} {:.4f} "
+      "floor {:.4f};",
+      diagnosis.verdict, diagnosis.confounded, posterior.none, posterior.parameter_error, posterior.effects,
+      posterior.none_of_these, diagnosis.gap.as_configured, diagnosis.gap.re_estimated, diagnosis.gap.augmented,
+      diagnosis.gap.noise_floor);
   constexpr std::size_t kMost = 4;
   for (std::size_t i = 0; i < std::min(kMost, diagnosis.candidates.size()); ++i) {
     const diagnosis::CandidateResult& candidate = diagnosis.candidates[i];

@@ -711,5 +711,32 @@ TEST(EvidenceJson, RefusesWhatIsNone) {
   }
 }
 
+// The set holds the right answer as probably as it has to, wrong values being one of the answers.
+TEST(Judge, PutsWrongValuesIntoTheSetByTheRuleForEffects) {
+  const Criteria criteria;
+  int within = 0;
+  int without = 0;
+  for (double left = 0.011; left < 0.1; left *= 1.03) {
+    Evidence evidence = unexplained();
+    hideSimpleEffect(evidence);
+    reEstimated(evidence).penalty = 0.0;
+    reEstimated(evidence).held_out = left;
+    const Judgement judgement = judge(evidence, criteria);
+    if (judgement.effects.empty()) {
+      continue;
+    }
+    const Posterior& answers = judgement.posterior;
+    if (answers.effects < criteria.set_probability * (answers.effects + answers.parameter_error)) {
+      EXPECT_TRUE(judgement.values_would_do) << left;
+      EXPECT_EQ(judgement.verdict, Verdict::confounded) << left;
+      ++within;
+    } else {
+      ++without;
+    }
+  }
+  EXPECT_GT(within, 0);
+  EXPECT_GT(without, 0);
+}
+
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -96,6 +96,11 @@ class Judge {
            (evidence_.has_unseen_logs && unseenLogsShowNothing(unseen(judgement_.model).noise_floor));
   }
 
+  bool unseenLogsRefuteValues() const {
+    const std::optional<UnseenErrors>& values = evidence_.reEstimated().unseen;
+    return values && weighing_.isBeyondNoise(*values);
+  }
+
   bool unseenLogsShowNothing(double floor) const {
     return unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * floor;
   }
@@ -193,9 +198,18 @@ class Judge {
     }
   }
 
-  // An effect is as probable as that effects are at work at all, and this one among them.
+  // An effect is as probable as that effects are at work at all, and this one among them. Wrong values are in the set
+  // of what cannot be told apart by the same rule as effects are: without them it would not be as probable as it has
+  // to.
   void weighAnswers() {
     judgement_.posterior = posterior(evidence_, criteria_, judgement_);
+    const Posterior& answers = judgement_.posterior;
+    const bool fully = judgement_.verdict == Verdict::named || judgement_.verdict == Verdict::confounded;
+    if (fully && !unseenLogsRefuteValues() &&
+        answers.effects < criteria_.set_probability * (answers.effects + answers.parameter_error)) {
+      judgement_.verdict = Verdict::confounded;
+      judgement_.values_would_do = true;
+    }
     for (double& probability : judgement_.probabilities) {
       probability *= judgement_.posterior.effects;
     }
