@@ -107,6 +107,32 @@ TEST(PseudoBmaWeights, AddUpToOneAndGrowSurerWithLogs) {
   EXPECT_GT(many[0], few[0]);
 }
 
+// Blocks of three logs, the first model gaining by so much in each, and scatter of 0.1.
+Losses gains(const std::vector<double>& of_logs) {
+  constexpr int kBlocks = 8;
+  Losses losses;
+  losses.loss = Eigen::MatrixXd::Zero(2, kBlocks * static_cast<Eigen::Index>(of_logs.size()));
+  losses.weight = Eigen::VectorXd::Ones(losses.loss.cols());
+  for (std::size_t log = 0; log < of_logs.size(); ++log) {
+    for (int block = 0; block < kBlocks; ++block) {
+      losses.loss(0, kBlocks * static_cast<Eigen::Index>(log) + block) = -of_logs[log] + (block % 2 == 0 ? 0.1 : -0.1);
+      losses.cluster.push_back(static_cast<int>(log));
+    }
+  }
+  return losses;
+}
+
+TEST(PValueOfSomeLog, AGainInEveryLogIsNoChanceHoweverItDiffers) {
+  const Losses losses = gains({0.6, 0.6, 1.9});
+  EXPECT_LT(pValueOfSomeLog(losses, 0, 1), 1e-4);
+  EXPECT_GT(compare(losses, 0, 1).pValueOfNoGain(), 0.05);  // two degrees of freedom and a log that stands out
+}
+
+TEST(PValueOfSomeLog, OneLogWithoutGainIsEnoughToDoubt) {
+  EXPECT_GT(pValueOfSomeLog(gains({0.6, 0.0, 1.9}), 0, 1), 0.4);
+  EXPECT_GT(pValueOfSomeLog(gains({0.6, -0.6, 1.9}), 0, 1), 0.99);
+}
+
 TEST(LogarithmicLoss, CountsFactorsAboveTheNoise) {
   Eigen::MatrixXd errors(2, 2);
   errors << 4.0, 1e-9, 1.0, 1e-12;

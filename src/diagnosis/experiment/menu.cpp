@@ -99,12 +99,16 @@ struct Frequencies {
   double highest;
   double full;    // the highest sine of full stroke
   double lowest;  // of which some cycles fit in
+  double corner;  // the highest triangle
 };
 
 Frequencies frequenciesOf(const Bounds& bounds, double room) {
   constexpr double kFewCycles = 5.0;
   const double full = std::min(bounds.frequency, bounds.speed / (kTwoPi * bounds.stroke.half));
-  return {bounds.frequency, full, std::min(kFewCycles / room, full)};
+  // At a corner the rate jumps between two samples, so that a force by the rate seems late by a part of one: of a cycle
+  // of so many samples a percent is spoilt.
+  constexpr double kSamplesOfTriangle = 400.0;
+  return {bounds.frequency, full, std::min(kFewCycles / room, full), 1.0 / (kSamplesOfTriangle * bounds.dt)};
 }
 
 // So many cycles, or as many as there is room for; 0 where these are fewer than tell anything.
@@ -207,7 +211,7 @@ void addHolds(const Frequencies& f, double room, Menu& menu) {
 void addTriangles(const Frequencies& f, double room, Menu& menu) {
   for (const double part : {0.1, 1.0}) {
     for (const double share : {0.2, 1.0}) {
-      const double frequency = part * f.full;
+      const double frequency = part * std::min(f.full, f.corner);
       menu.add({"triangle", cyclesWithin(room, frequency, kCycles) / frequency, 1.0 / frequency, f.full, share,
                 [=](double t) { return triangle(frequency * t); },
                 [=](double peak) {

@@ -1,10 +1,12 @@
 // Paired differences of losses, clustered by log.
 #include "diagnosis/judge/paired_losses.h"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace rubber_suspension::diagnosis {
 
@@ -39,6 +41,29 @@ PairedDifference compare(const Losses& losses, Eigen::Index one, Eigen::Index ot
   }
   result.standard_error = std::sqrt(clusters / (clusters - 1.0) * squares) / total;
   return result;
+}
+
+double pValueOfSomeLog(const Losses& losses, Eigen::Index one, Eigen::Index other) {
+  const std::set<int> logs(losses.cluster.begin(), losses.cluster.end());
+  double largest = 0.0;
+  for (const int log : logs) {
+    std::vector<Eigen::Index> blocks;
+    for (std::size_t b = 0; b < losses.cluster.size(); ++b) {
+      if (losses.cluster[b] == log) {
+        blocks.push_back(static_cast<Eigen::Index>(b));
+      }
+    }
+    Losses of_log;
+    of_log.loss.resize(losses.loss.rows(), static_cast<Eigen::Index>(blocks.size()));
+    of_log.weight.resize(static_cast<Eigen::Index>(blocks.size()));
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      of_log.loss.col(static_cast<Eigen::Index>(i)) = losses.loss.col(blocks[i]);
+      of_log.weight[static_cast<Eigen::Index>(i)] = losses.weight[blocks[i]];
+      of_log.cluster.push_back(static_cast<int>(i));
+    }
+    largest = std::max(largest, compare(of_log, one, other).pValueOfNoGain());
+  }
+  return largest;
 }
 
 Eigen::MatrixXd logarithmicLoss(const Eigen::MatrixXd& mean_square_error, double floor) {

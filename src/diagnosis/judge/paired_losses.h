@@ -28,6 +28,10 @@ struct PairedDifference {
 /// share what that log is, so that more blocks of it make nobody surer.
 PairedDifference compare(const Losses& losses, Eigen::Index one, Eigen::Index other);
 
+/// p-value of the hypothesis that there is a log in which the first is no better than the second: the largest of those
+/// of the single logs, whose blocks are the sample (intersection-union test; Berger, Technometrics 24, 1982).
+double pValueOfSomeLog(const Losses& losses, Eigen::Index one, Eigen::Index other);
+
 /// Logarithms of mean square errors as losses: half of ln(error + floor). A block counts by the factor that a model
 /// gains there, whatever its size; `floor` (mean square of the noise) keeps blocks of mere noise from counting.
 Eigen::MatrixXd logarithmicLoss(const Eigen::MatrixXd& mean_square_error, double floor);

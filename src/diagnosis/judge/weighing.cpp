@@ -112,31 +112,48 @@ bool Weighing::knowsBlocks(const HypothesisEvidence& hypothesis, const Hypothesi
          over.block_errors.size() == evidence_.block_logs.size();
 }
 
-PairedDifference Weighing::difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  const double square = evidence_.noise_floor * evidence_.noise_floor;
-  if (!knowsBlocks(hypothesis, over)) {
-    PairedDifference difference;
-    difference.mean =
-        0.5 * std::log((hypothesis.held_out * hypothesis.held_out + square) / (over.held_out * over.held_out + square));
-    return difference;
-  }
+Losses Weighing::lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   const auto blocks = static_cast<Eigen::Index>(over.block_errors.size());
   Eigen::MatrixXd errors(2, blocks);
   errors.row(0) = Eigen::Map<const Eigen::RowVectorXd>(hypothesis.block_errors.data(), blocks);
   errors.row(1) = Eigen::Map<const Eigen::RowVectorXd>(over.block_errors.data(), blocks);
   Losses losses;
-  losses.loss = logarithmicLoss(errors, square);
+  losses.loss = logarithmicLoss(errors, evidence_.noise_floor * evidence_.noise_floor);
   losses.weight = Eigen::Map<const Eigen::VectorXd>(evidence_.block_weights.data(), blocks);
   losses.cluster = evidence_.block_logs;
+  return losses;
+}
+
+bool Weighing::logsAreClusters() const {
   constexpr std::size_t kFewestLogs = 3;
-  if (std::set<int>(losses.cluster.begin(), losses.cluster.end()).size() < kFewestLogs) {
+  return std::set<int>(evidence_.block_logs.begin(), evidence_.block_logs.end()).size() >= kFewestLogs;
+}
+
+PairedDifference Weighing::difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  if (!knowsBlocks(hypothesis, over)) {
+    const double square = evidence_.noise_floor * evidence_.noise_floor;
+    PairedDifference difference;
+    difference.mean =
+        0.5 * std::log((hypothesis.held_out * hypothesis.held_out + square) / (over.held_out * over.held_out + square));
+    return difference;
+  }
+  Losses losses = lossesOf(hypothesis, over);
+  if (!logsAreClusters()) {
     std::iota(losses.cluster.begin(), losses.cluster.end(), 0);
   }
   return compare(losses, 0, 1);
 }
 
+// Of two tests, either of which is enough: on average over the logs, and in every single log by its blocks. Over few
+// logs the first sees nothing where one gains far more than the others, which a log does that was made to show it.
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  return knowsBlocks(hypothesis, over) ? difference(hypothesis, over).pValueOfNoGain() : 0.0;
+  if (!knowsBlocks(hypothesis, over)) {
+    return 0.0;
+  }
+  const double on_average = difference(hypothesis, over).pValueOfNoGain();
+  return logsAreClusters()
+             ? std::min(1.0, 2.0 * std::min(on_average, pValueOfSomeLog(lossesOf(hypothesis, over), 0, 1)))
+             : on_average;
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {

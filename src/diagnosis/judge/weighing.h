@@ -74,6 +74,8 @@ class Weighing {
   std::optional<int> hiddenEffect() const;
 
  private:
+  bool logsAreClusters() const;
+  Losses lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 
