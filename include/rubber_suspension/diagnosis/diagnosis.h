@@ -23,7 +23,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Samples that a search takes unless it is told otherwise: no verdict needs more, and memory and time grow with them.
+/// Samples that a search takes unless it is told otherwise; memory and time grow with them.
 constexpr std::size_t kMostSamples = 300000;
 
 /// What a diagnosis is told besides the component and the logs.
