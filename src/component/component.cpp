@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "component/equal_run.h"
 #include "component/series_root.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -223,9 +224,7 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
 void Component::simulate(ComponentState& state, double dt, const double* displacement, const double* temperature,
                          std::size_t count, double* force) const {
   for (std::size_t first = 0; first < count;) {
-    const double* const next = std::find_if(temperature + first, temperature + count,
-                                            [&](double value) { return value != temperature[first]; });
-    const auto size = static_cast<std::size_t>(next - (temperature + first));
+    const std::size_t size = equalRun(temperature + first, count - first);
     setTemperature(state, temperature[first]);
     simulate(state, dt, displacement + first, size, force + first);
     first += size;

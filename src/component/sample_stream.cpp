@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "component/equal_run.h"
 #include "kernel/sample_checks.h"
 
 namespace rubber_suspension::component {
@@ -192,9 +193,7 @@ bool SampleStream::setTemperature(double temperature) {
 std::size_t SampleStream::pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                                   std::size_t count, double* force) {
   for (std::size_t first = 0; first < count;) {
-    const double* const next = std::find_if(temperature + first, temperature + count,
-                                            [&](double value) { return value != temperature[first]; });
-    const auto size = static_cast<std::size_t>(next - (temperature + first));
+    const std::size_t size = equalRun(temperature + first, count - first);
     if (!setTemperature(temperature[first])) {
       return first;
     }

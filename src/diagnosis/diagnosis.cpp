@@ -266,9 +266,10 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   const Excerpts excerpts = makeExcerpts(logs, hold_out, options.most_samples);
   requireMemory(excerpts.samples, excerpts.of, options.threads,
                 options.available_memory > 0 ? options.available_memory : io::availableMemory());
+  const component::Component built = component.makeComponent();
   for (const auto* list : {&logs, &hold_out}) {
     for (const log::Log& log : *list) {
-      gap::checkTemperature(component.makeComponent(), log);
+      gap::checkTemperature(built, log);
     }
   }
   Diagnosis result = diagnoseExcerpts(component, excerpts, hold_out.empty() ? logs : hold_out, options);

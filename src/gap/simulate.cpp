@@ -18,6 +18,10 @@ double rest(const Component& component, ComponentState& state, double displaceme
       .total;
 }
 
+bool followsTemperature(const Component& component, const log::Record& record) {
+  return component.shiftsWithTemperature() && record.temperature.size() > 0;
+}
+
 // The temperature of each sample; of a motion before the record, that of its first.
 Eigen::VectorXd temperatureOf(const log::Record& record, Eigen::Index samples) {
   const Eigen::Index before = samples - record.temperature.size();
@@ -30,7 +34,7 @@ Eigen::VectorXd temperatureOf(const log::Record& record, Eigen::Index samples) {
 void simulateFrom(const Component& component, ComponentState& state, const log::Record& record,
                   const Eigen::VectorXd& z, Eigen::Index first, Eigen::VectorXd& force) {
   const auto count = static_cast<std::size_t>(z.size() - first);
-  if (component.shiftsWithTemperature() && record.temperature.size() > 0) {
+  if (followsTemperature(component, record)) {
     const Eigen::VectorXd temperature = temperatureOf(record, z.size());
     component.simulate(state, record.dt, z.data() + first, temperature.data() + first, count, force.data() + first);
   } else {
@@ -40,7 +44,7 @@ void simulateFrom(const Component& component, ComponentState& state, const log::
 
 // At the temperature of the first sample, where there is one.
 void setTemperature(const Component& component, ComponentState& state, const log::Record& record) {
-  if (component.shiftsWithTemperature() && record.temperature.size() > 0) {
+  if (followsTemperature(component, record)) {
     component.setTemperature(state, record.temperature[0]);
   } else {
     component.forgetTemperature(state);
