@@ -16,9 +16,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr int kIterations = 8;      // of the fit whose zeros are compared
-constexpr double kChance = 1e-3;    // that zeros which are new in each log look common
-constexpr double kTolerated = 2.0;  // standard deviations of a tolerance
+constexpr int kIterations = 8;    // of the fit whose zeros are compared
+constexpr double kChance = 1e-3;  // that zeros which are new in each log look common
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
   std::vector<measurement::Mask> masks;
@@ -81,7 +80,7 @@ bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log:
                         const io::RigTolerance& tolerance) {
   for (std::size_t r = 0; r < zeros.size(); ++r) {
     const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
-    if (std::abs(zeros[r]) <= kTolerated * tolerance.of(range)) {
+    if (std::abs(zeros[r]) <= io::kTolerated * tolerance.of(range)) {
       return false;
     }
   }
@@ -95,7 +94,7 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
       [&](const std::vector<Eigen::VectorXd>& displacements) { return simulateAt(elements, records, displacements); });
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].nuisances = nuisances[r];
-    records[r].slow_noise = kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
+    records[r].slow_noise = io::kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
   }
 }
 

@@ -58,9 +58,9 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
 }
 
-}  // namespace
+enum class Start { counts, counts_at_rest };
 
-PreparedLog prepareLog(const log::Log& log) {
+PreparedLog prepare(const log::Log& log, Start start) {
   if (log.force.empty()) {
     return {log::makeRecord(log), {}};  // which says what is missing
   }
@@ -68,7 +68,7 @@ PreparedLog prepareLog(const log::Log& log) {
   PreparedLog prepared{log::makeRecord(repaired(log, faults)), faults.findings};
   log::Record& record = prepared.record;
   Eigen::VectorXd counts = resampled(faults.usable(), log, record).cast<double>();
-  counts.head(samplesOfStart(record)).setZero();
+  counts.head(start == Start::counts ? 0 : samplesOfStart(record)).setZero();
   const auto all = static_cast<double>(record.size());
   if (counts.sum() < all) {
     if (counts.sum() < kFewestUsable * all) {
@@ -81,6 +81,12 @@ PreparedLog prepareLog(const log::Log& log) {
   }
   return prepared;
 }
+
+}  // namespace
+
+PreparedLog prepareLog(const log::Log& log) { return prepare(log, Start::counts_at_rest); }
+
+PreparedLog preparePiece(const log::Log& log) { return prepare(log, Start::counts); }
 
 std::vector<Eigen::MatrixXd> freeNuisances(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
                                            bool zero_counts, const std::vector<Eigen::VectorXd>& simulated,

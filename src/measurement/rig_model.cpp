@@ -245,7 +245,7 @@ RigFinding told(const std::string& log, Nuisance nuisance, double value, double 
   result.value = value;
   result.interval_95 = {value - kNormal95 * deviation, value + kNormal95 * deviation};
   result.unit = unitOf(nuisance);
-  result.beyond_tolerance = std::abs(value) > 2.0 * prior;
+  result.beyond_tolerance = std::abs(value) > io::kTolerated * prior;
   result.text = sentence(nuisance, value);
   return result;
 }

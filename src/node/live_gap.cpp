@@ -8,6 +8,9 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+#include "rubber_suspension/measurement/rig_model.h"
 
 namespace rubber_suspension::node {
 namespace {
@@ -26,15 +29,48 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
+// Without what is left from before a log: the component has taken all samples before the window.
+io::RigTolerances ofAWindow(io::RigTolerances tolerances) {
+  tolerances.initial_state.value = 0.0;
+  return tolerances;
+}
+
+// What the rig added to the force within its tolerances; beyond them it is a gap. By least squares: slow noise says
+// little of a zero, which must not make the gap larger.
+Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::RigColumns& columns) {
+  const measurement::RigFit fit = rig.fit(0, columns, 0);
+  Eigen::VectorXd part = Eigen::VectorXd::Zero(fit.residual.size());
+  for (Eigen::Index i = 0; i < fit.values.size(); ++i) {
+    if (std::abs(fit.values[i]) <= io::kTolerated * fit.rig.priors[i]) {
+      part += fit.values[i] * fit.rig.columns.col(i);
+    }
+  }
+  return part;
+}
+
+double gapOf(const log::Record& record, const Eigen::VectorXd& residual) {
+  return std::sqrt(residual.squaredNorm() / record.counted()) / record.force_deviation;
+}
+
 // Both forces on one even time base: the records are of the same stamps.
-void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, LiveGap& gap) {
-  const log::Record measured = log::makeRecord(logOf(samples, &MatchedSample::measured));
-  const log::Record simulated = log::makeRecord(logOf(samples, force));
-  const Eigen::VectorXd residual = measured.force - simulated.force;
-  gap.gap = gap::gapOfResidual(residual, measured.force_deviation);
-  gap.noise_floor = std::min(gap::whiteNoiseFloor(measured, residual), gap.gap);
+void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, const io::RigTolerances& tolerances,
+             LiveGap& gap) {
+  const measurement::PreparedLog measured = measurement::preparePiece(logOf(samples, &MatchedSample::measured));
+  const log::Record& record = measured.record;
+  const Eigen::VectorXd simulated = log::evenRecord(logOf(samples, force)).force;
+  const measurement::RigModel rig({record}, {measurement::maskOf(record)}, ofAWindow(tolerances));
+  const measurement::RigColumns columns = rig.columns({simulated}, {}).front();
+  const Eigen::VectorXd error = record.withoutRig(record.force - simulated);
+  const Eigen::VectorXd residual = record.withoutRig(record.force - simulated - tolerated(rig, columns));
+  gap.rig_findings = measured.findings;
+  for (const measurement::RigFinding& finding : rig.findings(0, rig.fit(0, columns))) {
+    gap.rig_findings.push_back(finding);
+  }
+  gap.gap = gapOf(record, residual);
+  gap.gap_as_recorded = gapOf(record, error);
+  gap.noise_floor = std::min(measurement::relativeFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
-  gap.cells = gap::gapMap({measured}, {residual}, {gap.noise_floor});
+  gap.cells = gap::gapMap({record}, {residual}, {gap.noise_floor});
   for (const gap::GapCell& cell : gap.cells) {
     gap.share[static_cast<std::size_t>(cell.quantity)] += cell.share;
   }
@@ -51,7 +87,8 @@ GapLevel LiveGap::level(const GapSettings& settings) const {
                                          : GapLevel::ok;
 }
 
-LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings, SimulatedForce force) {
+LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
+                   const io::RigTolerances& tolerances, SimulatedForce force) {
   std::vector<MatchedSample> samples;
   std::copy_if(window.begin(), window.end(), std::back_inserter(samples),
                [&](const MatchedSample& sample) { return !std::isnan(sample.*force); });
@@ -69,7 +106,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
     return gap;
   }
   try {
-    measure(samples, force, gap);
+    measure(samples, force, tolerances, gap);
     gap.known = true;
   } catch (const log::LogError& error) {
     gap.reason = error.what();
@@ -78,7 +115,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
 }
 
 LiveGap GapTracker::update(const GapMonitor& monitor, SimulatedForce force) {
-  LiveGap gap = measureGap(monitor.window(settings_.window), settings_, force);
+  LiveGap gap = measureGap(monitor.window(settings_.window), settings_, tolerances_, force);
   if (!gap.known) {
     return gap;
   }

@@ -1,4 +1,5 @@
-// The live gap: how large it is against noise, where it lies, whether it grows. Knows no ROS.
+// The live gap: how large it is against noise, where it lies, whether it grows, and what the rig has to do with it.
+// Knows no ROS.
 #pragma once
 
 #include <array>
@@ -9,6 +10,8 @@
 
 #include "node/gap_monitor.h"
 #include "rubber_suspension/gap/where.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::node {
 
@@ -27,12 +30,14 @@ struct LiveGap {
   std::int64_t stamp = 0;  ///< of the newest sample [ns]
   double window = 0.0;     ///< time that the samples cover [s]
   std::size_t samples = 0;
-  double gap = 0.0;                 ///< [-]
-  double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
+  double gap = 0.0;                 ///< once what the rig did within its tolerances is taken out [-]
+  double gap_as_recorded = 0.0;     ///< with it [-]
+  double noise_floor = 0.0;         ///< what the noise of the measured force alone would give [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
   double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
   std::array<double, 5> share{};    ///< of the squared gap, by Quantity; they add up to 1
   std::vector<gap::GapCell> cells;  ///< by frequency, amplitude and quantity, largest first
+  std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did in this window
 
   GapLevel level(const GapSettings& settings) const;
 };
@@ -41,14 +46,17 @@ struct LiveGap {
 using SimulatedForce = double MatchedSample::*;
 
 /// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that
-/// force are left out.
+/// force are left out. Zero, delay, clock and gain of the force's channel are taken out where they are within 2
+/// standard deviations of the rig's tolerances, and samples that a channel did not measure do not count; a zero of the
+/// displacement stays, which it would take another simulation to see.
 LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
-                   SimulatedForce force = &MatchedSample::simulated);
+                   const io::RigTolerances& tolerances = {}, SimulatedForce force = &MatchedSample::simulated);
 
 /// Follows the gap from report to report.
 class GapTracker {
  public:
-  explicit GapTracker(const GapSettings& settings) : settings_(settings) {}
+  explicit GapTracker(const GapSettings& settings, const io::RigTolerances& tolerances = {})
+      : settings_(settings), tolerances_(tolerances) {}
 
   /// Measure the gap of the monitor's window and its trend.
   LiveGap update(const GapMonitor& monitor, SimulatedForce force = &MatchedSample::simulated);
@@ -62,6 +70,7 @@ class GapTracker {
   double trend() const;
 
   GapSettings settings_;
+  io::RigTolerances tolerances_;
   std::deque<Point> history_;
 };
 

@@ -127,11 +127,15 @@ void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const
     return;
   }
   status.add("gap", gap.gap);
+  status.add("gap, as recorded", gap.gap_as_recorded);
   status.add("gap, noise floor", gap.noise_floor);
   status.add("gap, beyond noise", gap.beyond_noise);
   status.add("gap, trend [1/s]", gap.trend);
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
     status.add("gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
+  }
+  for (const measurement::RigFinding& finding : gap.rig_findings) {
+    status.add("rig, " + finding.finding, finding.text);
   }
   const node::GapLevel level = gap.level(settings);
   if (level == node::GapLevel::warn || level == node::GapLevel::error) {
@@ -147,9 +151,13 @@ Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
   message.window = gap.window;
   message.samples = static_cast<std::uint32_t>(gap.samples);
   message.gap = gap.gap;
+  message.gap_as_recorded = gap.gap_as_recorded;
   message.noise_floor = gap.noise_floor;
   message.beyond_noise = gap.beyond_noise;
   message.trend = gap.trend;
+  for (const measurement::RigFinding& finding : gap.rig_findings) {
+    message.rig_findings.push_back(finding.text);
+  }
   const auto share = [&](gap::Quantity quantity) { return gap.share[static_cast<std::size_t>(quantity)]; };
   message.share_stiffness = share(gap::Quantity::stiffness);
   message.share_loss = share(gap::Quantity::loss);
@@ -211,16 +219,17 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& priva
 }
 
 void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer& server) {
+  const io::RigTolerances tolerances = channel.configured()->rig.value_or(io::RigTolerances{});
   watched_.push_back({&channel,
                       &server,
                       channel.report(),
                       {},
                       {},
-                      node::GapTracker(gap_settings_),
+                      node::GapTracker(gap_settings_, tolerances),
                       {},
                       {},
                       handle_.advertise<Gap>(channel.name() + "/gap", 10),
-                      node::GapTracker(gap_settings_),
+                      node::GapTracker(gap_settings_, tolerances),
                       handle_.advertise<Gap>(channel.name() + "/shadow_gap", 10),
                       channel.running(),
                       handle_.advertise<Running>(channel.name() + "/running", 10, true)});

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <string>
 
 #include "rubber_suspension/element/constants.h"
 
@@ -73,9 +75,10 @@ TEST(LiveGap, HarmonicsMeanAndDriftAreToldApart) {
       node::measureGap(samples([](double t) { return 0.1 * kStiffness * kAmplitude * std::sin(3.0 * kOmega * t); }),
                        node::GapSettings());
   EXPECT_GT(share(harmonics, gap::Quantity::harmonics), 0.98);
-  const node::LiveGap mean = node::measureGap(samples([](double) { return 500.0; }), node::GapSettings());
+  // More than 2 standard deviations of 10 % of the range each, 2400 N.
+  const node::LiveGap mean = node::measureGap(samples([](double) { return 5000.0; }), node::GapSettings());
   EXPECT_GT(share(mean, gap::Quantity::mean), 0.98);
-  EXPECT_NEAR(mean.gap, 500.0 / kRms, 1e-6);
+  EXPECT_NEAR(mean.gap, 5000.0 / kRms, 1e-6);
   const node::LiveGap drift =
       node::measureGap(samples([](double t) { return 100.0 * (t - 5.0); }), node::GapSettings());
   // The steps of a drift within a window count as harmonics, with 5 windows of 2 s at most 1/25 of it.
@@ -102,6 +105,50 @@ TEST(LiveGap, NoiseIsNoGap) {
   EXPECT_GT(gap.gap, 0.1);
   EXPECT_LT(gap.beyond_noise, 0.1);
   EXPECT_EQ(gap.level(node::GapSettings()), node::GapLevel::ok);
+}
+
+bool finds(const node::LiveGap& gap, const std::string& name) {
+  return std::any_of(gap.rig_findings.begin(), gap.rig_findings.end(),
+                     [&](const measurement::RigFinding& finding) { return finding.finding == name; });
+}
+
+TEST(LiveGap, WhatTheRigDoesWithinItsTolerancesIsNone) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.01 * kRms);
+  // A zero of 500 N and a force that is half a sample late: 1.3 % of the force, in quadrature.
+  const auto rig = [&](double time) {
+    const double late = kStiffness * kAmplitude * (std::sin(kOmega * (time - 0.5 * kStep)) - std::sin(kOmega * time));
+    return 500.0 + late + noise(random);
+  };
+  const node::LiveGap gap = node::measureGap(samples(rig), node::GapSettings());
+  ASSERT_TRUE(gap.known) << gap.reason;
+  EXPECT_NEAR(gap.gap, 0.01, 0.0005);  // the noise: 10 000 samples
+  EXPECT_NEAR(gap.gap_as_recorded, 500.0 / kRms, 0.01);
+  EXPECT_TRUE(finds(gap, measurement::finding::kForceZero));
+  EXPECT_TRUE(finds(gap, measurement::finding::kDelay));
+}
+
+TEST(LiveGap, ToleranceIsThatOfTheRig) {
+  io::RigTolerances strict;
+  strict.force_zero = {100.0, false};
+  const auto zero = [](double) { return 500.0; };
+  const node::LiveGap gap = node::measureGap(samples(zero), node::GapSettings(), strict);
+  EXPECT_NEAR(gap.gap, 500.0 / kRms, 1e-3);
+  EXPECT_GT(share(gap, gap::Quantity::mean), 0.98);
+  EXPECT_TRUE(finds(gap, measurement::finding::kForceZero));  // and is told
+}
+
+TEST(LiveGap, SpikesDoNotCount) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 0.01 * kRms);
+  const auto spiky = [&](double time) {
+    const auto sample = static_cast<int>(std::lround(time / kStep));
+    return noise(random) + (sample % 2500 == 1234 ? 3.0 * kRms : 0.0);
+  };
+  const node::LiveGap gap = node::measureGap(samples(spiky), node::GapSettings());
+  ASSERT_TRUE(gap.known) << gap.reason;
+  EXPECT_NEAR(gap.gap, 0.01, 0.0005);
+  EXPECT_TRUE(finds(gap, measurement::finding::kSpikes));
 }
 
 TEST(LiveGap, ThresholdsActOnWhatIsBeyondNoise) {

@@ -6,6 +6,9 @@
 
 namespace rubber_suspension::io {
 
+/// Up to so many standard deviations of its tolerance, what a rig does is nobody's fault.
+inline constexpr double kTolerated = 2.0;
+
 /// Standard deviation of something that a rig adds to a log, new in each log.
 struct RigTolerance {
   double value = 0.0;     ///< in the unit of its row, or as a share; 0: the rig does not do it

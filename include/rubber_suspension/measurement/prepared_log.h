@@ -22,6 +22,9 @@ struct PreparedLog {
 /// where fewer than half of the samples are left.
 PreparedLog prepareLog(const log::Log& log);
 
+/// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.
+PreparedLog preparePiece(const log::Log& log);
+
 /// What the rig may have added to the force of each record, as orthonormal columns for Record::nuisances: the force's
 /// zero unless `zero_counts`, and, where the log starts in motion, what decays from before it and what motions before
 /// it would have left in a component (its friction, above all). A tolerance of 0 takes the column out. `simulated`:

@@ -81,7 +81,7 @@ class RigModel {
                                   const std::vector<RigPoint>& points = {}) const;
 
   /// The values of one log by generalised least squares with priors: noise of the residual's own colour, Huber's
-  /// weights, `iterations` rounds of both.
+  /// weights, `iterations` rounds of both; without a round, least squares with the residual's own size as noise.
   RigFit fit(std::size_t log, const RigColumns& columns, int iterations = 2) const;
 
   /// All logs at once, linearised a second time where the first values are.
