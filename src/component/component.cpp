@@ -185,6 +185,7 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   for (const auto& effect : force_effects_) {
     if (kind == Start::as_new) {
       effect.law->initialise(displacement, memory + effect.offset);
+      scale(force, effect.law->constantFactor().value_or(1.0));
     } else {
       scale(force, effect.law->relax(displacement, memory + effect.offset));
     }
@@ -409,7 +410,7 @@ bool Component::linear() const { return complexStiffness(1.0).has_value(); }
 
 std::optional<std::complex<double>> Component::testPieceStiffness(double omega) const {
   std::optional<std::complex<double>> sum = kernel_.complexStiffness(omega);
-  if (!sum || !force_effects_.empty()) {
+  if (!sum) {
     return std::nullopt;
   }
   for (const auto& element : elements_) {
@@ -418,6 +419,13 @@ std::optional<std::complex<double>> Component::testPieceStiffness(double omega) 
       return std::nullopt;
     }
     *sum += *stiffness;
+  }
+  for (const auto& effect : force_effects_) {
+    const std::optional<double> factor = effect.law->constantFactor();
+    if (!factor) {
+      return std::nullopt;
+    }
+    *sum *= *factor;
   }
   return sum;
 }

@@ -75,6 +75,17 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
+// What a sensor may be off by without anybody calling it a fault is told as what the rig did, log by log.
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, Evidence& evidence) {
+  for (std::size_t i = 0; i < search.singles.size(); ++i) {
+    const FittedHypothesis& single = search.singles[i];
+    if (single.hypothesis.like_parameters) {
+      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
+          single.fit.parameters.scales.cwiseAbs().maxCoeff() <= io::kTolerated * tolerance.value;
+    }
+  }
+}
+
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses; of all where the
 // evidence is asked for.
 std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
@@ -84,6 +95,7 @@ std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const S
   evidence.seed = options.seed;
   evidence.has_unseen_logs = !prepared.held_out.empty();
   evidence.slow_noise = slowNoiseOf(prepared.training);
+  markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, evidence);
   const double loudest = loudestNoise(search.record_noise, prepared.training);
   const auto ask = [&](std::size_t hypothesis) {
     evidence.hypotheses[hypothesis].unseen =
@@ -129,7 +141,7 @@ std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
   const Search& search = judged.workings->search;
   std::vector<const FittedHypothesis*> singles;
   for (const FittedHypothesis& single : search.singles) {
-    if (!single.hypothesis.terms.empty()) {
+    if (single.hypothesis.competes()) {
       singles.push_back(&single);
     }
   }
@@ -176,7 +188,7 @@ double leastScore(const Judged& judged) {
   double least = search.re_estimated.fit.score();
   for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
     for (const FittedHypothesis& fitted : *list) {
-      least = std::min(least, fitted.fit.score());
+      least = fitted.hypothesis.competes() ? std::min(least, fitted.fit.score()) : least;
     }
   }
   return least;

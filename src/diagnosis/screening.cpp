@@ -71,7 +71,7 @@ Screened Screening::screen(std::vector<int> members) const {
 
 bool Screening::mayJoin(int candidate) const {
   const fit::Candidate& other = candidates_[static_cast<std::size_t>(candidate)];
-  return other.applies() && !other.last_resort;
+  return other.applies() && !other.last_resort && !other.like_parameters;
 }
 
 std::vector<Screened> Screening::additions(const std::vector<int>& members) const {

@@ -225,10 +225,9 @@ class Searcher {
                           [](const FittedHypothesis* single) { return !single->hypothesis.isAdditive(); });
     fit::parallelFor(order.size(), threads_,
                      [&](std::size_t i) { fitSingle(fitter_, result_.re_estimated, *order[i]); });
-    std::copy_if(result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
-                 [](const FittedHypothesis& single) {
-                   return !single.hypothesis.last_resort && !single.hypothesis.terms.empty();
-                 });
+    std::copy_if(
+        result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
+        [](const FittedHypothesis& single) { return !single.hypothesis.last_resort && single.hypothesis.competes(); });
     sortByScore(ranked_);
     estimateNoise(fitter_, ranked_.front(), result_);
   }
@@ -238,8 +237,12 @@ class Searcher {
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
     screening.measureVisibility(result_.noise, criteria_, result_);
     result_.implants = implantAll(fitter_, screening, threads_);
-    std::vector<int> all(result_.candidates.size());
-    std::iota(all.begin(), all.end(), 0);
+    std::vector<int> all;
+    for (const FittedHypothesis& single : result_.singles) {
+      if (single.hypothesis.competes()) {
+        all.push_back(single.hypothesis.members.front());
+      }
+    }
     result_.surrogate_gap = screening.screen(all).error;
     return screening.pairs();
   }
@@ -281,6 +284,7 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.free_trends = fitted.hypothesis.free_trends;
   evidence.last_resort = fitted.hypothesis.last_resort;
+  evidence.like_parameters = fitted.hypothesis.like_parameters;
   evidence.held_out = fitted.fit.held_out;
   evidence.penalty = fitted.fit.penalty;
   evidence.largest_change = fitted.fit.parameters.largestChange();

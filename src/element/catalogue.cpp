@@ -28,6 +28,7 @@
 #include "rubber_suspension/element/progressive_stiffness.h"
 #include "rubber_suspension/element/residual.h"
 #include "rubber_suspension/element/self_heating.h"
+#include "rubber_suspension/element/sensor_gain.h"
 #include "rubber_suspension/element/series_compliance.h"
 #include "rubber_suspension/element/sliding_maxwell.h"
 #include "rubber_suspension/element/spring.h"
@@ -107,6 +108,7 @@ const std::vector<ElementType>& elementTypes() {
       seriesComplianceType(),
       timeDelayType(),
       inertiaType(),
+      sensorGainType(),
       forceOffsetType(),
       forceDriftType(),
       residualType(),

@@ -43,6 +43,8 @@ struct Candidate {
   bool free_trend = false;    ///< a slow trend of each log belongs to it, which no model run reproduces
   bool last_resort = false;   ///< named only where no other effects explain the gap
   std::string contains = "";  ///< name of a simpler effect that its law contains; may be empty
+  /// What it does, all of the model's parameters do together: never named, told beside parameter_error.
+  bool like_parameters = false;
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

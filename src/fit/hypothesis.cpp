@@ -25,7 +25,7 @@ std::vector<Eigen::VectorXd> softenedShare(const BasisTerm& term, const std::vec
     Eigen::VectorXd factor(z.size());
     if (result.empty()) {
       law->initialise(last, memory.data());
-      factor[0] = 1.0;
+      factor[0] = law->constantFactor().value_or(1.0);
     } else if (!record.continues) {
       factor[0] = law->relax(last, memory.data());
     }
@@ -79,6 +79,7 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
     hypothesis.terms.insert(hypothesis.terms.end(), candidate.terms.begin(), candidate.terms.end());
     hypothesis.free_trends = hypothesis.free_trends || candidate.free_trend;
     hypothesis.last_resort = hypothesis.last_resort || candidate.last_resort;
+    hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
   }
   return hypothesis;
 }

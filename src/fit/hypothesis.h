@@ -15,6 +15,10 @@ struct Hypothesis {
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   bool free_trends = false;      ///< a slow trend of each log is free as well, which no model run reproduces
   bool last_resort = false;      ///< to be named only where no other effects explain the gap
+  bool like_parameters = false;  ///< re-estimated parameters do the same
+
+  /// Whether it competes with others: it has terms, and does what parameters do not.
+  bool competes() const { return !terms.empty() && !like_parameters; }
 
   /// True if the force is that of the model plus those of the terms.
   bool isAdditive() const;

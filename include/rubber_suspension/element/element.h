@@ -110,7 +110,8 @@ class DisplacementEffect : public Element {
 /// A law that scales the force of the test piece by its history: stress softening, self-heating.
 class ForceEffect : public Element {
  public:
-  /// Initialise the memory for a new test piece at rest at this displacement [m]; the factor is then 1.
+  /// Initialise the memory for a new test piece at rest at this displacement [m]; the factor is then 1, or
+  /// the constant one.
   virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Bring the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
@@ -123,8 +124,11 @@ class ForceEffect : public Element {
   /// Advance over one step; returns the factor on the force of the test piece, `force` being that without the effect.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 
+  /// Of a law whose factor never changes; nothing for any other.
+  virtual std::optional<double> constantFactor() const { return std::nullopt; }
+
   Action action() const final { return Action::scales_force; }
-  bool linear() const final { return false; }
+  bool linear() const final { return constantFactor().has_value(); }
 };
 
 /// Series compliance: an elastic law in series with the whole test piece, as a bracket or rig that yields.

@@ -172,6 +172,7 @@ Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
     single.terms = candidate.terms.size();
     single.free_trends = candidate.free_trend;
     single.last_resort = candidate.last_resort;
+    single.like_parameters = candidate.like_parameters;
     evidence.hypotheses.push_back(std::move(single));
   }
   return evidence;

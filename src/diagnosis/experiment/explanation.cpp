@@ -31,7 +31,7 @@ const FittedHypothesis* rivalOf(const Search& search, const FittedHypothesis& ju
   for (const auto* list : {&search.singles, &search.pairs}) {
     for (const FittedHypothesis& other : *list) {
       const std::size_t count = other.hypothesis.members.size();
-      const bool counts = !other.hypothesis.terms.empty() && count == std::max<std::size_t>(1, members.size()) &&
+      const bool counts = other.hypothesis.competes() && count == std::max<std::size_t>(1, members.size()) &&
                           other.hypothesis.members != members;
       if (counts && (rival == nullptr || other.fit.held_out < rival->fit.held_out)) {
         rival = &other;

@@ -23,6 +23,8 @@ struct HypothesisEvidence {
   std::size_t terms = 0;             ///< numbers that they add to the model
   bool free_trends = false;          ///< a slow trend per log is free, too
   bool last_resort = false;          ///< may look like several other effects
+  bool like_parameters = false;      ///< re-estimated parameters do the same: never named by itself
+  bool within_tolerance = false;     ///< of such a one: no more than the rig may do
   double held_out = 0.0;             ///< on blocks that took no part in the fit
   double penalty = 0.0;              ///< regularisation penalty of changed model parameters
   double at_least = 0.0;             ///< what it leaves counts as no less than this (settleFamilies())

@@ -48,6 +48,8 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
                         {"terms", hypothesis.terms},
                         {"free_trends", hypothesis.free_trends},
                         {"last_resort", hypothesis.last_resort},
+                        {"like_parameters", hypothesis.like_parameters},
+                        {"within_tolerance", hypothesis.within_tolerance},
                         {"held_out", hypothesis.held_out},
                         {"penalty", hypothesis.penalty},
                         {"largest_change", hypothesis.largest_change},
@@ -64,6 +66,8 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("terms").get_to(hypothesis.terms);
   value.at("free_trends").get_to(hypothesis.free_trends);
   value.at("last_resort").get_to(hypothesis.last_resort);
+  hypothesis.like_parameters = value.value("like_parameters", false);
+  hypothesis.within_tolerance = value.value("within_tolerance", false);
   hypothesis.held_out = numberOf(value.at("held_out"));
   hypothesis.penalty = numberOf(value.at("penalty"));
   hypothesis.largest_change = numberOf(value.at("largest_change"));

@@ -28,6 +28,9 @@ class Judge {
     }
     noteTestableEffects();
     weighAnswers();
+    if (!judgement_.missing) {
+      considerWhatDoesAsValuesDo();
+    }
     return std::move(judgement_);
   }
 
@@ -213,6 +216,39 @@ class Judge {
     for (double& probability : judgement_.probabilities) {
       probability *= judgement_.posterior.effects;
     }
+  }
+
+  // Values that are all off by one factor, or a sensor that is: no log tells them apart, so both are as probable.
+  void considerWhatDoesAsValuesDo() {
+    if (judgement_.verdict != Verdict::parameter_error) {
+      return;
+    }
+    const double enough = std::max(weighing_.insignificant(), weighing_.left(evidence_.reEstimated().held_out));
+    for (int effect = 0; effect < evidence_.effects(); ++effect) {
+      const HypothesisEvidence& single = evidence_.single(effect);
+      if (!single.like_parameters || single.within_tolerance || single.largest_change >= criteria_.changed_little ||
+          weighing_.left(single.held_out) > enough) {
+        continue;
+      }
+      const int hypothesis = Evidence::kFirstSingle + effect;
+      if (!evidence_.has_unseen_logs || (!lacks({hypothesis}) && !weighing_.isBeyondNoise(unseen(hypothesis)))) {
+        nameBesideValues(effect);
+      }
+      return;
+    }
+  }
+
+  void nameBesideValues(int effect) {
+    judgement_.verdict = Verdict::confounded;
+    judgement_.model = Evidence::kFirstSingle + effect;
+    judgement_.effects = {effect};
+    judgement_.confounded = {{effect}};
+    judgement_.values_would_do = true;
+    judgement_.testable[static_cast<std::size_t>(effect)] = true;
+    const double half = 0.5 * judgement_.posterior.parameter_error;
+    judgement_.posterior.parameter_error -= half;
+    judgement_.posterior.effects += half;
+    judgement_.probabilities[static_cast<std::size_t>(effect)] = half;
   }
 
   const Evidence& evidence_;

@@ -77,8 +77,8 @@ bool Weighing::closedByParameters() const {
 }
 
 bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
-  if (!hypothesis.free_trends) {
-    return true;
+  if (hypothesis.like_parameters || !hypothesis.free_trends) {
+    return !hypothesis.like_parameters;
   }
   double without = evidence_.reEstimated().held_out;
   for (const int member : hypothesis.members) {
@@ -200,7 +200,7 @@ std::optional<int> Weighing::hiddenEffect() const {
   }
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
-    const bool simple = single.terms <= criteria_.few_terms && !single.free_trends;
+    const bool simple = !single.like_parameters && single.terms <= criteria_.few_terms && !single.free_trends;
     const double change = single.largest_change;
     const double may_leave = change < criteria_.changed_little ? criteria_.hides_as_specified
                              : change < criteria_.changed_far  ? criteria_.hides

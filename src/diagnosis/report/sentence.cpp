@@ -64,6 +64,15 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
                       : capitalised(effects) + "; with that, " + besideText(*changed.front());
 }
 
+// One factor on the force, which all values of the model may be off by as well.
+std::string gainSentence(const Diagnosis& diagnosis, double gain) {
+  return fmt::format(
+      "The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by as much: these "
+      "logs cannot tell apart sensor_gain and parameter_error. Either reduces the gap from {} to {} (noise floor {}).",
+      100.0 * std::abs(gain), gain > 0.0 ? "much" : "little", gapText(diagnosis.gap.as_configured),
+      gapText(diagnosis.gap.augmented), gapText(diagnosis.gap.noise_floor));
+}
+
 std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
   if (judgement.only_unseen_logs_differ) {
     return fmt::format(
@@ -75,6 +84,15 @@ std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
       "The gap of {} is real (noise floor {}) and no effect of the list explains it: see where it lies before you "
       "trust the model there.",
       gapText(gap.re_estimated), gapText(gap.noise_floor));
+}
+
+// The gain of the force's channel where that is what is named, beside wrong values.
+std::optional<double> gainOf(const Diagnosis& diagnosis) {
+  const auto found =
+      std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(), [&](const CandidateResult& candidate) {
+        return diagnosis.effects.front() == candidate.effect && candidate.parameters.count("gain") != 0;
+      });
+  return found == diagnosis.candidates.end() ? std::nullopt : std::optional<double>(found->parameters.at("gain"));
 }
 
 }  // namespace
@@ -96,6 +114,9 @@ std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
     case Verdict::named:
       return withOwnValues(diagnosis, fmt::format("{}: {}", lacks, closes)) + ".";
     case Verdict::confounded:
+      if (const std::optional<double> gain = gainOf(diagnosis)) {
+        return gainSentence(diagnosis, *gain);
+      }
       return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) +
              ". These logs cannot tell apart: " + setsText(diagnosis.confounded) + ".";
     case Verdict::partly:

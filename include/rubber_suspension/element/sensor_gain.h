@@ -1,0 +1,30 @@
+// Gain of the force's channel. Throws nothing.
+#pragma once
+
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::element {
+
+/// F_recorded = (1 + g) F, g the gain's error: an amplifier or a load cell that is not calibrated.
+///
+/// It acts on the force of the test piece; what a mass of the rig or a zero adds is taken as recorded. It cannot be
+/// told from stiffnesses and damping that are all off by one factor. Validity: behind a series compliance a small g
+/// only, since the deflection follows the recorded force.
+class SensorGain final : public ForceEffect {
+ public:
+  explicit SensorGain(double gain /* g [-] */) : factor_(1.0 + gain) {}
+
+  void initialise(double /*displacement*/, double* /*memory*/) const override {}
+  double relax(double /*displacement*/, double* /*memory*/) const override { return factor_; }
+  double step(const Motion& /*motion*/, const ComponentForce& /*force*/, double* /*memory*/) const override {
+    return factor_;
+  }
+  std::optional<double> constantFactor() const override { return factor_; }
+
+ private:
+  double factor_;
+};
+
+ElementType sensorGainType();
+
+}  // namespace rubber_suspension::element
