@@ -300,6 +300,7 @@ class Answers(Attack):
         self.start(["left"])
         report = self.network.subscribe(NODE, "/diagnostics")
         answers = self.forces_of("left")
+        api = self.network.node_api(NODE)
         for visit in range(40):
             writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
             for i in range(30):
@@ -311,6 +312,9 @@ class Answers(Attack):
                 tcpros.next_message(answers)
             writer.close()
             self.network.master.unregisterPublisher(tcpros.CALLER, "/left/displacement", self.network.slave_uri)
+            # Until the master's word has come, the node calls the one that left again: it would take the next for it.
+            tcpros.until(lambda: "/left/displacement" not in [link[4] for link in api.getBusInfo(tcpros.CALLER)[2]],
+                         "the node to leave a publisher")
         self.assertEqual(self.counts(report, "left", "accepted", 1200), 1200)
         self.assertEqual(self.counts(report, "left", "lost before arrival", 0), 0)
 

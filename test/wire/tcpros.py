@@ -4,6 +4,7 @@ See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. Everyt
 """
 
 import os
+import select
 import signal
 import socket
 import struct
@@ -38,6 +39,12 @@ def until(condition, what, patience=PATIENCE):
         if time.monotonic() > end:
             raise WireError(f"waited {patience:.0f} s for {what}")
         time.sleep(0.01)
+
+
+def is_closed(connection):
+    """Whether the other side has closed; it is to have sent nothing that is not yet read."""
+    readable, _, _ = select.select([connection], [], [], 0.0)
+    return bool(readable) and connection.recv(1, socket.MSG_PEEK) == b""
 
 
 def text(value):
@@ -169,7 +176,10 @@ class Network:
             connection.settimeout(PATIENCE)
             try:
                 fields = receive_header(connection)
-            except WireError:  # closed: the master's word that the last publisher left came late; it calls again
+                gone = is_closed(connection)
+            except WireError:
+                gone = True
+            if gone:  # a call to the publisher before, which the master's word then ended; it calls again
                 connection.close()
                 continue
             send_header(connection, {"callerid": CALLER, "type": fields["type"], "md5sum": fields["md5sum"],
