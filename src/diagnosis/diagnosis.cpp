@@ -75,13 +75,16 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
-// What a sensor may be off by without anybody calling it a fault is told as what the rig did, log by log.
-void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, Evidence& evidence) {
+// What a sensor may be off by without anybody calling it a fault is told as what the rig did, log by log; up to what
+// specifications err by, wrong values are likelier.
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
+                              Evidence& evidence) {
+  const double most = io::kTolerated * std::max(tolerance.value, criteria.values_err_by);
   for (std::size_t i = 0; i < search.singles.size(); ++i) {
     const FittedHypothesis& single = search.singles[i];
     if (single.hypothesis.like_parameters) {
       evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
-          single.fit.parameters.scales.cwiseAbs().maxCoeff() <= io::kTolerated * tolerance.value;
+          single.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
     }
   }
 }
@@ -95,11 +98,11 @@ std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const S
   evidence.seed = options.seed;
   evidence.has_unseen_logs = !prepared.held_out.empty();
   evidence.slow_noise = slowNoiseOf(prepared.training);
-  markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, evidence);
-  const double loudest = loudestNoise(search.record_noise, prepared.training);
+  markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, criteria, evidence);
+  const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
   const auto ask = [&](std::size_t hypothesis) {
     evidence.hypotheses[hypothesis].unseen =
-        unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, loudest);
+        unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
   };
   Judgement judgement = judge(evidence, criteria);
   while (judgement.missing) {

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "diagnosis/candidate/registry.h"
 #include "diagnosis/friction_noise.h"
 #include "diagnosis/judge/weighing.h"
+#include "diagnosis/rig_noise.h"
 #include "diagnosis/screening.h"
+#include "diagnosis/unseen_logs.h"
 #include "fit/parallel.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/measurement/noise_floor.h"
@@ -123,22 +126,28 @@ double discretisationError(const fit::Fitter& fitter, const FittedHypothesis& mo
 }
 
 // For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
-// what the noise of the displacement causes.
+// what the noise of the displacement causes. A better model leaves less that is not noise: of several, the least
+// counts, log by log.
 void estimateNoise(const fit::Fitter& fitter, const FittedHypothesis& best, Search& result) {
+  const std::vector<log::Record>& records = fitter.records();
   const auto forces = *fitter.forces().at(best.hypothesis, best.fit.parameters);
   const FittedHypothesis& model = result.re_estimated;
   const std::vector<double> caused =
-      frictionNoise(*fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters), fitter.records());
-  double sum = 0.0;
+      frictionNoise(*fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters), records);
+  result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
+    result.record_rest[r] = std::min(result.record_rest[r], left);
+  }
+  const NoiseLimit limit = noiseLimit(result.record_rest, records);
   bool by_displacement = false;
-  for (std::size_t r = 0; r < fitter.records().size(); ++r) {
-    const log::Record& record = fitter.records()[r];
-    const double left = measurement::relativeFloor(record, record.force - forces[r]);
+  result.record_noise.clear();
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double left = std::min(result.record_rest[r], limit.of(records[r]));
     by_displacement = by_displacement || caused[r] > left;
     result.record_noise.push_back(std::max(left, caused[r]));
-    sum += std::pow(result.record_noise.back(), 2) / static_cast<double>(fitter.records().size());
   }
-  result.noise = std::sqrt(sum);
+  result.noise = commonFloor(result.record_noise);
   result.noise_source = by_displacement
                             ? "spectrum of the residual outside the band of the excitation, and noise of the "
                               "displacement through the model"
@@ -179,9 +188,11 @@ class Searcher {
     if (needsFurtherEffects(evidenceOf(result_), criteria_)) {
       say("fitting the best pairs", 0.5);
       fitPairs(pairs);
+      estimateNoise(fitter_, result_.pairs.front(), result_);
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
         say("fitting triples", 0.75);
         fitTriples();
+        estimateNoise(fitter_, result_.triples.front(), result_);
       }
     }
     return std::move(result_);

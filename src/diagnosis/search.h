@@ -34,6 +34,7 @@ struct Search {
   double surrogate_gap = 0.0;        ///< held out, all candidates at once: what a flexible fit could close
   double discretisation = 0.0;       ///< what dashpots of the model err by at the time steps of the logs
   double noise = 0.0;                ///< noise floor of all logs
+  std::vector<double> record_rest;   ///< of each log, noise of the least that models leave, in these units
   std::vector<double> record_noise;  ///< of each log, in units of its force's standard deviation
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]

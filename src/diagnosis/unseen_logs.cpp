@@ -28,34 +28,25 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }  // namespace
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, double loudest) {
+                          const std::vector<log::Record>& records, const NoiseLimit& limit) {
   const auto elements = augmentedDescription(model, fitted).allElements();
   const gap::Forces replayed = gap::simulateEach(elements, records);
   UnseenErrors errors;
   errors.predicted = gap::gapOfParts(gap::partErrors(records, predict(model, fitted, records)));
   errors.parts = gap::partErrors(records, replayed);
   errors.replayed = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, loudest));
+  errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, limit));
   return errors;
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
-                                const std::vector<log::Record>& records, double loudest) {
+                                const std::vector<log::Record>& records, const NoiseLimit& limit) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double left = measurement::relativeFloor(records[r], records[r].force - simulated[r]);
-    floors[r] = std::max(std::min(left, loudest / records[r].force_deviation), floors[r]);
+    floors[r] = std::max(std::min(left, limit.of(records[r])), floors[r]);
   }
   return floors;
-}
-
-double loudestNoise(const std::vector<double>& floors, const std::vector<log::Record>& records) {
-  constexpr double kScatter = 1.5;  // of floors of one rig: 1/f noise differs by that much from log to log
-  double loudest = 0.0;
-  for (std::size_t r = 0; r < floors.size(); ++r) {
-    loudest = std::max(loudest, floors[r] * records[r].force_deviation);
-  }
-  return kScatter * loudest;
 }
 
 double commonFloor(const std::vector<double>& floors) {

@@ -3,7 +3,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "measurement/spectrum.h"
@@ -20,10 +22,10 @@ using Eigen::VectorXd;
 
 constexpr Index kFewestRepeats = 100;  // samples, for a standard deviation known to 7 %
 constexpr Index kShortestStop = 50;
+constexpr double kHarmonics = 3.0;  // of the motion, in what a law lacks
 
 // The band of the motion, with the harmonics that friction and knees make of it, in cycles per sample.
 ExcludedBand motionBand(const log::Record& record) {
-  constexpr double kHarmonics = 3.0;
   const std::vector<SpectrumBand> bands = spectrumBands(record.displacement, Mask::Constant(record.size(), true));
   double total = 0.0;
   for (const SpectrumBand& band : bands) {
@@ -127,6 +129,98 @@ double withSlowPart(double fast_variance, double slow_variance, const log::Recor
   return fast_variance + std::clamp(slow_variance, 0.0, most);
 }
 
+// Piecewise linear functions of a signal, even over its range.
+class Hats {
+ public:
+  Hats(const VectorXd& signal, Index count) : low_(signal.minCoeff()), step_(rangeOf(signal) / (count - 1.0)) {}
+
+  // The first of the two that are not 0 at a value, and the share of the second.
+  std::pair<Index, double> at(double value) const {
+    const double place = step_ > 0.0 ? (value - low_) / step_ : 0.0;
+    const auto first = static_cast<Index>(place);
+    return {first, place - static_cast<double>(first)};
+  }
+
+ private:
+  double low_;
+  double step_;
+};
+
+// How many functions of each kind a log can tell: one for two cycles or 50 samples of it, so that they take some
+// percent of noise with them at most.
+Index tellable(const log::Record& record, const Mask& mask) {
+  constexpr double kKinds = 3.0;
+  constexpr double kMost = 12.0;
+  const double cycles = record.mean_frequency * record.duration();
+  return static_cast<Index>(std::min({kMost, 0.5 * cycles, static_cast<double>(mask.count()) / 50.0 / kKinds}));
+}
+
+// A residual without what is a function of displacement, in each direction apart, and of speed: a law that is missing
+// is no noise. Nonlinear stiffness and damping, stops, and most of friction are such functions.
+VectorXd withoutFunctionsOfMotion(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  const Index count = tellable(record, mask);
+  if (count < 3) {
+    return residual;
+  }
+  const VectorXd& z = record.displacement;
+  VectorXd speed = VectorXd::Zero(z.size());
+  speed.segment(1, z.size() - 2) = z.tail(z.size() - 2) - z.head(z.size() - 2);
+  const Hats of_displacement(z, count);
+  const Hats of_speed(speed, count);
+  const auto columnsAt = [&](Index i) {
+    const auto [place, share] = of_displacement.at(z[i]);
+    const auto [pace, further] = of_speed.at(speed[i]);
+    const Index direction = (speed[i] < 0.0 ? 1 : 0) * (count + 1);
+    const Index speeds = 2 * (count + 1);
+    return std::array<std::pair<Index, double>, 4>{{{direction + place, 1.0 - share},
+                                                    {direction + place + 1, share},
+                                                    {speeds + pace, 1.0 - further},
+                                                    {speeds + pace + 1, further}}};
+  };
+  const Index size = 3 * (count + 1);
+  MatrixXd gram = MatrixXd::Zero(size, size);
+  VectorXd moment = VectorXd::Zero(size);
+  for (Index i = 0; i < z.size(); ++i) {
+    if (!mask[i]) {
+      continue;
+    }
+    const auto columns = columnsAt(i);
+    for (const auto& [a, x] : columns) {
+      moment[a] += x * residual[i];
+      for (const auto& [b, y] : columns) {
+        gram(a, b) += x * y;
+      }
+    }
+  }
+  const VectorXd weights = gram.completeOrthogonalDecomposition().solve(moment);
+  VectorXd rest = residual;
+  for (Index i = 0; i < z.size(); ++i) {
+    for (const auto& [a, x] : columnsAt(i)) {
+      rest[i] -= x * weights[a];
+    }
+  }
+  return rest;
+}
+
+// Power of single lines beside the motion, such as hum: what a machine adds, and no noise. Of a band whose mean is far
+// beyond what its median tells, what is above that.
+double powerOfLines(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  constexpr double kFar = 3.0;
+  const double motion = motionBand(record).high / kHarmonics;
+  double power = 0.0;
+  for (const SpectrumBand& band : spectrumBands(residual, mask)) {
+    if (band.frequency > motion && band.density > kFar * band.level) {
+      power += (band.density - band.level) * band.width;
+    }
+  }
+  return power;
+}
+
+double meanSquare(const VectorXd& signal, const Mask& mask) {
+  return (signal.array() * mask.cast<double>()).square().sum() /
+         std::max<double>(1.0, static_cast<double>(mask.count()));
+}
+
 // Deviation of the residual where the freedom of the fits is taken off.
 double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
@@ -187,7 +281,7 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;
   }
-  const double square = (residual.array() * mask.cast<double>()).square().sum() / static_cast<double>(mask.count());
+  const double square = meanSquare(residual, mask);
   const NoiseModel model = estimateNoise(residual, mask, motion);
   const double fast = model.deviation * model.deviation - model.carried * model.carried;
   const double slow = continuesInto(motion, residual, mask) ? square - fast : model.carried * model.carried;
@@ -196,19 +290,24 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
 
 NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const Mask& mask, double replay_excess) {
   NoiseFloor floor;
-  const double counted = std::max<double>(1.0, static_cast<double>(mask.count()));
-  const double left = std::sqrt((residual.array() * mask.cast<double>()).square().sum() / counted);
+  const double left = std::sqrt(meanSquare(residual, mask));
   const auto take = [&](double deviation, const char* source) {
     if (deviation > 0.0 && floor.smoothed == 0.0) {
       floor.smoothed = deviation;
       floor.source = source;
     }
   };
-  take(noiseFromRepeats(record, residual, mask), "repeats");
-  take(noiseFromSpectrum(record, residual, mask), "spectrum");
+  const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
+  const double by_repeats = noiseFromRepeats(record, rest, mask);
+  const double by_spectrum = noiseFromSpectrum(record, rest, mask);
+  // Lines are in the repeats as well, unless they are harmonics of the motion.
+  const double without_lines = std::sqrt(std::max(0.0, by_repeats * by_repeats - powerOfLines(record, rest, mask)));
+  take(std::max(without_lines, std::min(by_repeats, by_spectrum)), "repeats");
+  take(by_spectrum, "spectrum");
   take(noiseFromStandstill(record, mask), "standstill");
-  if (floor.smoothed == 0.0 || left < floor.smoothed) {
-    floor.smoothed = left;
+  const double least_left = std::min(left, std::sqrt(meanSquare(rest, mask)));
+  if (floor.smoothed == 0.0 || least_left < floor.smoothed) {
+    floor.smoothed = least_left;
     floor.source = "model";
   }
   // A step of the sensor, evenly rounded; and what rounding in arithmetic leaves.

@@ -8,7 +8,6 @@
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
-#include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
 
@@ -68,7 +67,8 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, co
   }
   gap.gap = gapOf(record, residual);
   gap.gap_as_recorded = gapOf(record, error);
-  gap.noise_floor = std::min(measurement::relativeFloor(record, residual), gap.gap);
+  // Of white noise alone: nothing was fitted, and what the model lacks must not pass for slow noise.
+  gap.noise_floor = std::min(gap::whiteNoiseFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({record}, {residual}, {gap.noise_floor});
   for (const gap::GapCell& cell : gap.cells) {

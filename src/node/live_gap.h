@@ -32,7 +32,7 @@ struct LiveGap {
   std::size_t samples = 0;
   double gap = 0.0;                 ///< once what the rig did within its tolerances is taken out [-]
   double gap_as_recorded = 0.0;     ///< with it [-]
-  double noise_floor = 0.0;         ///< what the noise of the measured force alone would give [-]
+  double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
   double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
   std::array<double, 5> share{};    ///< of the squared gap, by Quantity; they add up to 1

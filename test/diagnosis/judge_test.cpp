@@ -453,8 +453,23 @@ const std::vector<Row> kRows = {
      },
      Verdict::parameter_error,
      {}},
-    {"a small residual that unseen logs confirm stays unknown",
+    {"a residual of less than 2 % on all logs is accepted",
      [](Evidence& e, Criteria&) { leaveResidualNearNoise(e); },
+     Verdict::parameter_error,
+     {}},
+    {"a residual of less than 2 % with nothing that parameters could mend is no gap",
+     [](Evidence& e, Criteria&) {
+       leaveResidualNearNoise(e);
+       configured(e).held_out = 0.021;
+       addUnseenLogs(e);
+     },
+     Verdict::none,
+     {}},
+    {"a residual of 2 % that is larger on unseen logs stays unknown",
+     [](Evidence& e, Criteria&) {
+       leaveResidualNearNoise(e);
+       reEstimated(e).unseen->replayed = reEstimated(e).unseen->predicted = 0.03;
+     },
      Verdict::unknown,
      {}},
     {"a large residual is no noise, whatever unseen logs show",

@@ -28,7 +28,7 @@ diagnosis::Diagnosis diagnoseWithGain(double gain, const io::ComponentDescriptio
 }
 
 TEST(SensorGain, IsToldBesideWrongValues) {
-  for (const double gain : {0.08, -0.12}) {
+  for (const double gain : {0.5, -0.4}) {
     const diagnosis::Diagnosis result = diagnoseWithGain(gain);
     EXPECT_EQ(result.verdict, "confounded") << result.sentence;
     EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
@@ -39,8 +39,18 @@ TEST(SensorGain, IsToldBesideWrongValues) {
     ASSERT_NE(found, result.candidates.end());
     // 20 N of noise on some 5000 samples of a kN; what the prior on the values leaves to them is less.
     EXPECT_NEAR(found->parameters.at("gain"), gain, 0.005);
-    EXPECT_THAT(result.sentence, HasSubstr(gain > 0.0 ? "8.0 % too much" : "too little"));
+    EXPECT_THAT(result.sentence, HasSubstr(gain > 0.0 ? "50.0 % too much" : "too little"));
     EXPECT_THAT(result.next_experiment, HasSubstr("known weight"));
+  }
+}
+
+// Specifications err by as much.
+TEST(SensorGain, IsLessLikelyThanWrongValuesThatSpecificationsHave) {
+  for (const double gain : {0.08, -0.12}) {
+    const diagnosis::Diagnosis result = diagnoseWithGain(gain);
+    EXPECT_EQ(result.verdict, "parameter_error") << result.sentence;
+    EXPECT_THAT(result.sentence,
+                HasSubstr(gain > 0.0 ? "So would a force channel that reads 8.0 % too much" : "too little"));
   }
 }
 
@@ -55,8 +65,8 @@ TEST(SensorGain, IsNoneOfAnUnevenError) {
 TEST(SensorGain, WithinTheToleranceIsNoCause) {
   io::ComponentDescription component = rigComponent();
   component.rig = io::RigTolerances{};
-  component.rig->gain = {0.05, true};  // 2 standard deviations of it are more than 8 %
-  const diagnosis::Diagnosis result = diagnoseWithGain(0.08, component);
+  component.rig->gain = {0.25, true};  // 2 standard deviations of it are more than ln 1.5
+  const diagnosis::Diagnosis result = diagnoseWithGain(0.5, component);
   EXPECT_TRUE(result.effects.empty()) << result.sentence;
 }
 

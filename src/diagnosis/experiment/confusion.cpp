@@ -98,8 +98,17 @@ class EffectRow {
                                   : search_.candidates[static_cast<std::size_t>(effect)].effect;
   }
 
+  // What values do as well takes nothing but their place.
   Judgement judgementOf(const Implant& implant, double size) const {
-    return implant.hidden_by_rig ? Judgement{} : judge(diagnosis::evidenceOf(search_, implant, size), criteria_);
+    if (implant.hidden_by_rig) {
+      return {};
+    }
+    Judgement judgement = judge(diagnosis::evidenceOf(search_, implant, size), criteria_);
+    const bool named = !judgement.effects.empty() && judgement.effects.front() != effect_;
+    if (named && search_.candidates[static_cast<std::size_t>(judgement.effects.front())].like_parameters) {
+      judgement.withdraw(Verdict::parameter_error, Evidence::kReEstimated);
+    }
+    return judgement;
   }
 
   // Named, or in the set of what is.

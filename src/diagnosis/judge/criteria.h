@@ -32,6 +32,9 @@ struct Criteria {
   double share_left_before_elements = 0.4;  ///< of the gap as configured: the specification's values closed most
   // Whether an effect hides behind re-estimated parameters: one number more explains as much, with parameters close to
   // the configured ones, as re-estimation does that has to move several far.
+  /// By what all stiffnesses and damping of a specification err together, as the hardness of rubber does: standard
+  /// deviation. A gain of the force channel within twice of it is the less likely reason.
+  double values_err_by = 0.15;
   double changed_far = 0.14;        ///< logarithm of a model parameter: beyond what a specification errs by
   double changed_little = 0.06;     ///< logarithm of a model parameter: as specified
   double hides = 0.3;               ///< part of the gap that a hidden effect may leave

@@ -26,6 +26,9 @@ class Judge {
         sayWhatRemainsOfUnseenLogs();
       }
     }
+    if (!judgement_.missing) {
+      acceptLittle();
+    }
     noteTestableEffects();
     weighAnswers();
     if (!judgement_.missing) {
@@ -175,6 +178,23 @@ class Judge {
     } else if (unseenLeft(Evidence::kReEstimated) < weighing_.insignificant()) {
       judgement_.withdraw(Verdict::parameter_error, Evidence::kReEstimated);
     }
+  }
+
+  // A rest that no effect explains and an engineer accepts, on all logs, is not worth a warning.
+  void acceptLittle() {
+    if (judgement_.verdict != Verdict::unknown ||
+        weighing_.left(evidence_.reEstimated().held_out) > criteria_.beyond_noise) {
+      return;
+    }
+    if (evidence_.has_unseen_logs && (lacks({Evidence::kAsConfigured, Evidence::kReEstimated}) ||
+                                      Weighing::leftUnseen(unseen(Evidence::kReEstimated)) > criteria_.beyond_noise)) {
+      return;
+    }
+    const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
+    const double rest = weighing_.left(evidence_.reEstimated().held_out);
+    const bool parameters = configured > criteria_.beyond_noise || rest < criteria_.needs_another * configured;
+    judgement_.withdraw(parameters ? Verdict::parameter_error : Verdict::none,
+                        parameters ? Evidence::kReEstimated : Evidence::kAsConfigured);
   }
 
   // A rest beyond the noise is told; one that the logs of the fit do not show is something that only these lack.

@@ -122,7 +122,7 @@ class Describer {
       before_ = gap::partErrors(held_out, unseen(w.force_re_estimated));
       after_ = gap::partErrors(held_out, unseen(w.force_augmented));
       const std::vector<double> floors = noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented),
-                                                     held_out, loudestNoise(search_.record_noise, prepared_.training));
+                                                     held_out, noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       const auto configured = gap::partErrors(held_out, unseen(w.force_configured));
       result_.gap = {gap::gapOfParts(configured), gap::gapOfParts(before_), gap::gapOfParts(after_),

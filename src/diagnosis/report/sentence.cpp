@@ -86,13 +86,22 @@ std::string unknownSentence(const Judgement& judgement, const Gap& gap) {
       gapText(gap.re_estimated), gapText(gap.noise_floor));
 }
 
-// The gain of the force's channel where that is what is named, beside wrong values.
-std::optional<double> gainOf(const Diagnosis& diagnosis) {
+const CandidateResult* gainOf(const Diagnosis& diagnosis) {
   const auto found =
-      std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(), [&](const CandidateResult& candidate) {
-        return diagnosis.effects.front() == candidate.effect && candidate.parameters.count("gain") != 0;
-      });
-  return found == diagnosis.candidates.end() ? std::nullopt : std::optional<double>(found->parameters.at("gain"));
+      std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                   [](const CandidateResult& candidate) { return candidate.parameters.count("gain") != 0; });
+  return found == diagnosis.candidates.end() ? nullptr : &*found;
+}
+
+// Where one factor on all forces does as well as wrong values, and who reads may know the load cell better.
+std::string gainWouldDo(const Diagnosis& diagnosis) {
+  constexpr double kAsWell = 1.05;  // of what they leave, which is known to some percent
+  const CandidateResult* gain = gainOf(diagnosis);
+  return gain != nullptr && gain->gap <= kAsWell * diagnosis.gap.re_estimated
+             ? fmt::format(
+                   " So would a force channel that reads {:.1f} % too {}, which is less likely: its calibration tells.",
+                   100.0 * std::abs(gain->parameters.at("gain")), gain->parameters.at("gain") > 0.0 ? "much" : "little")
+             : "";
 }
 
 }  // namespace
@@ -109,13 +118,15 @@ std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
       return fmt::format("The model agrees with the measurement: the gap of {} is at the noise floor of {}.",
                          gapText(gap.as_configured), gapText(gap.noise_floor));
     case Verdict::parameter_error:
-      return fmt::format("{}: re-estimating reduces the gap from {} to {} (noise floor {}).", ownValuesText(diagnosis),
-                         gapText(gap.as_configured), gapText(gap.re_estimated), gapText(gap.noise_floor));
+      return fmt::format("{}: re-estimating reduces the gap from {} to {} (noise floor {}).{}",
+                         ownValuesText(diagnosis), gapText(gap.as_configured), gapText(gap.re_estimated),
+                         gapText(gap.noise_floor), gainWouldDo(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, fmt::format("{}: {}", lacks, closes)) + ".";
     case Verdict::confounded:
-      if (const std::optional<double> gain = gainOf(diagnosis)) {
-        return gainSentence(diagnosis, *gain);
+      if (const CandidateResult* gain = gainOf(diagnosis);
+          gain != nullptr && gain->effect == diagnosis.effects.front()) {
+        return gainSentence(diagnosis, gain->parameters.at("gain"));
       }
       return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) +
              ". These logs cannot tell apart: " + setsText(diagnosis.confounded) + ".";

@@ -1,0 +1,23 @@
+// How loud the noise of one rig may be, by all of its logs together.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// All logs come from one rig. What a model lacks in some of them must not pass for noise there, so a log's noise is
+/// limited by that of the others: in newtons, or as a share of its force, whichever allows more.
+struct NoiseLimit {
+  double force = 0.0;  ///< standard deviation [N]
+  double share = 0.0;  ///< of the standard deviation of the force
+
+  /// As a gap, for one log.
+  double of(const log::Record& record) const;
+};
+
+/// 1.5 times the median of the logs' noise, given as gaps: noise of 1/f differs by that much from log to log.
+NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::diagnosis
