@@ -169,6 +169,7 @@ int fitToTable(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
   const command::MeasuredTable table = command::readTable(options.table);
+  command::requireNoShift(description, table, options.table);
   const fit::TableFit result = fit::fitToTable(description, table.points);
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({result.component}));

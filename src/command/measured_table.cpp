@@ -26,13 +26,15 @@ struct Quantity {
 };
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> table = {{"frequency", "Hz", true},
-                                              {"amplitude", "m", true},
-                                              {"stiffness", "N/m", true},
-                                              {"loss angle", "rad", true},
-                                              {"preload", "N", false}};
+  static const std::vector<Quantity> table = {{"frequency", "Hz", true},     {"amplitude", "m", true},
+                                              {"stiffness", "N/m", true},    {"loss angle", "rad", true},
+                                              {"preload", "N", false},       {"mean displacement", "m", false},
+                                              {"temperature", "degC", false}};
   return table;
 }
+
+// Places of these.
+enum : std::size_t { kFrequency, kAmplitude, kStiffness, kLossAngle, kPreload, kMean, kTemperature };
 
 // A column that is used: which quantity, and how to make it SI.
 struct Column {
@@ -157,10 +159,30 @@ class TableReader {
         values[columns_[i]->quantity] = columns_[i]->conversion(*number);
       }
     }
-    addPoint({values[0], values[1], values[2], values[3]}, values.count(4) == 0 ? 0.0 : values[4]);
+    checkPreload(values);
+    fit::TablePoint point;
+    point.frequency = values[kFrequency];
+    point.amplitude = values[kAmplitude];
+    point.stiffness = values[kStiffness];
+    point.loss_angle = values[kLossAngle];
+    point.mean = values[kMean];
+    if (values.count(kTemperature) > 0) {
+      point.temperature = values[kTemperature];
+    }
+    addPoint(point);
   }
 
-  void addPoint(const fit::TablePoint& point, double preload) {
+  // The sine swings about a displacement: what a preload does to it, the table has to say.
+  void checkPreload(std::map<std::size_t, double>& values) const {
+    if (values[kPreload] != 0.0 && values.count(kMean) == 0) {
+      refuse(
+          fmt::format("preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the "
+                      "preload holds the component",
+                      values[kPreload]));
+    }
+  }
+
+  void addPoint(const fit::TablePoint& point) {
     const bool positive = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0;
     const bool finite = std::isfinite(point.frequency + point.amplitude + point.stiffness);
     if (!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi)) {
@@ -169,8 +191,8 @@ class TableReader {
                       "most 90 degrees",
                       point.frequency, point.amplitude, point.stiffness, point.loss_angle));
     }
-    if (preload != 0.0) {
-      refuse(fmt::format("preload: {:g} N; accepted: 0, since a fit takes no preload", preload));
+    if (!std::isfinite(point.mean + point.temperature.value_or(0.0))) {
+      refuse("mean displacement or temperature: not finite; accepted: numbers");
     }
     table_.points.push_back(point);
   }
@@ -194,6 +216,17 @@ MeasuredTable readTable(const std::string& path) {
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();
     throw std::runtime_error(reason.compare(0, path.size(), path) == 0 ? reason : path + ": " + reason);
+  }
+}
+
+void requireNoShift(const io::ComponentDescription& component, const MeasuredTable& table, const std::string& source) {
+  const bool temperatures = std::any_of(table.points.begin(), table.points.end(),
+                                        [](const fit::TablePoint& point) { return point.temperature.has_value(); });
+  if (temperatures && component.makeComponent().shiftsWithTemperature()) {
+    throw std::runtime_error(
+        fmt::format("{}: temperature: {} shifts with it, which a fit to a table does not follow; "
+                    "accepted: a table without the column, or diagnose --from-table",
+                    source, component.name));
   }
 }
 

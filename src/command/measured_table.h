@@ -16,11 +16,16 @@ struct MeasuredTable {
 /// A text of columns with a header: frequency, amplitude, stiffness, loss angle, each with its unit in the name, as
 /// "stiffness [kN/mm]", or as `export_table` writes them; separated by commas, semicolons or tabs, with decimal points.
 /// Lines that begin with # and empty ones are passed over. Throws std::runtime_error with `source`, the name of the
-/// file, line, column, value and what is accepted; rows with a preload are refused.
+/// file, line, column, value and what is accepted. Rows with a preload need a column mean displacement; a column
+/// temperature is read where there is one.
 MeasuredTable parseTable(const std::string& text, const std::string& source);
 
 /// The same from a file of at most 16 MiB.
 MeasuredTable readTable(const std::string& path);
+
+/// Throws std::runtime_error where the table has temperatures and the component shifts with them: a fit takes the loops
+/// as those of the specification. `source`: the name of the file.
+void requireNoShift(const io::ComponentDescription& component, const MeasuredTable& table, const std::string& source);
 
 std::string toText(const fit::TableFit& fit, const MeasuredTable& table);
 

@@ -8,7 +8,8 @@
 #include "diagnosis/experiment/implant.h"
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
-#include "fit/fitter.h"
+#include "fit/excitation.h"
+#include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -55,8 +56,9 @@ Evidence evidenceOf(const Search& search);
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 
-/// Fit all hypotheses on `threads` threads.
-Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
-              const ProgressCallback& progress = {});
+class Measured;
+
+/// Fit all hypotheses about what was measured on `threads` threads.
+Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress = {});
 
 }  // namespace rubber_suspension::diagnosis
