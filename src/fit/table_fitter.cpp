@@ -35,13 +35,13 @@ TableFitter::TableFitter(std::shared_ptr<const TableLoops> loops, const ModelPar
     : HypothesisFitter(model), loops_(std::move(loops)), forces_(loops_->records(), model) {
   setNoise(noise);
   const std::vector<TablePoint>& points = loops_->points();
-  group_ = ranksOf(points, [](const TablePoint& point) { return point.frequency; });
+  const std::vector<int> by_frequency = ranksOf(points, [](const TablePoint& point) { return point.frequency; });
   const std::vector<int> by_amplitude = ranksOf(points, [](const TablePoint& point) { return point.amplitude; });
   const std::vector<int> by_mean = ranksOf(points, [](const TablePoint& point) { return point.mean; });
   const std::vector<int> by_temperature =
       ranksOf(points, [](const TablePoint& point) { return point.temperature.value_or(0.0); });
   for (std::size_t r = 0; r < points.size(); ++r) {
-    fold_.push_back((group_[r] + by_amplitude[r] + by_mean[r] + by_temperature[r]) % kFolds);
+    fold_.push_back((by_frequency[r] + by_amplitude[r] + by_mean[r] + by_temperature[r]) % kFolds);
   }
 }
 
@@ -69,7 +69,7 @@ BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const Pa
   const double rows = static_cast<double>(base->size());
   BlockGrams result;
   result.fold = fold_;
-  result.record = group_;
+  result.record.assign(base->size(), 0);
   result.weight.assign(base->size(), 1.0 / rows);
   for (std::size_t r = 0; r < base->size(); ++r) {
     const Complex measured = loops_->points()[r].complexStiffness();

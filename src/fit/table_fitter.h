@@ -13,9 +13,9 @@
 namespace rubber_suspension::fit {
 
 /// Fits hypotheses to one table: residuals are (K* - K*_model)/|K*| of its rows, so that gaps are those of
-/// gapOfTable(). Each row is a block that cross validation leaves out; rows of one frequency count as one log, and
-/// neighbours on the grid of frequency and amplitude are in different folds. Thread-safe once constructed; the model
-/// has to outlive it.
+/// gapOfTable(). A table counts as one log, and each row as a block of it that cross validation leaves out: rows are
+/// tests of their own. Neighbours on the grid of frequency and amplitude are in different folds. Thread-safe once
+/// constructed; the model has to outlive it.
 class TableFitter final : public HypothesisFitter {
  public:
   /// `noise`: of K*, relative, from which the penalty of changed model parameters follows.
@@ -35,8 +35,7 @@ class TableFitter final : public HypothesisFitter {
 
   std::shared_ptr<const TableLoops> loops_;
   HypothesisForces forces_;
-  std::vector<int> fold_;   // of each row
-  std::vector<int> group_;  // of each row: its frequency
+  std::vector<int> fold_;  // of each row
 };
 
 }  // namespace rubber_suspension::fit
