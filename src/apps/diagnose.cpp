@@ -249,7 +249,8 @@ int runTable(const Options& options) {
   const io::FolderLock lock(options.output);
   const io::ComponentDescription component = options.component.read("diagnose");
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
-  const command::MeasuredTable table = command::readTable(options.table);
+  fit::MeasuredTable table = command::readTable(options.table);
+  table.uncertainty = uncertainty;
   for (const std::string& note : table.notes) {
     printWarning("diagnose", options.table + ": " + note);
   }
@@ -257,9 +258,7 @@ int runTable(const Options& options) {
   settings.threads = options.threads;
   settings.progress = showStage;
   settings.evidence = options.evidence;
-  const std::string name = std::filesystem::path(options.table).stem().string();
-  return publish(diagnosis::diagnoseTable(component, {name, table.points, uncertainty, table.notes}, settings), earlier,
-                 options);
+  return publish(diagnosis::diagnoseTable(component, table, settings), earlier, options);
 }
 
 int run(const Options& options) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -46,7 +47,7 @@ class TableReader {
  public:
   explicit TableReader(std::string source) : source_(std::move(source)) {}
 
-  MeasuredTable read(const std::string& text) {
+  fit::MeasuredTable read(const std::string& text) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
       ++line_;
@@ -203,23 +204,28 @@ class TableReader {
   std::size_t line_ = 0;
   char separator_ = ',';
   std::vector<std::optional<Column>> columns_;
-  MeasuredTable table_;
+  fit::MeasuredTable table_;
 };
 
 }  // namespace
 
-MeasuredTable parseTable(const std::string& text, const std::string& source) { return TableReader(source).read(text); }
+fit::MeasuredTable parseTable(const std::string& text, const std::string& source) {
+  return TableReader(source).read(text);
+}
 
-MeasuredTable readTable(const std::string& path) {
+fit::MeasuredTable readTable(const std::string& path) {
   try {
-    return parseTable(log::readFile(path, kLargestFile), path);
+    fit::MeasuredTable table = parseTable(log::readFile(path, kLargestFile), path);
+    table.name = std::filesystem::path(path).stem().string();
+    return table;
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();
     throw std::runtime_error(reason.compare(0, path.size(), path) == 0 ? reason : path + ": " + reason);
   }
 }
 
-void requireNoShift(const io::ComponentDescription& component, const MeasuredTable& table, const std::string& source) {
+void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                    const std::string& source) {
   const bool temperatures = std::any_of(table.points.begin(), table.points.end(),
                                         [](const fit::TablePoint& point) { return point.temperature.has_value(); });
   if (temperatures && component.makeComponent().shiftsWithTemperature()) {
@@ -230,7 +236,7 @@ void requireNoShift(const io::ComponentDescription& component, const MeasuredTab
   }
 }
 
-std::string toText(const fit::TableFit& fit, const MeasuredTable& table) {
+std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table) {
   std::string text = fmt::format("component {}, parameters from a table of {} points\n  {:<44} {:>14} {:>14}\n",
                                  fit.component.name, table.points.size(), "parameter", "given", "found");
   for (const fit::FittedParameter& parameter : fit.parameters) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::fit {

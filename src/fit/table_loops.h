@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {

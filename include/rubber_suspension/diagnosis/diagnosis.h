@@ -17,7 +17,7 @@
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "rubber_suspension/diagnosis/posterior.h"
 #include "rubber_suspension/element/parameter.h"
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"

@@ -1,24 +1,12 @@
 // The diagnosis of a measured table of stiffness and loss angle, in place of logs.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include <cstddef>
 
 #include "rubber_suspension/diagnosis/diagnosis.h"
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 
 namespace rubber_suspension::diagnosis {
-
-/// A table as it was measured.
-struct MeasuredTable {
-  std::string name;
-  std::vector<fit::TablePoint> points;
-  /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it. Otherwise
-  /// it comes from repeated rows, or from what a smooth surface leaves.
-  std::optional<double> uncertainty;
-  std::vector<std::string> notes;
-};
 
 /// Fewest rows that a diagnosis takes: with fewer, nothing is left to test a hypothesis on.
 constexpr std::size_t kFewestRows = 6;
@@ -26,7 +14,7 @@ constexpr std::size_t kFewestRows = 6;
 /// Diagnose one component from a table. Search and judgement are those of logs; residuals are those of K*
 /// (fit::gapOfTable()), and what takes no part in a fit are rows. Effects that no table shows are never named
 /// (DiagnosedTable::never_shown). Throws std::invalid_argument for a table or a component that cannot be used.
-Diagnosis diagnoseTable(const io::ComponentDescription& component, const MeasuredTable& table,
+Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const DiagnosisOptions& options = {});
 
 }  // namespace rubber_suspension::diagnosis

@@ -33,8 +33,8 @@ CharacteristicErrors errorsOf(const std::vector<fit::TablePoint>& points, const 
 
 class TableDescriber {
  public:
-  TableDescriber(const io::ComponentDescription& component, const MeasuredTable& table, const MeasuredRows& measured,
-                 std::shared_ptr<Workings> workings, const DiagnosisOptions& options)
+  TableDescriber(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                 const MeasuredRows& measured, std::shared_ptr<Workings> workings, const DiagnosisOptions& options)
       : component_(component),
         table_(table),
         measured_(measured),
@@ -199,7 +199,7 @@ class TableDescriber {
   }
 
   const io::ComponentDescription& component_;
-  const MeasuredTable& table_;
+  const fit::MeasuredTable& table_;
   const MeasuredRows& measured_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
@@ -212,7 +212,7 @@ class TableDescriber {
 
 }  // namespace
 
-Diagnosis describeTable(const io::ComponentDescription& component, const MeasuredTable& table,
+Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const MeasuredRows& measured, std::shared_ptr<Workings> workings,
                         const DiagnosisOptions& options) {
   return TableDescriber(component, table, measured, std::move(workings), options).run();

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-Diagnosis describeTable(const io::ComponentDescription& component, const MeasuredTable& table,
+Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const MeasuredRows& measured, std::shared_ptr<Workings> workings,
                         const DiagnosisOptions& options);
 

@@ -28,7 +28,16 @@ struct Range {
   }
 };
 
-// Rows over the range of a table, or beyond it. Stiffness and loss angle are those of no measurement.
+// True where the table has a row that differs by no more than a tenth in frequency and in amplitude.
+bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, double amplitude) {
+  constexpr double kNear = 0.1;
+  return std::any_of(points.begin(), points.end(), [&](const fit::TablePoint& point) {
+    return std::abs(std::log(point.frequency / frequency)) < kNear &&
+           std::abs(std::log(point.amplitude / amplitude)) < kNear;
+  });
+}
+
+// New rows over the range of a table, or beyond it. Stiffness and loss angle are those of no measurement.
 std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, double beyond) {
   Range frequency;
   Range amplitude;
@@ -44,7 +53,9 @@ std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, 
   std::vector<fit::TablePoint> menu;
   for (const double f : spaced(frequency)) {
     for (const double a : spaced(amplitude)) {
-      menu.push_back({f, a, points.front().stiffness, 0.0, points.front().mean, points.front().temperature});
+      if (!isMeasured(points, f, a)) {
+        menu.push_back({f, a, points.front().stiffness, 0.0, points.front().mean, points.front().temperature});
+      }
     }
   }
   return menu;
@@ -102,7 +113,11 @@ std::string nextRow(const MeasuredRows& measured, const Search& search, const Ju
   }
   const std::string names = nameOf(search, *explanations[0].fitted);
   for (const double beyond : {1.0, kBeyond}) {
-    const Difference best = largestDifference(menuOf(measured.loops().points(), beyond), measured, explanations);
+    const std::vector<fit::TablePoint> menu = menuOf(measured.loops().points(), beyond);
+    if (menu.size() < 2) {
+      continue;
+    }
+    const Difference best = largestDifference(menu, measured, explanations);
     if (best.size >= kLeastFloors * search.noise) {
       return fmt::format(
           "Measure a row at {:.3g} Hz and {}{}: {} and {} differ there by {} of K*, {:.1f} times the noise floor.",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 
 namespace rubber_suspension::diagnosis {
 

@@ -15,7 +15,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-void checkRows(const io::ComponentDescription& component, const MeasuredTable& table) {
+void checkRows(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
   if (table.points.size() < kFewestRows) {
     throw std::invalid_argument(fmt::format("{}: {} rows; accepted: at least {}, over frequency and amplitude",
                                             table.name, table.points.size(), kFewestRows));
@@ -55,7 +55,7 @@ double medianStiffness(std::vector<std::complex<double>> stiffness) {
 }
 
 std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescription& component,
-                                                    const MeasuredTable& table, const MeasuredRows& measured) {
+                                                    const fit::MeasuredTable& table, const MeasuredRows& measured) {
   std::vector<std::complex<double>> of_table;
   for (const fit::TablePoint& point : table.points) {
     of_table.push_back(point.complexStiffness());
@@ -66,7 +66,7 @@ std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescripti
 
 }  // namespace
 
-Diagnosis diagnoseTable(const io::ComponentDescription& component, const MeasuredTable& table,
+Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const DiagnosisOptions& options) {
   checkRows(component, table);
   const MeasuredRows measured(component, table.points, scatterOf(table.points, table.uncertainty));

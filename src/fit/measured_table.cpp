@@ -1,5 +1,5 @@
 // Checks of a table, and its gap.
-#include "rubber_suspension/fit/table_point.h"
+#include "rubber_suspension/fit/measured_table.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
-// One row of a measured table of stiffness and loss angle.
+// A measured table of stiffness and loss angle.
 #pragma once
 
 #include <complex>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rubber_suspension::fit {
@@ -18,6 +19,15 @@ struct TablePoint {
 
   /// K exp(i delta) [N/m].
   std::complex<double> complexStiffness() const { return std::polar(stiffness, loss_angle); }
+};
+
+/// A table as it was measured.
+struct MeasuredTable {
+  std::string name;
+  std::vector<TablePoint> points;
+  std::vector<std::string> notes;  ///< of its reading: columns that were ignored
+  /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it.
+  std::optional<double> uncertainty = std::nullopt;
 };
 
 /// Throws std::invalid_argument for a point that is no loop, by its numbers and what would be accepted.
