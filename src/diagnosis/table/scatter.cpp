@@ -17,11 +17,11 @@ namespace {
 
 using Points = std::vector<fit::TablePoint>;
 
-constexpr double kAssumed = 0.01;     // of K*: what laboratories state for bushings
-constexpr int kFewestFree = 3;        // complex numbers left to estimate a level from
-constexpr int kHighestFrequency = 3;  // degree of the polynomial
-constexpr int kHighestAmplitude = 2;
-constexpr double kMostUsed = 0.67;  // of the rows, by coefficients
+constexpr double kAssumed = 0.01;    // of K*: what laboratories state for bushings
+constexpr double kMostRough = 0.03;  // of K*: a table that is rougher may show what no law of the list does
+constexpr int kFewestFree = 3;       // complex numbers left to estimate a level from
+constexpr int kHighestDegree = 7;    // of a polynomial: all that up to eight levels allow
+constexpr double kMostUsed = 0.67;   // of the rows, by coefficients
 
 // Sum of squared relative errors, and the complex numbers that are free.
 struct Rest {
@@ -42,18 +42,23 @@ long long rounded(double value, double unit) { return std::llround(value / unit)
 using Condition = std::tuple<long long, long long>;
 using Place = std::tuple<long long, long long, Condition>;
 
-Condition conditionOf(const fit::TablePoint& point) {
-  return {rounded(point.mean, 1e-7), rounded(point.temperature.value_or(0.0), 0.5)};
+// Mean displacements and temperatures are measured: they are the same within a tenth of the smallest amplitude and half
+// a kelvin.
+Condition conditionOf(const Points& points, const fit::TablePoint& point) {
+  const auto smaller = [](const fit::TablePoint& x, const fit::TablePoint& y) { return x.amplitude < y.amplitude; };
+  const double length = 0.1 * std::min_element(points.begin(), points.end(), smaller)->amplitude;
+  return {rounded(point.mean, length), rounded(point.temperature.value_or(0.0), 0.5)};
 }
 
-Place placeOf(const fit::TablePoint& point) {
-  return {rounded(std::log(point.frequency), 1e-3), rounded(std::log(point.amplitude), 1e-3), conditionOf(point)};
+Place placeOf(const Points& points, const fit::TablePoint& point) {
+  return {rounded(std::log(point.frequency), 1e-3), rounded(std::log(point.amplitude), 1e-3),
+          conditionOf(points, point)};
 }
 
 Rest repeats(const Points& points) {
   std::map<Place, Points> places;
   for (const fit::TablePoint& point : points) {
-    places[placeOf(point)].push_back(point);
+    places[placeOf(points, point)].push_back(point);
   }
   Rest rest;
   for (const auto& [place, rows] : places) {
@@ -103,8 +108,8 @@ Rest smoothRest(const Points& points) {
   const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
   const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));
   Rest best;
-  for (int p = 0; p <= std::min(kHighestFrequency, frequencies - 1); ++p) {
-    for (int q = 0; q <= std::min(kHighestAmplitude, amplitudes - 1); ++q) {
+  for (int p = 0; p <= std::min(kHighestDegree, frequencies - 1); ++p) {
+    for (int q = 0; q <= std::min(kHighestDegree, amplitudes - 1); ++q) {
       if ((p + 1) * (q + 1) > kMostUsed * static_cast<double>(points.size())) {
         continue;
       }
@@ -120,7 +125,7 @@ Rest smoothRest(const Points& points) {
 Rest smoothness(const Points& points) {
   std::map<Condition, Points> conditions;
   for (const fit::TablePoint& point : points) {
-    conditions[conditionOf(point)].push_back(point);
+    conditions[conditionOf(points, point)].push_back(point);
   }
   Rest sum;
   for (const auto& [condition, rows] : conditions) {
@@ -141,7 +146,9 @@ Scatter scatterOf(const Points& points, std::optional<double> stated) {
     return {upperEnd(rest), "repeated rows of the table"};
   }
   if (const Rest rest = smoothness(points); rest.free >= kFewestFree) {
-    return {upperEnd(rest), "what a smooth surface over frequency and amplitude leaves of the table"};
+    return {std::min(upperEnd(rest), kMostRough),
+            fmt::format("what a smooth surface over frequency and amplitude leaves of the table, {:g} % at most",
+                        100.0 * kMostRough)};
   }
   return {kAssumed, fmt::format("assumed, since the table has too few rows to tell ({:g} %)", 100.0 * kAssumed)};
 }
