@@ -247,7 +247,8 @@ int runTable(const Options& options) {
   const std::optional<double> uncertainty = uncertaintyOf(options.uncertainty);
   checkOutputs(options);
   const io::FolderLock lock(options.output);
-  const io::ComponentDescription component = options.component.read("diagnose");
+  io::ComponentDescription component = options.component.read("diagnose");
+  setTolerances(options.rig, component);
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
   fit::MeasuredTable table = command::readTable(options.table);
   table.uncertainty = uncertainty;
@@ -373,10 +374,9 @@ int main(int argc, char** argv) {
           if (options->table.empty()) {
             refuseUnused(app, {"--uncertainty"}, "without --from-table");
           } else {
-            refuseUnused(app,
-                         {"--log", "--hold-out", "--rig", "--limits", "--most-samples", "--columns", "--unit",
-                          "--sampling-rate"},
-                         "with --from-table");
+            refuseUnused(
+                app, {"--log", "--hold-out", "--limits", "--most-samples", "--columns", "--unit", "--sampling-rate"},
+                "with --from-table");
           }
           return run(*options);
         };

@@ -77,17 +77,6 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
-// What a sensor may be off by without anybody calling it a fault is told as what the rig did, log by log.
-void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, Evidence& evidence) {
-  for (std::size_t i = 0; i < search.singles.size(); ++i) {
-    const FittedHypothesis& single = search.singles[i];
-    if (single.hypothesis.like_parameters) {
-      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
-          single.fit.parameters.scales.cwiseAbs().maxCoeff() <= io::kTolerated * tolerance.value;
-    }
-  }
-}
-
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses; of all where the
 // evidence is asked for.
 std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,

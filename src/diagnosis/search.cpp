@@ -315,6 +315,16 @@ Evidence evidenceOf(const Search& search) {
   return evidence;
 }
 
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, Evidence& evidence) {
+  for (std::size_t i = 0; i < search.singles.size(); ++i) {
+    const FittedHypothesis& single = search.singles[i];
+    if (single.hypothesis.like_parameters) {
+      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
+          single.fit.parameters.scales.cwiseAbs().maxCoeff() <= io::kTolerated * tolerance.value;
+    }
+  }
+}
+
 Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress) {
   return Searcher(measured, criteria, threads, progress).run();
 }

@@ -10,6 +10,7 @@
 #include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -52,6 +53,9 @@ void findUnitEffects(Search& search, const std::vector<log::Record>& records, in
 
 /// The numbers of a search, without errors on unseen logs.
 Evidence evidenceOf(const Search& search);
+
+/// What a sensor may be off by without anybody calling it a fault is told as what the rig did.
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, Evidence& evidence);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;

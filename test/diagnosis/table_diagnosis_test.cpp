@@ -196,6 +196,18 @@ TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   EXPECT_THAT(found.effects, ElementsAre("friction")) << found.sentence;
 }
 
+// Ten percent on all forces are a gain, or values that are all off by as much.
+TEST(TableDiagnosis, TellsAGainBesideWrongValues) {
+  fit::MeasuredTable table = Laboratory(1).table(without(kZener));
+  for (fit::TablePoint& point : table.points) {
+    point.stiffness *= 1.1;
+  }
+  const Diagnosis found = checkedTable(without(kZener), table);
+  EXPECT_THAT(firstSet(found), ElementsAre("sensor_gain", "parameter_error")) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("this table cannot tell apart sensor_gain and parameter_error"));
+  EXPECT_THAT(found.next_experiment, HasSubstr("No row tells a gain from wrong values"));
+}
+
 // A fluid mount: a resonance of stiffness at 6 Hz is in no law of the list.
 TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
   fit::MeasuredTable table = Laboratory(1).table(without(kZener));

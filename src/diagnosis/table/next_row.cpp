@@ -94,22 +94,24 @@ Difference largestDifference(const std::vector<fit::TablePoint>& menu, const Mea
   return largest;
 }
 
+std::string recordALog() {
+  std::vector<std::string> names;
+  std::transform(neverShownByTables().begin(), neverShownByTables().end(), std::back_inserter(names), spoken);
+  return "Record a log: it also shows " + enumerated(names) + ", which no table does.";
+}
+
 }  // namespace
 
 std::string nextRow(const MeasuredRows& measured, const Search& search, const Judgement& judgement) {
-  const std::string log = "Record a log: it also shows " + [] {
-    std::vector<std::string> names;
-    for (const std::string& name : neverShownByTables()) {
-      names.push_back(spoken(name));
-    }
-    return enumerated(names);
-  }() + ", which no table does.";
   if (judgement.verdict == Verdict::none) {
-    return "None is needed for what a table can show. " + log;
+    return "None is needed for what a table can show. " + recordALog();
+  }
+  if (search.at(judgement.model).hypothesis.like_parameters) {
+    return "No row tells a gain from wrong values: put a known weight on the load cell, and compare.";
   }
   const std::vector<Explanation> explanations = explanationsOf(search, judgement, Criteria{});
   if (explanations.size() < 2) {
-    return log;
+    return recordALog();
   }
   const std::string names = nameOf(search, *explanations[0].fitted);
   for (const double beyond : {1.0, kBeyond}) {
@@ -126,7 +128,7 @@ std::string nextRow(const MeasuredRows& measured, const Search& search, const Ju
     }
   }
   return fmt::format("No row up to twice the range of the table tells {} from {}. {}", names,
-                     nameOf(search, *explanations[1].fitted), log);
+                     nameOf(search, *explanations[1].fitted), recordALog());
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -81,6 +81,7 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
   Evidence evidence = evidenceOf(workings->search);
   evidence.resamplings = options.resamplings;
   evidence.seed = options.seed;
+  markGainsWithinTolerance(component.rig.value_or(io::RigTolerances{}).gain, workings->search, evidence);
   workings->judgement = judge(evidence, criteria);
   if (options.evidence) {
     workings->evidence = std::move(evidence);
