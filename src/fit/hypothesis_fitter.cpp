@@ -42,7 +42,7 @@ BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Param
 }
 
 void HypothesisFitter::stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index columns,
-                        Eigen::VectorXd& lower, Eigen::VectorXd& upper) const {
+                                  Eigen::VectorXd& lower, Eigen::VectorXd& upper) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Eigen::Index size = model().size();
   lower = Eigen::VectorXd::Constant(columns, -kInfinity);
@@ -67,7 +67,7 @@ double HypothesisFitter::cost(const Hypothesis& hypothesis, const ParameterVecto
 }
 
 ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                              const Eigen::VectorXd& step) {
+                                        const Eigen::VectorXd& step) {
   ParameterVector result = parameters;
   result.model += step.head(result.model.size());
   result.scales += step.segment(result.model.size(), result.scales.size());
@@ -81,7 +81,7 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
 }
 
 BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iterations, bool trends, bool model_fixed,
-                           const std::vector<bool>& first_active, ParameterVector& parameters) const {
+                                     const std::vector<bool>& first_active, ParameterVector& parameters) const {
   BlockGrams blocks = linearise(hypothesis, parameters, trends, first_active, 1);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
@@ -126,7 +126,8 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iteration
   return blocks;
 }
 
-ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const {
+ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start,
+                                              int iterations) const {
   std::vector<bool> active(hypothesis.terms.size());
   std::transform(hypothesis.terms.begin(), hypothesis.terms.end(), active.begin(),
                  [](const BasisTerm& term) { return !term.refines; });
@@ -136,7 +137,7 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
 }
 
 Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, int iterations,
-                const std::vector<bool>& active) const {
+                          const std::vector<bool>& active) const {
   Fit result;
   result.parameters = start;
   const BlockGrams blocks = descend(hypothesis, iterations, hypothesis.free_trends, false, active, result.parameters);

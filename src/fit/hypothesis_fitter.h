@@ -25,8 +25,9 @@ struct Fit {
   double score() const { return std::hypot(held_out, penalty); }
 };
 
-/// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was measured,
-/// and so what a residual is, a derived class says. Thread-safe once constructed; the model has to outlive it.
+/// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was
+/// measured, and so what a residual is, a derived class says. Thread-safe once constructed; the model has to outlive
+/// it.
 ///
 /// Model parameters are free, but a change from their configured values has a penalty in the order of the noise: what
 /// the measurement does not determine stays as it was specified, and an effect need not compete with model parameters
