@@ -58,7 +58,7 @@ double MeasuredRows::discretisationError(const FittedHypothesis& model) const {
 
 void MeasuredRows::estimateNoise(const FittedHypothesis& best, Search& result) const {
   result.noise = std::min(scatter_.level, best.fit.held_out);
-  result.noise_source = scatter_.source;
+  result.noise_source = scatter_.source + (result.noise < scatter_.level ? ", no more than what a model leaves" : "");
   result.record_noise.assign(loops_->points().size(), result.noise);
 }
 
