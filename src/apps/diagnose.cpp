@@ -15,6 +15,7 @@
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "apps/warnings.h"
+#include "command/measured_table.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
@@ -22,6 +23,8 @@
 #include "io/folder_lock.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/plan.h"
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/units.h"
 
 namespace {
@@ -41,6 +44,8 @@ struct Options {
   std::vector<std::string> rig;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
+  std::string table;
+  std::vector<std::string> uncertainty;
   std::string effect_size = "10 %";
   std::string noise = "0.5 %";
   std::size_t most_samples = diagnosis::kMostSamples;
@@ -102,6 +107,9 @@ diagnosis::RunRecord runRecord(const Options& options) {
   for (const std::string& path : options.plan) {
     files.emplace_back("--plan", path);
   }
+  if (!options.table.empty()) {
+    files.emplace_back("--from-table", options.table);
+  }
   for (const std::string& path : options.hold_out) {
     files.emplace_back("--hold-out", path);
   }
@@ -110,7 +118,8 @@ diagnosis::RunRecord runRecord(const Options& options) {
 
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 void checkOutputs(const Options& options) {
-  std::vector<io::InputFile> inputs = {{"--config", options.component.config}, {"--compare", options.compare}};
+  std::vector<io::InputFile> inputs = {
+      {"--config", options.component.config}, {"--compare", options.compare}, {"--from-table", options.table}};
   addInputs(inputs, "--log", options.logs);
   addInputs(inputs, "--plan", options.plan);
   addInputs(inputs, "--hold-out", options.hold_out);
@@ -187,35 +196,13 @@ std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
                            diagnosis.recorded_samples);
 }
 
-int run(const Options& options) {
-  if (!options.plan.empty()) {
-    return runPlan(options);
-  }
-  if (options.logs.empty()) {
-    throw UsageError("--log is missing; accepted: measured logs, or --plan with programmes of displacement");
-  }
-  const diagnosis::ExperimentLimits limits = limitsOf(options.limits);
-  checkOutputs(options);
-  const io::FolderLock lock(options.output);
-  std::vector<std::string> all_logs = options.logs;
-  all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
-  options.log_options.requireUse(all_logs);
-  io::ComponentDescription component = options.component.read("diagnose");
-  setTolerances(options.rig, component);
-  std::optional<diagnosis::EarlierReport> earlier;
-  if (!options.compare.empty()) {
-    earlier.emplace(options.compare);
-  }
-  diagnosis::DiagnosisOptions settings;
-  settings.limits = limits;
-  settings.most_samples = options.most_samples;
-  settings.threads = options.threads;
-  settings.progress = showStage;
-  settings.evidence = options.evidence;
-  showStage("reading the logs", 0.0);
-  const std::vector<log::Log> logs = readLogs(options.logs, component, options);
-  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component, options);
-  diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs, hold_out, settings);
+std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
+  return options.compare.empty() ? std::nullopt : std::optional<diagnosis::EarlierReport>(options.compare);
+}
+
+// Writes the report of a diagnosis, and says on the terminal what it comes to.
+int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
+            const Options& options) {
   diagnosis.run = runRecord(options);
   if (earlier) {
     diagnosis.comparison = earlier->compare(diagnosis);
@@ -231,6 +218,81 @@ int run(const Options& options) {
   fmt::print("{}\n{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis),
              toText(diagnosis.comparison), options.output);
   return kSuccess;
+}
+
+// Of K*, from that of the stiffness and that of the loss angle: they stand at right angles to each other.
+std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
+  if (texts.empty()) {
+    return std::nullopt;
+  }
+  constexpr double kMostDegrees = 45.0;
+  const double of_stiffness = shareOf("--uncertainty", texts[0], 1e-4, 1.0);
+  double of_angle = 0.0;
+  if (texts.size() > 1) {
+    try {
+      of_angle = log::parseQuantity(texts[1], "rad");
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(fmt::format("--uncertainty: {}: {}; accepted: an angle such as \"0.5 deg\"",
+                                   log::quoted(texts[1]), error.what()));
+    }
+    if (!(of_angle >= 0.0 && of_angle <= kMostDegrees * element::kPi / 180.0)) {
+      throw UsageError(fmt::format("--uncertainty: {} is out of range; accepted: an angle from 0 to {:g} degrees",
+                                   log::quoted(texts[1]), kMostDegrees));
+    }
+  }
+  return std::hypot(of_stiffness, of_angle);
+}
+
+int runTable(const Options& options) {
+  const std::optional<double> uncertainty = uncertaintyOf(options.uncertainty);
+  checkOutputs(options);
+  const io::FolderLock lock(options.output);
+  io::ComponentDescription component = options.component.read("diagnose");
+  setTolerances(options.rig, component);
+  const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
+  fit::MeasuredTable table = command::readTable(options.table);
+  table.uncertainty = uncertainty;
+  for (const std::string& note : table.notes) {
+    printWarning("diagnose", options.table + ": " + note);
+  }
+  diagnosis::DiagnosisOptions settings;
+  settings.threads = options.threads;
+  settings.progress = showStage;
+  settings.evidence = options.evidence;
+  return publish(diagnosis::diagnoseTable(component, table, settings), earlier, options);
+}
+
+int run(const Options& options) {
+  if (!options.plan.empty()) {
+    return runPlan(options);
+  }
+  if (!options.table.empty()) {
+    return runTable(options);
+  }
+  if (options.logs.empty()) {
+    throw UsageError(
+        "--log is missing; accepted: measured logs, --from-table with a table of stiffness and loss angle, or --plan "
+        "with programmes of displacement");
+  }
+  const diagnosis::ExperimentLimits limits = limitsOf(options.limits);
+  checkOutputs(options);
+  const io::FolderLock lock(options.output);
+  std::vector<std::string> all_logs = options.logs;
+  all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
+  options.log_options.requireUse(all_logs);
+  io::ComponentDescription component = options.component.read("diagnose");
+  setTolerances(options.rig, component);
+  const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
+  diagnosis::DiagnosisOptions settings;
+  settings.limits = limits;
+  settings.most_samples = options.most_samples;
+  settings.threads = options.threads;
+  settings.progress = showStage;
+  settings.evidence = options.evidence;
+  showStage("reading the logs", 0.0);
+  const std::vector<log::Log> logs = readLogs(options.logs, component, options);
+  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component, options);
+  return publish(diagnosis::diagnose(component, logs, hold_out, settings), earlier, options);
 }
 
 }  // namespace
@@ -252,6 +314,15 @@ int main(int argc, char** argv) {
                "instead of --log: programmes with time and displacement alone; says which effects such logs would "
                "show, which they would take for which, and the least size that they would show")
             ->type_name("FILE");
+        app.add_option("--from-table", options->table,
+                       "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, "
+                       "with mean displacement and temperature where it has them")
+            ->type_name("FILE");
+        app.add_option("--uncertainty", options->uncertainty,
+                       "with --from-table: standard deviation of its stiffness and of its loss angle, such as \"1 %\" "
+                       "\"0.5 deg\"; where not given, repeated rows tell, or what a smooth surface leaves")
+            ->expected(1, 2)
+            ->type_name("SHARE ANGLE");
         app.add_option("--effect-size", options->effect_size,
                        "with --plan: size of each effect, as a share of the force's standard deviation")
             ->type_name("SHARE")
@@ -296,8 +367,16 @@ int main(int argc, char** argv) {
           if (options->plan.empty()) {
             refuseUnused(app, {"--effect-size", "--noise"}, "without --plan");
           } else {
-            refuseUnused(app, {"--log", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
+            refuseUnused(app,
+                         {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
                          "with --plan");
+          }
+          if (options->table.empty()) {
+            refuseUnused(app, {"--uncertainty"}, "without --from-table");
+          } else {
+            refuseUnused(
+                app, {"--log", "--hold-out", "--limits", "--most-samples", "--columns", "--unit", "--sampling-rate"},
+                "with --from-table");
           }
           return run(*options);
         };

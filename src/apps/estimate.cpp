@@ -168,7 +168,8 @@ std::vector<command::EstimateReport> smoothReports(const std::vector<io::Compone
 int fitToTable(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
-  const command::MeasuredTable table = command::readTable(options.table);
+  const fit::MeasuredTable table = command::readTable(options.table);
+  command::requireNoShift(description, table, options.table);
   const fit::TableFit result = fit::fitToTable(description, table.points);
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({result.component}));

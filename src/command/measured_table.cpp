@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -26,13 +27,15 @@ struct Quantity {
 };
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> table = {{"frequency", "Hz", true},
-                                              {"amplitude", "m", true},
-                                              {"stiffness", "N/m", true},
-                                              {"loss angle", "rad", true},
-                                              {"preload", "N", false}};
+  static const std::vector<Quantity> table = {{"frequency", "Hz", true},     {"amplitude", "m", true},
+                                              {"stiffness", "N/m", true},    {"loss angle", "rad", true},
+                                              {"preload", "N", false},       {"mean displacement", "m", false},
+                                              {"temperature", "degC", false}};
   return table;
 }
+
+// Places of these.
+enum : std::size_t { kFrequency, kAmplitude, kStiffness, kLossAngle, kPreload, kMean, kTemperature };
 
 // A column that is used: which quantity, and how to make it SI.
 struct Column {
@@ -44,7 +47,7 @@ class TableReader {
  public:
   explicit TableReader(std::string source) : source_(std::move(source)) {}
 
-  MeasuredTable read(const std::string& text) {
+  fit::MeasuredTable read(const std::string& text) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
       ++line_;
@@ -157,10 +160,30 @@ class TableReader {
         values[columns_[i]->quantity] = columns_[i]->conversion(*number);
       }
     }
-    addPoint({values[0], values[1], values[2], values[3]}, values.count(4) == 0 ? 0.0 : values[4]);
+    checkPreload(values);
+    fit::TablePoint point;
+    point.frequency = values[kFrequency];
+    point.amplitude = values[kAmplitude];
+    point.stiffness = values[kStiffness];
+    point.loss_angle = values[kLossAngle];
+    point.mean = values[kMean];
+    if (values.count(kTemperature) > 0) {
+      point.temperature = values[kTemperature];
+    }
+    addPoint(point);
   }
 
-  void addPoint(const fit::TablePoint& point, double preload) {
+  // The sine swings about a displacement: what a preload does to it, the table has to say.
+  void checkPreload(std::map<std::size_t, double>& values) const {
+    if (values[kPreload] != 0.0 && values.count(kMean) == 0) {
+      refuse(
+          fmt::format("preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the "
+                      "preload holds the component",
+                      values[kPreload]));
+    }
+  }
+
+  void addPoint(const fit::TablePoint& point) {
     const bool positive = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0;
     const bool finite = std::isfinite(point.frequency + point.amplitude + point.stiffness);
     if (!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi)) {
@@ -169,8 +192,8 @@ class TableReader {
                       "most 90 degrees",
                       point.frequency, point.amplitude, point.stiffness, point.loss_angle));
     }
-    if (preload != 0.0) {
-      refuse(fmt::format("preload: {:g} N; accepted: 0, since a fit takes no preload", preload));
+    if (!std::isfinite(point.mean + point.temperature.value_or(0.0))) {
+      refuse("mean displacement or temperature: not finite; accepted: numbers");
     }
     table_.points.push_back(point);
   }
@@ -181,23 +204,39 @@ class TableReader {
   std::size_t line_ = 0;
   char separator_ = ',';
   std::vector<std::optional<Column>> columns_;
-  MeasuredTable table_;
+  fit::MeasuredTable table_;
 };
 
 }  // namespace
 
-MeasuredTable parseTable(const std::string& text, const std::string& source) { return TableReader(source).read(text); }
+fit::MeasuredTable parseTable(const std::string& text, const std::string& source) {
+  return TableReader(source).read(text);
+}
 
-MeasuredTable readTable(const std::string& path) {
+fit::MeasuredTable readTable(const std::string& path) {
   try {
-    return parseTable(log::readFile(path, kLargestFile), path);
+    fit::MeasuredTable table = parseTable(log::readFile(path, kLargestFile), path);
+    table.name = std::filesystem::path(path).stem().string();
+    return table;
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();
     throw std::runtime_error(reason.compare(0, path.size(), path) == 0 ? reason : path + ": " + reason);
   }
 }
 
-std::string toText(const fit::TableFit& fit, const MeasuredTable& table) {
+void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                    const std::string& source) {
+  const bool temperatures = std::any_of(table.points.begin(), table.points.end(),
+                                        [](const fit::TablePoint& point) { return point.temperature.has_value(); });
+  if (temperatures && component.makeComponent().shiftsWithTemperature()) {
+    throw std::runtime_error(
+        fmt::format("{}: temperature: {} shifts with it, which a fit to a table does not follow; "
+                    "accepted: a table without the column, or diagnose --from-table",
+                    source, component.name));
+  }
+}
+
+std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table) {
   std::string text = fmt::format("component {}, parameters from a table of {} points\n  {:<44} {:>14} {:>14}\n",
                                  fit.component.name, table.points.size(), "parameter", "given", "found");
   for (const fit::FittedParameter& parameter : fit.parameters) {

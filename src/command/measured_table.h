@@ -8,20 +8,21 @@
 
 namespace rubber_suspension::command {
 
-struct MeasuredTable {
-  std::vector<fit::TablePoint> points;
-  std::vector<std::string> notes;  ///< columns that were ignored
-};
-
 /// A text of columns with a header: frequency, amplitude, stiffness, loss angle, each with its unit in the name, as
 /// "stiffness [kN/mm]", or as `export_table` writes them; separated by commas, semicolons or tabs, with decimal points.
 /// Lines that begin with # and empty ones are passed over. Throws std::runtime_error with `source`, the name of the
-/// file, line, column, value and what is accepted; rows with a preload are refused.
-MeasuredTable parseTable(const std::string& text, const std::string& source);
+/// file, line, column, value and what is accepted. Rows with a preload need a column mean displacement; a column
+/// temperature is read where there is one.
+fit::MeasuredTable parseTable(const std::string& text, const std::string& source);
 
-/// The same from a file of at most 16 MiB.
-MeasuredTable readTable(const std::string& path);
+/// The same from a file of at most 16 MiB; the name of the table is that of the file without folder and ending.
+fit::MeasuredTable readTable(const std::string& path);
 
-std::string toText(const fit::TableFit& fit, const MeasuredTable& table);
+/// Throws std::runtime_error where the table has temperatures and the component shifts with them: a fit takes the loops
+/// as those of the specification. `source`: the name of the file.
+void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                    const std::string& source);
+
+std::string toText(const fit::TableFit& fit, const fit::MeasuredTable& table);
 
 }  // namespace rubber_suspension::command

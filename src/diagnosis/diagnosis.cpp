@@ -12,7 +12,9 @@
 #include "diagnosis/bench_evidence.h"
 #include "diagnosis/excerpts.h"
 #include "diagnosis/judge/judge.h"
+#include "diagnosis/measured_logs.h"
 #include "diagnosis/memory.h"
+#include "diagnosis/refused.h"
 #include "diagnosis/report/describe.h"
 #include "diagnosis/rig.h"
 #include "diagnosis/search.h"
@@ -75,20 +77,6 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
-// What a sensor may be off by without anybody calling it a fault is told as what the rig did, log by log; up to what
-// specifications err by, wrong values are likelier.
-void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
-                              Evidence& evidence) {
-  const double most = io::kTolerated * std::max(tolerance.value, criteria.values_err_by);
-  for (std::size_t i = 0; i < search.singles.size(); ++i) {
-    const FittedHypothesis& single = search.singles[i];
-    if (single.hypothesis.like_parameters) {
-      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
-          single.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
-    }
-  }
-}
-
 // Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses; of all where the
 // evidence is asked for.
 std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
@@ -126,8 +114,8 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
   const Criteria criteria;
   Judged judged{std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out)),
                 std::make_shared<Workings>()};
-  judged.workings->search =
-      search(judged.prepared->fitter, judged.prepared->element_fitter, criteria, options.threads, options.progress);
+  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter), criteria,
+                                   options.threads, options.progress);
   auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
   judged.workings->judgement = std::move(judgement);
   if (options.evidence) {
@@ -227,21 +215,6 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
       findings.insert(findings.end(), part.findings.begin(), part.findings.end());
     }
   }
-}
-
-Diagnosis refused(const io::ComponentDescription& component, std::vector<RigFinding> findings) {
-  Diagnosis result;
-  result.component = component.name;
-  result.verdict = toString(Verdict::check_bench);
-  for (const RigFinding& finding : findings) {
-    if (finding.fatal) {
-      result.sentence = "Check the bench: " + finding.log + ": " + finding.text + ".";
-      break;
-    }
-  }
-  result.next_experiment = "Correct the logs, or record them again, and diagnose again.";
-  result.rig_findings = std::move(findings);
-  return result;
 }
 
 // `whole`: the logs that the gap as recorded is of.

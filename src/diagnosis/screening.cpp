@@ -19,7 +19,7 @@ std::vector<int> allOf(const std::vector<fit::Candidate>& candidates) {
 
 }  // namespace
 
-Screening::Screening(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
                      const FittedHypothesis& about, int threads)
     : candidates_(candidates),
       model_size_(fitter.model().size()),

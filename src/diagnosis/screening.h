@@ -5,7 +5,7 @@
 
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/search.h"
-#include "fit/fitter.h"
+#include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -20,8 +20,8 @@ struct Screened {
 class Screening {
  public:
   /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing.
-  Screening(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& about,
-            int threads);
+  Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+            const FittedHypothesis& about, int threads);
 
   Screened screen(std::vector<int> members) const;
 

@@ -6,18 +6,12 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
-#include "diagnosis/candidate/registry.h"
-#include "diagnosis/friction_noise.h"
 #include "diagnosis/judge/weighing.h"
-#include "diagnosis/rig_noise.h"
+#include "diagnosis/measured.h"
 #include "diagnosis/screening.h"
-#include "diagnosis/unseen_logs.h"
 #include "fit/parallel.h"
-#include "gap/simulate.h"
-#include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -40,7 +34,7 @@ void keepBetter(fit::Fit fit, FittedHypothesis& fitted) {
 
 // A single effect, from where the model parameters alone arrived, and from where it gets with the configured ones kept
 // if these are far from there or if it changes what the others do; in the latter case from no effect, too.
-void fitSingle(const fit::Fitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
+void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
   const fit::Hypothesis& hypothesis = single.hypothesis;
   if (hypothesis.terms.empty()) {
     single.fit = re_estimated.fit;
@@ -62,8 +56,8 @@ void fitSingle(const fit::Fitter& fitter, const FittedHypothesis& re_estimated, 
 }
 
 // Several effects, from where some of them arrived.
-void fitFurther(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& from,
-                FittedHypothesis& further) {
+void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+                const FittedHypothesis& from, FittedHypothesis& further) {
   const fit::Hypothesis& hypothesis = further.hypothesis;
   const std::vector<int>& fitted = from.hypothesis.members;
   fit::ParameterVector start = fitter.configured(hypothesis);
@@ -99,61 +93,6 @@ const FittedHypothesis& bestMember(const Search& result, const std::vector<int>&
   return *best;
 }
 
-// A dashpot takes the displacement as linear between samples: its force lags by half a step, which looks like a delay.
-// RMS of what the lag makes of the model's force, weighted as a gap is.
-double discretisationError(const fit::Fitter& fitter, const FittedHypothesis& model) {
-  std::vector<element::ElementDescription> elements =
-      *fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters);
-  bool any = false;
-  for (element::ElementDescription& element : elements) {
-    if (element.type == "dashpot") {
-      element.values["order"] = {2.0};
-      any = true;
-    }
-  }
-  if (!any) {
-    return 0.0;
-  }
-  const auto smooth = gap::simulate(elements, fitter.records());
-  const auto lagging = *fitter.forces().at(model.hypothesis, model.fit.parameters);
-  double sum = 0.0;
-  for (std::size_t r = 0; r < smooth.size(); ++r) {
-    const log::Record& record = fitter.records()[r];
-    sum += (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
-           std::pow(record.force_deviation, 2);
-  }
-  return std::sqrt(sum / static_cast<double>(smooth.size()));
-}
-
-// For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
-// what the noise of the displacement causes. A better model leaves less that is not noise: of several, the least
-// counts, log by log.
-void estimateNoise(const fit::Fitter& fitter, const FittedHypothesis& best, Search& result) {
-  const std::vector<log::Record>& records = fitter.records();
-  const auto forces = *fitter.forces().at(best.hypothesis, best.fit.parameters);
-  const FittedHypothesis& model = result.re_estimated;
-  const std::vector<double> caused =
-      frictionNoise(*fit::elementsOf(fitter.model(), model.hypothesis, model.fit.parameters), records);
-  result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
-    result.record_rest[r] = std::min(result.record_rest[r], left);
-  }
-  const NoiseLimit limit = noiseLimit(result.record_rest, records);
-  bool by_displacement = false;
-  result.record_noise.clear();
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = std::min(result.record_rest[r], limit.of(records[r]));
-    by_displacement = by_displacement || caused[r] > left;
-    result.record_noise.push_back(std::max(left, caused[r]));
-  }
-  result.noise = commonFloor(result.record_noise);
-  result.noise_source = by_displacement
-                            ? "spectrum of the residual outside the band of the excitation, and noise of the "
-                              "displacement through the model"
-                            : "spectrum of the residual outside the band of the excitation";
-}
-
 // Take the best of a screening that are not yet in the list.
 void choose(const std::vector<fit::Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
             std::vector<FittedHypothesis>& list) {
@@ -172,27 +111,25 @@ void sortByScore(std::vector<FittedHypothesis>& list) {
 
 class Searcher {
  public:
-  Searcher(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
-           const ProgressCallback& progress)
-      : fitter_(fitter), element_level_(element_level), criteria_(criteria), threads_(threads), progress_(progress) {}
+  Searcher(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress)
+      : measured_(measured), fitter_(measured.fitter()), criteria_(criteria), threads_(threads), progress_(progress) {}
 
   Search run() {
     say("re-estimating the model parameters", 0.0);
     reEstimate();
     say("fitting single effects", 0.1);
-    result_.candidates = candidates(result_.excitation);
-    fit::findUnitEffects(result_.candidates, fitter_.records(), threads_);
+    result_.candidates = measured_.candidates(result_.excitation, threads_);
     fitSingles();
     say("screening all pairs", 0.4);
     const std::vector<Screened> pairs = screenPairs();
     if (needsFurtherEffects(evidenceOf(result_), criteria_)) {
       say("fitting the best pairs", 0.5);
       fitPairs(pairs);
-      estimateNoise(fitter_, result_.pairs.front(), result_);
+      measured_.estimateNoise(result_.pairs.front(), result_);
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
         say("fitting triples", 0.75);
         fitTriples();
-        estimateNoise(fitter_, result_.triples.front(), result_);
+        measured_.estimateNoise(result_.triples.front(), result_);
       }
     }
     return std::move(result_);
@@ -205,7 +142,7 @@ class Searcher {
     }
   }
 
-  // Model parameters as specified and as elements, and what the logs excite: three tasks that need nothing of each
+  // Model parameters as specified and as elements, and what was excited: three tasks that need nothing of each
   // other.
   void reEstimate() {
     const fit::Hypothesis model;
@@ -216,10 +153,13 @@ class Searcher {
           result_.re_estimated.fit = fitter_.fit(model, configured, kBaseIterations);
           result_.as_configured = result_.re_estimated;
           result_.as_configured.fit.parameters = configured;
-          result_.discretisation = discretisationError(fitter_, result_.re_estimated);
+          result_.discretisation = measured_.discretisationError(result_.re_estimated);
         },
-        [&] { result_.element_level = element_level_.fit(model, element_level_.configured(model), kBaseIterations); },
-        [&] { result_.excitation = fit::summarise(fitter_.records()); }};
+        [&] {
+          const fit::HypothesisFitter& elements = measured_.elementFitter();
+          result_.element_level = elements.fit(model, elements.configured(model), kBaseIterations);
+        },
+        [&] { result_.excitation = measured_.excitation(); }};
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
@@ -240,7 +180,7 @@ class Searcher {
         result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
         [](const FittedHypothesis& single) { return !single.hypothesis.last_resort && single.hypothesis.competes(); });
     sortByScore(ranked_);
-    estimateNoise(fitter_, ranked_.front(), result_);
+    measured_.estimateNoise(ranked_.front(), result_);
   }
 
   // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
@@ -280,8 +220,8 @@ class Searcher {
     sortByScore(result_.triples);
   }
 
-  const fit::Fitter& fitter_;
-  const fit::Fitter& element_level_;
+  const Measured& measured_;
+  const fit::HypothesisFitter& fitter_;
   const Criteria& criteria_;
   int threads_;
   const ProgressCallback& progress_;
@@ -377,9 +317,20 @@ Evidence evidenceOf(const Search& search) {
   return evidence;
 }
 
-Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
-              const ProgressCallback& progress) {
-  return Searcher(fitter, element_level, criteria, threads, progress).run();
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
+                              Evidence& evidence) {
+  const double most = io::kTolerated * std::max(tolerance.value, criteria.values_err_by);
+  for (std::size_t i = 0; i < search.singles.size(); ++i) {
+    const FittedHypothesis& single = search.singles[i];
+    if (single.hypothesis.like_parameters) {
+      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
+          single.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
+    }
+  }
+}
+
+Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress) {
+  return Searcher(measured, criteria, threads, progress).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -8,7 +8,9 @@
 #include "diagnosis/experiment/implant.h"
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
-#include "fit/fitter.h"
+#include "fit/excitation.h"
+#include "fit/hypothesis_fitter.h"
+#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -53,11 +55,16 @@ void findUnitEffects(Search& search, const std::vector<log::Record>& records, in
 /// The numbers of a search, without errors on unseen logs.
 Evidence evidenceOf(const Search& search);
 
+/// What a sensor may be off by without anybody calling it a fault is told as what the rig did.
+void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
+                              Evidence& evidence);
+
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 
-/// Fit all hypotheses on `threads` threads.
-Search search(const fit::Fitter& fitter, const fit::Fitter& element_level, const Criteria& criteria, int threads,
-              const ProgressCallback& progress = {});
+class Measured;
+
+/// Fit all hypotheses about what was measured on `threads` threads.
+Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress = {});
 
 }  // namespace rubber_suspension::diagnosis

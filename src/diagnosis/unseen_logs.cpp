@@ -7,6 +7,7 @@
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/friction_noise.h"
+#include "fit/hypothesis_forces.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "fit/parallel.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/element/catalogue.h"
 
@@ -157,6 +158,21 @@ ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const Par
     column[r] = (column[r] - base[r]) / step;
   }
   return columnOf(std::move(column));
+}
+
+std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                                   const std::vector<bool>& active,
+                                                   const std::vector<Eigen::VectorXd>& base, int threads) const {
+  const auto size = static_cast<std::size_t>(model().size());
+  std::vector<ForceColumn> columns(size + hypothesis.terms.size());
+  parallelFor(columns.size(), threads, [&](std::size_t j) {
+    if (j < size) {
+      columns[j] = modelColumn(hypothesis, parameters, static_cast<Eigen::Index>(j), base);
+    } else if (active.empty() || active[j - size]) {
+      columns[j] = termColumn(hypothesis, parameters, j - size, base);
+    }
+  });
+  return columns;
 }
 
 // Where a term's effect is known the force is linear in its scale.

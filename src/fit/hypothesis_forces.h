@@ -39,6 +39,12 @@ class HypothesisForces {
   ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
                           const std::vector<Eigen::VectorXd>& base) const;
 
+  /// Derivatives by all model parameters, then by all terms; null for terms that are not `active`, which all are where
+  /// the list is empty.
+  std::vector<ForceColumn> columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                   const std::vector<bool>& active, const std::vector<Eigen::VectorXd>& base,
+                                   int threads) const;
+
   /// Derivative by the scale of a basis term.
   ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
                          const std::vector<Eigen::VectorXd>& base) const;

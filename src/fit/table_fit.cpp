@@ -23,11 +23,10 @@ constexpr int kSamples = 180;
 constexpr double kStep = 1e-4;                      // of a logarithm, for differences
 const double kUndetermined = std::log(2.0) / 1.96;  // an interval of a factor of 2 to either side
 
-Complex measured(const TablePoint& point) { return std::polar(point.stiffness, point.loss_angle); }
-
 Complex simulated(const component::Component& component, const TablePoint& point) {
   response::LoopOptions options;
   options.samples = kSamples;
+  options.mean = point.mean;
   const auto loop = response::characteristicsAt(component, point.frequency, point.amplitude, options).characteristics;
   return std::polar(loop.stiffness, loop.loss_angle);
 }
@@ -36,7 +35,7 @@ Complex simulated(const component::Component& component, const TablePoint& point
 Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Complex target = measured(points[i]);
+    const Complex target = points[i].complexStiffness();
     const Complex difference = (simulated(component, points[i]) - target) / std::abs(target);
     result[2 * static_cast<Eigen::Index>(i)] = difference.real();
     result[2 * static_cast<Eigen::Index>(i) + 1] = difference.imag();
@@ -46,23 +45,6 @@ Eigen::VectorXd differences(const component::Component& component, const std::ve
 
 double misfitOf(const Eigen::VectorXd& residual) {
   return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
-}
-
-void checkPoints(const std::vector<TablePoint>& points) {
-  if (points.size() < 2) {
-    throw std::invalid_argument(fmt::format("table: {} points; accepted: at least 2", points.size()));
-  }
-  for (const TablePoint& point : points) {
-    const bool good = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0 &&
-                      std::isfinite(point.frequency + point.amplitude + point.stiffness) &&
-                      std::abs(point.loss_angle) < 1.6;
-    if (!good) {
-      throw std::invalid_argument(
-          fmt::format("table: {:g} Hz, {:g} m, {:g} N/m, {:g} rad; accepted: the first three greater than 0, the angle "
-                      "below 90 degrees",
-                      point.frequency, point.amplitude, point.stiffness, point.loss_angle));
-    }
-  }
 }
 
 // The parameters that are moved, and the residuals over their logarithms.

@@ -4,17 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::fit {
-
-/// One measured sine: dynamic stiffness and loss angle of its loop (Polach, IAVSD 2015, Eqs. 1 and 2).
-struct TablePoint {
-  double frequency = 0.0;   ///< [Hz]
-  double amplitude = 0.0;   ///< half of peak to peak [m]
-  double stiffness = 0.0;   ///< [N/m]
-  double loss_angle = 0.0;  ///< [rad]
-};
 
 /// A parameter that the fit moved.
 struct FittedParameter {

@@ -53,6 +53,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
       {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},
       {FileKind::characteristics_csv, "a table of characteristics", {"frequency_Hz,amplitude_m,"}, {}},
+      {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'"}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

@@ -28,6 +28,7 @@ enum class FileKind {
   force_map_csv,        ///< missing_force.csv of a diagnosis
   fmu,                  ///< functional mock-up unit
   characteristics_csv,  ///< stiffness and loss angle over frequency, amplitude and preload
+  bushing_file,         ///< bushing property file of Adams
 };
 
 /// A file that a command reads, with the option that names it.

@@ -279,8 +279,29 @@ struct Evidence {
   bool givesEnergy() const { return loss < -std::max(3.0 * loss_deviation, 0.01); }
 };
 
+RigFinding fatal(const std::string& log, const char* finding, double value, std::string text) {
+  return {log, finding, value, {value, value}, "1", true, true, std::move(text)};
+}
+
 RigFinding fatal(const log::Record& record, const char* finding, double value, std::string text) {
-  return {record.name, finding, value, {value, value}, "1", true, true, std::move(text)};
+  return fatal(record.name, finding, value, std::move(text));
+}
+
+// A ratio of stiffnesses that no effect makes. `remedy`: how the units can be named.
+RigFinding ratioFinding(const std::string& log, double measured, double configured, const char* remedy) {
+  const double ratio = measured / configured;
+  if (const UnitFactor* factor = unitFactorOf(ratio)) {
+    return fatal(log, finding::kUnitFactor, ratio,
+                 fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a "
+                             "wrong unit: {}; or {}",
+                             ratio, factor->factor, factor->correction, remedy));
+  }
+  return fatal(
+      log, finding::kOtherComponent, ratio,
+      fmt::format("the measured stiffness {:.3g} N/m is {:.3g} times the configured {:.3g} N/m, more than tolerances "
+                  "and effects explain ({:g} to {:g}) and no factor of units: check that measurement and component "
+                  "file are of the same component",
+                  measured, ratio, configured, kSmallestRatio, kLargestRatio));
 }
 
 RigFinding signFinding(const log::Record& record, const Evidence& e) {
@@ -375,19 +396,7 @@ std::optional<RigFinding> stiffnessFinding(const component::Component& component
   if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  if (factor != nullptr) {
-    return fatal(
-        record, finding::kUnitFactor, e.ratio,
-        fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a wrong "
-                    "unit: {}; or name the units, --unit LENGTH,FORCE",
-                    e.ratio, factor->factor, factor->correction));
-  }
-  return fatal(
-      record, finding::kOtherComponent, e.ratio,
-      fmt::format("the measured stiffness {:.3g} N/m is {:.3g} times the configured {:.3g} N/m, more than tolerances "
-                  "and effects explain ({:g} to {:g}) and no factor of units: check that log and component file "
-                  "are of the same component",
-                  e.measured.stiffness, e.ratio, e.configured.stiffness, kSmallestRatio, kLargestRatio));
+  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness, "name the units, --unit LENGTH,FORCE");
 }
 
 // Dampers: forces that go together, hundreds of times apart.
@@ -517,6 +526,12 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
     return std::nullopt;
   }
   return correction;
+}
+
+std::optional<RigFinding> checkStiffness(const std::string& table, double measured, double configured) {
+  return plausible(measured / configured)
+             ? std::nullopt
+             : std::optional(ratioFinding(table, measured, configured, "correct the unit in the header of the table"));
 }
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,

@@ -9,6 +9,7 @@
 #include "diagnosis/candidate/registry.h"
 #include "diagnosis/experiment/implant.h"
 #include "diagnosis/screening.h"
+#include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/plan.h"

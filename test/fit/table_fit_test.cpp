@@ -115,5 +115,30 @@ TEST(TableFit, RefusesWhatIsNoTable) {
                std::invalid_argument);
 }
 
+// About a preload a stiffening spring is stiffer: rows about their mean displacements find linear and cubic part.
+TEST(TableFit, FollowsRowsAboutAMeanDisplacement) {
+  const auto stiffening = [](double stiffness, double cubic) {
+    return io::ComponentDescription{"bush",
+                                    {{"spring", {{"stiffness", {stiffness}}}},
+                                     {"progressive_stiffness", {{"cubic", {cubic}}}},
+                                     {"maxwell", {{"stiffness", {4e5}}, {"break_frequency", {2.0}}}}}};
+  };
+  const component::Component truth = stiffening(3e6, 1e11).makeComponent();
+  std::vector<TablePoint> points;
+  for (const double mean : {0.0, 2e-3, -4e-3}) {
+    for (const double frequency : {1.0, 4.0}) {
+      response::LoopOptions options;
+      options.mean = mean;
+      const auto loop = response::characteristicsAt(truth, frequency, 2e-4, options).characteristics;
+      points.push_back({frequency, 2e-4, loop.stiffness, loop.loss_angle, mean});
+    }
+  }
+  const TableFit fit = fitToTable(stiffening(2e6, 3e11), points);
+  // The table was made with four times the samples of a cycle that the fit takes, which moves areas by 2e-4.
+  EXPECT_LT(fit.misfit, 1e-3);
+  EXPECT_NEAR(parameterOf(fit, "spring[0].stiffness").value, 3e6, 1e-2 * 3e6);
+  EXPECT_NEAR(parameterOf(fit, "progressive_stiffness[1].cubic").value, 1e11, 1e-2 * 1e11);
+}
+
 }  // namespace
 }  // namespace rubber_suspension::fit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -16,6 +17,7 @@
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "rubber_suspension/diagnosis/posterior.h"
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
@@ -158,6 +160,22 @@ struct Comparison {
   std::vector<ReportChange> changes;
 };
 
+/// A row of a table, measured and simulated.
+struct DiagnosedRow {
+  fit::TablePoint measured;
+  std::complex<double> as_configured;  ///< K* [N/m]
+  std::complex<double> re_estimated;
+  std::complex<double> augmented;
+};
+
+/// The table that a diagnosis was made from in place of logs.
+struct DiagnosedTable {
+  std::string name;
+  std::vector<DiagnosedRow> rows;
+  std::vector<std::string> never_shown;  ///< effects that no table shows
+  std::vector<std::string> notes;
+};
+
 struct BenchEvidence;  // what the report draws of logs that cannot be what they say
 struct Workings;       // what the report draws and lists besides: every hypothesis that was tried, the simulated forces
 
@@ -188,6 +206,8 @@ struct Diagnosis {
   io::ComponentDescription augmented;  ///< re-estimated, with the effects named
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
+
+  std::optional<DiagnosedTable> table;  ///< empty where it was made from logs
 
   std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did to each log
 

@@ -27,6 +27,10 @@ namespace rubber_suspension::measurement {
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records);
 
+/// Of a table, whose name the finding has, the same by a typical stiffness [N/m], measured and configured: unit_factor
+/// or other_component; nothing where effects may explain the ratio.
+std::optional<RigFinding> checkStiffness(const std::string& table, double measured, double configured);
+
 /// A record as it would be with the correction of a finding.
 struct BenchCorrection {
   std::string text;  ///< what was done, such as "force times -1"

@@ -19,7 +19,7 @@ constexpr double kNothing = 1e-9;       // of a typical effect's force: what the
 // Normal equations with the model parameters taken out.
 class Projected {
  public:
-  Projected(const fit::Fitter& fitter, const Screening& screening)
+  Projected(const fit::HypothesisFitter& fitter, const Screening& screening)
       : fitter_(fitter),
         model_(screening.modelSize()),
         size_(screening.blocks().sum.rows() - 1),
@@ -68,7 +68,7 @@ class Projected {
   }
 
  private:
-  const fit::Fitter& fitter_;
+  const fit::HypothesisFitter& fitter_;
   Eigen::Index model_;
   Eigen::Index size_;
   Eigen::MatrixXd plain_;      // without priors
@@ -111,7 +111,7 @@ Fitted fittedBy(const Screening& screening, std::size_t candidate) {
 
 }  // namespace
 
-std::vector<Implant> implantAll(const fit::Fitter& fitter, const Screening& screening, int threads) {
+std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Screening& screening, int threads) {
   const Projected projected(fitter, screening);
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/fitter.h"
+#include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -31,6 +31,6 @@ struct Implant {
 /// Each candidate in the shapes of its basis terms, in both directions where it has two, as the normal equations of a
 /// screening tell: no log is simulated again. Model parameters are taken out once (Frisch and Waugh), then the basis
 /// terms of each candidate are fitted within their bounds.
-std::vector<Implant> implantAll(const fit::Fitter& fitter, const Screening& screening, int threads);
+std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Screening& screening, int threads);
 
 }  // namespace rubber_suspension::diagnosis

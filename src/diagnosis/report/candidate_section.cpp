@@ -14,9 +14,11 @@ namespace {
 
 constexpr double kShown = 0.01;  // less probable ones are folded
 
-bool isNamed(const Diagnosis& d, const CandidateResult& candidate) {
-  return std::find(d.effects.begin(), d.effects.end(), candidate.effect) != d.effects.end();
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return contains(d.effects, candidate.effect); }
 
 std::string parametersText(const CandidateResult& candidate) {
   std::string text;
@@ -49,9 +51,9 @@ std::string notTestable(const Diagnosis& d) {
       names.push_back(spoken(c.effect));
     }
   }
-  return names.empty()
-             ? "Every candidate would show in these logs."
-             : "These logs would not show a typical " + enumerated(names) + ": not absent, but not testable here.";
+  return names.empty() ? "Every candidate would show in " + sourceOf(d) + "."
+                       : "A typical " + enumerated(names) + " would not show in " + sourceOf(d) +
+                             ": not absent, but not testable here.";
 }
 
 // The figures are those of docs/accuracy.md.
@@ -68,8 +70,11 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
   if (isNamed(d, c)) {
     return "";
   }
+  if (d.table && contains(d.table->never_shown, c.effect)) {
+    return "never to be seen in a table of settled loops: record a log";
+  }
   if (!c.testable) {
-    return fmt::format("not to be seen in these logs: re-estimation hides all but {} % of a typical one",
+    return fmt::format("not to be seen in {}: re-estimation hides all but {} % of a typical one", sourceOf(d),
                        wholePercent(c.visible_share));
   }
   if (c.interval[0] <= 0.0) {
@@ -96,9 +101,9 @@ std::string candidateSection(const Diagnosis& d) {
   html += fmt::format(
       "<p>No gap: {} %. Wrong values of the model alone: {} %. None of these: {} %. All candidates at once, as a "
       "flexible fit without claim to a cause, "
-      "would leave a gap of {} on blocks of these logs held out.</p>\n",
+      "would leave a gap of {} on parts of {} held out.</p>\n",
       chance(d.posterior.none), chance(d.posterior.parameter_error), chance(d.posterior.none_of_these),
-      percent(d.workings->search.surrogate_gap));
+      percent(d.workings->search.surrogate_gap), sourceOf(d));
   html += fmt::format("<p class=note>{}</p>\n<p>{}</p>\n", kProbability, escape(notTestable(d)));
   return rest.empty() ? html
                       : html + folded(fmt::format("{} candidates below 1 %, and why they are out", count), rest.html());

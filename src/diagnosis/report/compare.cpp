@@ -105,8 +105,8 @@ std::map<Place, double> placesIn(const json& report) {
 
 std::string placeText(const Place& place) {
   const auto& [f_low, f_high, a_low, a_high, kind] = place;
-  const std::string band = f_high > 0.0 ? fmt::format("{:.3g} to {:.3g} Hz, ", f_low, f_high) : "";
-  return fmt::format("{} at {}{:.3g} to {:.3g} mm", kind, band, 1e3 * a_low, 1e3 * a_high);
+  const std::string band = f_high > 0.0 ? rangeText({f_low, f_high}, 1.0) + " Hz, " : "";
+  return fmt::format("{} at {}{} mm", kind, band, rangeText({a_low, a_high}, 1e3));
 }
 
 class Comparer {

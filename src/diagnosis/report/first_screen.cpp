@@ -21,7 +21,7 @@ std::string meaningOf(const std::string& verdict) {
       {"parameter_error", "the model's own values are off; nothing is missing"},
       {"named", "the model lacks what is named here"},
       {"partly", "the model lacks what is named here, and something else"},
-      {"confounded", "these logs cannot tell the effects of a set apart"},
+      {"confounded", "the effects of a set cannot be told apart here"},
       {"unknown", "no effect of the list explains the gap"},
       {"check_bench", "a log cannot be what it says"}};
   const auto found = meanings.find(verdict);
@@ -114,10 +114,9 @@ std::string whereHtml(const Diagnosis& d) {
     return "";
   }
   const gap::GapCell& cell = d.where.front();
-  const std::string band =
-      cell.frequency[0] > 0.0 ? fmt::format(", {:.3g} to {:.3g} Hz", cell.frequency[0], cell.frequency[1]) : "";
-  return fmt::format("log <b>{}</b>{}, {:.3g} to {:.3g} mm: <b>{}</b>, {} % of the squared gap as configured",
-                     escape(cell.log), band, 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1],
+  const std::string band = cell.frequency[0] > 0.0 ? fmt::format(", {} Hz", rangeText(cell.frequency, 1.0)) : "";
+  return fmt::format("{} <b>{}</b>{}, {} mm: <b>{}</b>, {} % of the squared gap as configured",
+                     d.table ? "table" : "log", escape(cell.log), band, rangeText(cell.amplitude, 1e3),
                      gap::toString(cell.quantity), wholePercent(cell.share));
 }
 

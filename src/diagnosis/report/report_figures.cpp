@@ -12,6 +12,7 @@
 
 #include "diagnosis/bench_evidence.h"
 #include "diagnosis/report/missing_force.h"
+#include "diagnosis/report/table_figures.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -309,6 +310,9 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
   if (!diagnosis.workings) {
     return {};
   }
+  if (diagnosis.table) {
+    return tableFigures(diagnosis);
+  }
   std::vector<ReportFigure> figures = {
       {kLoops, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
       {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
@@ -328,6 +332,9 @@ std::string figureDataFile(const std::string& name) { return "figure_" + name + 
 std::vector<std::string> figureDataFiles() {
   std::vector<std::string> files;
   for (const char* name : {kLoops, kWhere, kResidual, kTime, kMissing, kBench}) {
+    files.push_back(figureDataFile(name));
+  }
+  for (const std::string& name : tableFigureNames()) {
     files.push_back(figureDataFile(name));
   }
   return files;

@@ -14,6 +14,7 @@
 #include "diagnosis/report/model_values.h"
 #include "diagnosis/report/page_style.h"
 #include "diagnosis/report/report_figures.h"
+#include "diagnosis/report/table_section.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -34,7 +35,7 @@ std::string gapTable(const Diagnosis& d) {
                meaning});
   };
   row("as configured", d.gap.as_configured, "the component file as it is");
-  row("re-estimated", d.gap.re_estimated, "model parameters fitted to the logs");
+  row("re-estimated", d.gap.re_estimated, "model parameters fitted to " + sourceOf(d));
   row("augmented", d.gap.augmented, "with the named effects added");
   row("noise floor", d.gap.noise_floor, escape(d.noise_source));
   return table.html();
@@ -53,17 +54,24 @@ std::string errorTable(const Diagnosis& d) {
 
 std::string howFar(const Diagnosis& d) {
   return heading("How far") + "<div class=pair><div>" + gapTable(d) + "</div><div>" + errorTable(d) + "</div></div>\n" +
-         "<p class=note>A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
-         "force, on data that took no part in the fit, after what the rig did to that very log is taken out.</p>\n";
+         "<p class=note>" +
+         (d.table
+              ? "A gap is the RMS over the rows of |K*_measured - K*_simulated|/|K*_measured|, each row left out of "
+                "the fit in its turn: for a sine, the RMS of the force difference over the standard deviation of "
+                "the measured force."
+              : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
+                "force, on data that took no part in the fit, after what the rig did to that very log is taken "
+                "out.") +
+         "</p>\n";
 }
 
 std::string whereTable(const Diagnosis& d) {
   constexpr std::size_t kMost = 6;
-  Table table({"log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong", "#share of squared gap", "#over noise"});
+  Table table({d.table ? "table" : "log", "#frequency [Hz]", "#amplitude [mm]", "what is wrong",
+               "#share of squared gap", "#over noise"});
   for (std::size_t i = 0; i < std::min(kMost, d.where.size()); ++i) {
     const gap::GapCell& cell = d.where[i];
-    table.add({escape(cell.log), fmt::format("{:.3g} to {:.3g}", cell.frequency[0], cell.frequency[1]),
-               fmt::format("{:.3g} to {:.3g}", 1e3 * cell.amplitude[0], 1e3 * cell.amplitude[1]),
+    table.add({escape(cell.log), rangeText(cell.frequency, 1.0), rangeText(cell.amplitude, 1e3),
                gap::toString(cell.quantity), percent(cell.share),
                cell.noise_ratio > 0.0 ? fmt::format("{:.1f}", cell.noise_ratio) : ""});  // the mean has no noise
   }
@@ -145,8 +153,8 @@ std::string where(const Diagnosis& d, const DrawnFigures& figures) {
   const std::string map = figures.panel(kMap, 0);
   return heading("Where") + "<div class=pair><div>" + whereTable(d) + "</div>" +
          (map.empty() ? ""
-                      : "<figure>" + map + "<figcaption>Over the frequencies that the logs excite." +
-                            figures.numbers(kMap) + "</figcaption></figure>") +
+                      : "<figure>" + map + "<figcaption>Over frequency and amplitude." + figures.numbers(kMap) +
+                            "</figcaption></figure>") +
          "</div>\n";
 }
 
@@ -185,7 +193,7 @@ std::string componentFile(const Diagnosis& d) {
          "<p class=screen>All digits are in <a href=\"augmented.yaml\">augmented.yaml</a>, which node and "
          "<code>replay</code> run as it is.</p>\n" +
          folded("augmented.yaml", "<pre>" + escape(io::toYaml({d.augmented})) + "</pre>\n") +
-         folded("Which value each log alone would want", parameterTable(d));
+         (d.by_log.empty() ? "" : folded("Which value each log alone would want", parameterTable(d)));
 }
 
 std::string findingText(const measurement::RigFinding& finding) {
@@ -282,7 +290,9 @@ std::string nextExperiment(const Diagnosis& d) {
 }
 
 std::string couldShow(const Diagnosis& d) {
-  return d.could_show.implanted.empty() ? "" : heading("Could these logs have shown it?") + couldShowHtml(d.could_show);
+  return d.could_show.implanted.empty()
+             ? ""
+             : heading("Could " + sourceOf(d) + " have shown it?") + couldShowHtml(d.could_show);
 }
 
 std::string page(const Diagnosis& d, const std::string& body) {
@@ -308,7 +318,7 @@ std::string benchLoops(const Diagnosis& d, const DrawnFigures& figures) {
 std::string benchPage(const Diagnosis& d) {
   const DrawnFigures figures(d);
   return page(d,
-              firstScreen(d, benchLoops(d, figures)) + comparisonSection(d.comparison) + findings(d) +
+              firstScreen(d, benchLoops(d, figures)) + comparisonSection(d.comparison) + (d.table ? "" : findings(d)) +
                   "<p>No effect is named and no component file is written: physics would be fitted to a fault of the "
                   "bench.</p>\n" +
                   runRecord(d));
@@ -323,7 +333,8 @@ std::string toHtml(const Diagnosis& d) {
   const DrawnFigures figures(d);
   return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
                      candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
-                     nextExperiment(d) + couldShow(d) + findings(d) + admission(d) + runRecord(d));
+                     nextExperiment(d) + couldShow(d) + (d.table ? tableSection(d) : findings(d) + admission(d)) +
+                     runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

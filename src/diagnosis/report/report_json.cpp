@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/report/could_show_json.h"
+#include "diagnosis/report/table_section.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -229,6 +230,9 @@ std::string toJson(const Diagnosis& diagnosis) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
     report["element_level_gap"] = number(diagnosis.workings->search.element_level.held_out);
+  }
+  if (diagnosis.table) {
+    report["table"] = tableJson(*diagnosis.table);
   }
   if (diagnosis.surrogate) {
     report["surrogate"] = surrogateJson(*diagnosis.surrogate);

@@ -67,9 +67,9 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
 // One factor on the force, which all values of the model may be off by as well.
 std::string gainSentence(const Diagnosis& diagnosis, double gain) {
   return fmt::format(
-      "The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by as much: these "
-      "logs cannot tell apart sensor_gain and parameter_error. Either reduces the gap from {} to {} (noise floor {}).",
-      100.0 * std::abs(gain), gain > 0.0 ? "much" : "little", gapText(diagnosis.gap.as_configured),
+      "The force channel reads {:.1f} % too {}, or all stiffnesses and damping of the model are off by as much: {} "
+      "cannot tell apart sensor_gain and parameter_error. Either reduces the gap from {} to {} (noise floor {}).",
+      100.0 * std::abs(gain), gain > 0.0 ? "much" : "little", sourceOf(diagnosis), gapText(diagnosis.gap.as_configured),
       gapText(diagnosis.gap.augmented), gapText(diagnosis.gap.noise_floor));
 }
 
@@ -128,8 +128,8 @@ std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
           gain != nullptr && gain->effect == diagnosis.effects.front()) {
         return gainSentence(diagnosis, gain->parameters.at("gain"));
       }
-      return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) +
-             ". These logs cannot tell apart: " + setsText(diagnosis.confounded) + ".";
+      return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) + ". " +
+             capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.confounded) + ".";
     case Verdict::partly:
       return withOwnValues(diagnosis, fmt::format("{}, and something else: {}; a significant part of the gap remains "
                                                   "unexplained",

@@ -60,7 +60,8 @@ std::vector<Value> modelValues(const io::ComponentDescription& description) {
 
 class Resampling {
  public:
-  Resampling(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted)
+  Resampling(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+             const FittedHypothesis& fitted)
       : fitter_(fitter), candidates_(candidates), fitted_(fitted) {}
 
   Sizes run(const DiagnosisOptions& options) {
@@ -172,7 +173,7 @@ class Resampling {
     return {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
   }
 
-  const fit::Fitter& fitter_;
+  const fit::HypothesisFitter& fitter_;
   const std::vector<fit::Candidate>& candidates_;
   const FittedHypothesis& fitted_;
   std::map<Key, std::vector<double>> draws_;
@@ -181,8 +182,8 @@ class Resampling {
 
 }  // namespace
 
-Sizes sizesOf(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
-              const DiagnosisOptions& options) {
+Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+              const FittedHypothesis& fitted, const DiagnosisOptions& options) {
   return Resampling(fitter, candidates, fitted).run(options);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnosis/search.h"
-#include "fit/fitter.h"
+#include "fit/hypothesis_fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
@@ -16,7 +16,7 @@ struct Sizes {
 
 /// Sizes of a fitted hypothesis. Intervals are percentiles over resampled blocks of the logs: each resample moves the
 /// fit by one step of its own normal equations, within the bounds of the fit.
-Sizes sizesOf(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
-              const DiagnosisOptions& options);
+Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+              const FittedHypothesis& fitted, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

@@ -50,6 +50,8 @@ std::string titleOf(const std::string& title) { return isOfNumbers(title) ? titl
 
 }  // namespace
 
+std::string sourceOf(const Diagnosis& diagnosis) { return diagnosis.table ? "this table" : "these logs"; }
+
 std::string escape(const std::string& text) {
   static const std::map<char, const char*> entities = {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
   std::string result;
@@ -66,6 +68,11 @@ std::string wholePercent(double value) { return fmt::format("{:.0f}", std::round
 
 std::string chance(double probability) {
   return probability < 0.01 ? "below 1" : probability > 0.99 ? "more than 99" : wholePercent(probability);
+}
+
+std::string rangeText(const std::array<double, 2>& band, double factor) {
+  return band[0] == band[1] ? fmt::format("{:.3g}", factor * band[0])
+                            : fmt::format("{:.3g} to {:.3g}", factor * band[0], factor * band[1]);
 }
 
 std::string enumerated(const std::vector<std::string>& parts) {

@@ -9,6 +9,9 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// "these logs" or "this table": what a diagnosis was made from.
+std::string sourceOf(const Diagnosis& diagnosis);
+
 /// Text for HTML.
 std::string escape(const std::string& text);
 
@@ -32,6 +35,9 @@ std::string quantity(const SizedValue& size);
 
 /// Its interval alone, in the unit of its value: "5.7 to 6.4 kN".
 std::string intervalText(const SizedValue& size);
+
+/// "2 to 4" of a band times a factor, "2" where both ends are one.
+std::string rangeText(const std::array<double, 2>& band, double factor);
 
 /// "dynamic stiffness" of dynamic_stiffness.
 std::string spoken(const std::string& name);

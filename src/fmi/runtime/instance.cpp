@@ -102,8 +102,7 @@ Status Instance::reset() {
   start_time_ = 0.0;
   time_ = 0.0;
   displacement_ = 0.0;
-  temperature_ = 0.0;
-  has_temperature_ = false;
+  temperature_.reset();
   derivative_ = {};
   has_derivatives_ = false;
   force_ = {};
@@ -174,7 +173,6 @@ void Instance::assign(Reference reference, double value) {
     initialised_ = initialised_ && phase_ == Phase::stepping;
   } else if (reference == table_.temperature()) {
     temperature_ = value;
-    has_temperature_ = true;
     initialised_ = initialised_ && phase_ == Phase::stepping;
     if (initialised_) {
       shift();
@@ -223,7 +221,7 @@ double Instance::value(Reference reference) const {
       break;
   }
   if (reference == table_.temperature()) {
-    return has_temperature_ ? temperature_ : table_.variables()[reference].start.value();
+    return temperature_ ? *temperature_ : table_.variables()[reference].start.value();
   }
   const std::size_t parameter = reference - reference::kFirstParameter;
   return parameter < parameters_.size() ? parameters_[parameter] : calculated_[parameter - parameters_.size()];
@@ -266,8 +264,8 @@ void Instance::take(Build build) {
 
 // The component at the temperature that was set.
 void Instance::shift() {
-  if (has_temperature_) {
-    component_->setTemperature(*state_, temperature_);
+  if (temperature_) {
+    component_->setTemperature(*state_, *temperature_);
   } else {
     component_->forgetTemperature(*state_);
   }
@@ -333,7 +331,6 @@ Status Instance::save(SavedState& state) {
   state.time = phase_ == Phase::instantiated ? start_time_ : time_;
   state.displacement = displacement_;
   state.temperature = temperature_;
-  state.has_temperature = has_temperature_;
   state.derivative = derivative_;
   state.force = force_;
   state.parameters = parameters_;
@@ -371,7 +368,6 @@ Status Instance::restore(const SavedState& state) {
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
   displacement_ = state.displacement;
   temperature_ = state.temperature;
-  has_temperature_ = state.has_temperature;
   derivative_ = state.derivative;
   has_derivatives_ = std::any_of(derivative_.begin(), derivative_.end(), [](double value) { return value != 0.0; });
   force_ = state.force;

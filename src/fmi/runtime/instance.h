@@ -131,8 +131,7 @@ class Instance {
   double start_time_ = 0.0;  // [s]
   double time_ = 0.0;        // [s]
   double displacement_ = 0.0;
-  double temperature_ = 0.0;      // [degC]
-  bool has_temperature_ = false;  // it was set; before, the component is as specified
+  std::optional<double> temperature_;  // [degC]; before it was set, the component is as specified
   std::array<double, kMostDerivatives> derivative_ = {};
   bool has_derivatives_ = false;
 

@@ -108,8 +108,8 @@ void serialise(const SavedState& state, char* bytes) {
   out.put(state.time);
   out.put(state.displacement);
   out.put(state.component_displacement);
-  out.put(state.temperature);
-  out.put(static_cast<std::uint64_t>(state.has_temperature ? 1 : 0));
+  out.put(state.temperature.value_or(0.0));
+  out.put(static_cast<std::uint64_t>(state.temperature ? 1 : 0));
   for (const double derivative : state.derivative) {
     out.put(derivative);
   }
@@ -142,8 +142,10 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   state.time = in.finite();
   state.displacement = in.finite();
   state.component_displacement = in.finite();
-  state.temperature = in.finite();
-  state.has_temperature = in.get<std::uint64_t>() != 0;
+  const double temperature = in.finite();
+  if (in.get<std::uint64_t>() != 0) {
+    state.temperature = temperature;
+  }
   for (double& derivative : state.derivative) {
     derivative = in.finite();
   }

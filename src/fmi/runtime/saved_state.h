@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,7 @@ struct SavedState {
   double time = 0.0;                                     ///< [s]
   double displacement = 0.0;                             ///< the input [m]
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
-  double temperature = 0.0;                              ///< the input [degC]
-  bool has_temperature = false;                          ///< it was set
+  std::optional<double> temperature;                     ///< the input [degC], once it was set
   element::ComponentForce force;                         ///< [N]
   std::vector<double> parameters;                        ///< those that can be set
   bool settled = false;                                  ///< the component has been built and initialised

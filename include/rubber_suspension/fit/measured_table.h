@@ -1,0 +1,40 @@
+// A measured table of stiffness and loss angle.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::fit {
+
+/// One measured sine: dynamic stiffness and loss angle of its settled loop (Polach, IAVSD 2015, Eqs. 1 and 2).
+struct TablePoint {
+  double frequency = 0.0;   ///< [Hz]
+  double amplitude = 0.0;   ///< half of peak to peak [m]
+  double stiffness = 0.0;   ///< [N/m]
+  double loss_angle = 0.0;  ///< [rad]
+  double mean = 0.0;        ///< displacement that the sine swings about: where the preload holds it [m]
+  std::optional<double> temperature = std::nullopt;  ///< [degC]
+
+  /// K exp(i delta) [N/m].
+  std::complex<double> complexStiffness() const { return std::polar(stiffness, loss_angle); }
+};
+
+/// A table as it was measured.
+struct MeasuredTable {
+  std::string name;
+  std::vector<TablePoint> points;
+  std::vector<std::string> notes;  ///< of its reading: columns that were ignored
+  /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it.
+  std::optional<double> uncertainty = std::nullopt;
+};
+
+/// Throws std::invalid_argument for a point that is no loop, by its numbers and what would be accepted.
+void checkPoints(const std::vector<TablePoint>& points);
+
+/// The gap of a table: RMS over its rows of |K*_model - K*|/|K*| [-]. A sine of K* and amplitude A has the force K* A,
+/// so this is the RMS of the force difference over the standard deviation of the force, each row counting alike.
+double gapOfTable(const std::vector<TablePoint>& points, const std::vector<std::complex<double>>& model);
+
+}  // namespace rubber_suspension::fit

@@ -1,0 +1,82 @@
+// Excitation, discretisation and noise of logs.
+#include "diagnosis/measured_logs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/friction_noise.h"
+#include "diagnosis/rig_noise.h"
+#include "diagnosis/unseen_logs.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+
+namespace rubber_suspension::diagnosis {
+
+std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements) {
+  bool any = false;
+  for (element::ElementDescription& element : elements) {
+    if (element.type == "dashpot") {
+      element.values["order"] = {2.0};
+      any = true;
+    }
+  }
+  return any ? elements : std::vector<element::ElementDescription>{};
+}
+
+fit::Excitation MeasuredLogs::excitation() const { return fit::summarise(fitter_.records()); }
+
+std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& excitation, int threads) const {
+  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
+  fit::findUnitEffects(all, fitter_.records(), threads);
+  return all;
+}
+
+// RMS of what the lag of dashpots makes of the model's force, weighted as a gap is.
+double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
+  const auto elements = withSmoothDashpots(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters));
+  if (elements.empty()) {
+    return 0.0;
+  }
+  const auto smooth = gap::simulate(elements, fitter_.records());
+  const auto lagging = *fitter_.forces().at(model.hypothesis, model.fit.parameters);
+  double sum = 0.0;
+  for (std::size_t r = 0; r < smooth.size(); ++r) {
+    const log::Record& record = fitter_.records()[r];
+    sum += (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
+           std::pow(record.force_deviation, 2);
+  }
+  return std::sqrt(sum / static_cast<double>(smooth.size()));
+}
+
+// For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
+// what the noise of the displacement causes. A better model leaves less that is not noise: of several, the least
+// counts, log by log.
+void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
+  const std::vector<log::Record>& records = fitter_.records();
+  const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
+  const FittedHypothesis& model = result.re_estimated;
+  const std::vector<double> caused =
+      frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
+  result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
+    result.record_rest[r] = std::min(result.record_rest[r], left);
+  }
+  const NoiseLimit limit = noiseLimit(result.record_rest, records);
+  bool by_displacement = false;
+  result.record_noise.clear();
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double left = std::min(result.record_rest[r], limit.of(records[r]));
+    by_displacement = by_displacement || caused[r] > left;
+    result.record_noise.push_back(std::max(left, caused[r]));
+  }
+  result.noise = commonFloor(result.record_noise);
+  result.noise_source = by_displacement
+                            ? "spectrum of the residual outside the band of the excitation, and noise of the "
+                              "displacement through the model"
+                            : "spectrum of the residual outside the band of the excitation";
+}
+
+}  // namespace rubber_suspension::diagnosis

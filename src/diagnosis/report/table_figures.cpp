@@ -1,0 +1,175 @@
+// Stiffness and loss angle of a table, measured and simulated.
+#include "diagnosis/report/table_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr const char* kStiffness = "stiffness";
+constexpr const char* kLossAngle = "loss_angle";
+constexpr const char* kWhere = "where";
+constexpr std::size_t kMostPanels = 6;
+
+using Rows = std::vector<DiagnosedRow>;
+
+// Rows of one panel: all that differ in nothing but what is drawn along.
+struct Panel {
+  std::string title;
+  Rows rows;
+  double squares = 0.0;  // of the gap as configured
+};
+
+double over(const fit::TablePoint& point, bool along_frequency) {
+  return along_frequency ? point.frequency : 1e3 * point.amplitude;
+}
+
+std::string titleOf(const fit::TablePoint& point, bool along_frequency) {
+  std::string title =
+      along_frequency ? fmt::format("{:.4g} mm", 1e3 * point.amplitude) : fmt::format("{:.4g} Hz", point.frequency);
+  if (point.mean != 0.0) {
+    title += fmt::format(" about {:.4g} mm", 1e3 * point.mean);
+  }
+  return point.temperature ? title + fmt::format(", {:.4g} degC", *point.temperature) : title;
+}
+
+bool severalFrequencies(const Rows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [&](const DiagnosedRow& row) {
+    return std::abs(row.measured.frequency / rows.front().measured.frequency - 1.0) > 1e-6;
+  });
+}
+
+// Those with the largest gap first, each in the order of its axis.
+std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
+  std::map<std::string, Panel> by_title;
+  for (const DiagnosedRow& row : rows) {
+    Panel& panel = by_title[titleOf(row.measured, along_frequency)];
+    panel.title = titleOf(row.measured, along_frequency);
+    panel.squares += std::norm(row.as_configured / row.measured.complexStiffness() - 1.0);
+    panel.rows.push_back(row);
+  }
+  std::vector<Panel> panels;
+  for (auto& [title, panel] : by_title) {
+    std::stable_sort(panel.rows.begin(), panel.rows.end(), [&](const DiagnosedRow& x, const DiagnosedRow& y) {
+      return over(x.measured, along_frequency) < over(y.measured, along_frequency);
+    });
+    panels.push_back(std::move(panel));
+  }
+  std::stable_sort(panels.begin(), panels.end(), [](const Panel& x, const Panel& y) { return x.squares > y.squares; });
+  panels.resize(std::min(panels.size(), kMostPanels));
+  return panels;
+}
+
+using Value = double (*)(std::complex<double>);
+
+io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, Value value) {
+  io::Axes axes;
+  axes.title = panel.title;
+  axes.x_label = along_frequency ? "frequency [Hz]" : "amplitude [mm]";
+  axes.y_label = label;
+  axes.log_x = true;
+  io::Curve measured{"measured", {}, {}, "o", 0};
+  io::Curve before{"before: as configured", {}, {}, "--", 1};
+  io::Curve after{"after: augmented", {}, {}, "-", io::kInk};
+  for (const DiagnosedRow& row : panel.rows) {
+    const double x = over(row.measured, along_frequency);
+    const auto add = [&](io::Curve& curve, std::complex<double> stiffness) {
+      curve.x.push_back(x);
+      curve.y.push_back(value(stiffness));
+    };
+    add(measured, row.measured.complexStiffness());
+    add(before, row.as_configured);
+    add(after, row.augmented);
+  }
+  axes.curves = {std::move(measured), std::move(before), std::move(after)};
+  return axes;
+}
+
+io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char* label, Value value) {
+  const Rows& rows = diagnosis.table->rows;
+  io::Figure figure;
+  figure.title = title;
+  const bool along_frequency = severalFrequencies(rows);
+  for (const Panel& panel : panelsOf(rows, along_frequency)) {
+    figure.axes.push_back(axesOf(panel, along_frequency, label, value));
+  }
+  return figure;
+}
+
+// Edges of cells about these values, half-way on a log axis.
+std::vector<double> edgesAbout(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto same = [](double a, double b) { return std::abs(a / b - 1.0) < 1e-6; };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  if (values.size() < 2) {
+    return {};
+  }
+  std::vector<double> edges = {values[0] * std::sqrt(values[0] / values[1])};
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    edges.push_back(std::sqrt(values[i] * values[i + 1]));
+  }
+  edges.push_back(values.back() * values.back() / edges.back());
+  return edges;
+}
+
+std::size_t cellOf(const std::vector<double>& edges, double value) {
+  return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), value) - edges.begin()) - 1;
+}
+
+// All preloads and temperatures together.
+io::Figure mapFigure(const Diagnosis& diagnosis) {
+  io::Figure figure;
+  figure.title = "Where the squared gap lies";
+  figure.columns = 1;
+  std::vector<double> frequencies;
+  std::vector<double> amplitudes;
+  for (const gap::GapCell& cell : diagnosis.where) {
+    frequencies.push_back(cell.frequency[0]);
+    amplitudes.push_back(1e3 * cell.amplitude[0]);
+  }
+  io::HeatMap map;
+  map.label = "share of the squared gap [%]";
+  map.x_edges = edgesAbout(frequencies);
+  map.y_edges = edgesAbout(amplitudes);
+  if (map.x_edges.empty() || map.y_edges.empty()) {
+    return figure;
+  }
+  const std::size_t width = map.x_edges.size() - 1;
+  map.values.assign(width * (map.y_edges.size() - 1), std::numeric_limits<double>::quiet_NaN());
+  for (const gap::GapCell& cell : diagnosis.where) {
+    double& value =
+        map.values[cellOf(map.y_edges, 1e3 * cell.amplitude[0]) * width + cellOf(map.x_edges, cell.frequency[0])];
+    value = (std::isnan(value) ? 0.0 : value) + 100.0 * cell.share;
+  }
+  io::Axes axes;
+  axes.x_label = "frequency [Hz]";
+  axes.y_label = "amplitude [mm]";
+  axes.log_x = axes.log_y = true;
+  axes.maps.push_back(std::move(map));
+  figure.axes.push_back(std::move(axes));
+  return figure;
+}
+
+}  // namespace
+
+std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
+  return {{kStiffness, "Stiffness of the settled loops, measured and simulated.",
+           panelFigure(diagnosis, "Stiffness", "stiffness [kN/mm]",
+                       [](std::complex<double> stiffness) { return 1e-6 * std::abs(stiffness); })},
+          {kWhere, "Where the squared gap lies, over the rows of the table.", mapFigure(diagnosis)},
+          {kLossAngle, "Loss angle of the settled loops, measured and simulated.",
+           panelFigure(diagnosis, "Loss angle", "loss angle [deg]",
+                       [](std::complex<double> stiffness) { return std::arg(stiffness) * 180.0 / element::kPi; })}};
+}
+
+std::vector<std::string> tableFigureNames() { return {kStiffness, kLossAngle}; }
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,16 @@
+// From a judged search over a table to what the report says.
+#pragma once
+
+#include <memory>
+
+#include "diagnosis/table/measured_rows.h"
+#include "diagnosis/workings.h"
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+Diagnosis describeTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                        const MeasuredRows& measured, std::shared_ptr<Workings> workings,
+                        const DiagnosisOptions& options);
+
+}  // namespace rubber_suspension::diagnosis

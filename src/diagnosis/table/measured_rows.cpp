@@ -1,0 +1,65 @@
+// Excitation, candidates and noise of a table.
+#include "diagnosis/table/measured_rows.h"
+
+#include <algorithm>
+
+#include "diagnosis/candidate/registry.h"
+#include "diagnosis/measured_logs.h"
+
+namespace rubber_suspension::diagnosis {
+
+// Softening and heat are over before a loop has settled; what creeps has crept; a constant force and a trend are no
+// part of a loop.
+const std::vector<std::string>& neverShownByTables() {
+  static const std::vector<std::string> names = {"stress_softening", "self_heating", "creep", "force_offset",
+                                                 "force_drift"};
+  return names;
+}
+
+MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std::vector<fit::TablePoint>& points,
+                           Scatter scatter)
+    : scatter_(std::move(scatter)),
+      loops_(std::make_shared<const fit::TableLoops>(points)),
+      model_(component, fit::Level::specification),
+      element_model_(component, fit::Level::elements),
+      fitter_(loops_, model_, scatter_.level),
+      element_fitter_(loops_, element_model_, scatter_.level) {}
+
+fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
+
+std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation, int threads) const {
+  std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
+  const std::vector<std::string>& never = neverShownByTables();
+  for (fit::Candidate& candidate : all) {
+    if (std::find(never.begin(), never.end(), candidate.effect) != never.end()) {
+      candidate.terms.clear();
+      candidate.free_trend = false;
+    }
+  }
+  fit::findUnitEffects(all, *loops_->records(), threads);
+  return all;
+}
+
+double MeasuredRows::discretisationError(const FittedHypothesis& model) const {
+  const auto elements = *fit::elementsOf(model_, model.hypothesis, model.fit.parameters);
+  const auto smooth = withSmoothDashpots(elements);
+  if (smooth.empty()) {
+    return 0.0;
+  }
+  const auto lagging = loops_->stiffnessOf(elements);
+  std::vector<fit::TablePoint> points = loops_->points();
+  const auto exact = loops_->stiffnessOf(smooth);
+  for (std::size_t r = 0; r < points.size(); ++r) {
+    points[r].stiffness = std::abs(exact[r]);
+    points[r].loss_angle = std::arg(exact[r]);
+  }
+  return fit::gapOfTable(points, lagging);
+}
+
+void MeasuredRows::estimateNoise(const FittedHypothesis& best, Search& result) const {
+  result.noise = std::min(scatter_.level, best.fit.held_out);
+  result.noise_source = scatter_.source + (result.noise < scatter_.level ? ", no more than what a model leaves" : "");
+  result.record_noise.assign(loops_->points().size(), result.noise);
+}
+
+}  // namespace rubber_suspension::diagnosis

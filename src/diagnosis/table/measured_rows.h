@@ -1,0 +1,40 @@
+// A table as a search takes it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnosis/measured.h"
+#include "diagnosis/table/scatter.h"
+#include "fit/table_fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Effects that the settled loops under single sines never show.
+const std::vector<std::string>& neverShownByTables();
+
+class MeasuredRows final : public Measured {
+ public:
+  MeasuredRows(const io::ComponentDescription& component, const std::vector<fit::TablePoint>& points, Scatter scatter);
+
+  const fit::ModelParameters& model() const { return model_; }
+  const fit::TableLoops& loops() const { return *loops_; }
+
+  const fit::HypothesisFitter& fitter() const override { return fitter_; }
+  const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
+  fit::Excitation excitation() const override;
+  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, int threads) const override;
+  double discretisationError(const FittedHypothesis& model) const override;
+  void estimateNoise(const FittedHypothesis& best, Search& result) const override;
+
+ private:
+  Scatter scatter_;
+  std::shared_ptr<const fit::TableLoops> loops_;
+  fit::ModelParameters model_;
+  fit::ModelParameters element_model_;
+  fit::TableFitter fitter_;
+  fit::TableFitter element_fitter_;
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,92 @@
+// The diagnosis from a table to a result: the bench, search, judgement, description.
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "diagnosis/refused.h"
+#include "diagnosis/table/describe_table.h"
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/measurement/bench_check.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+void checkRows(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
+  if (table.points.size() < kFewestRows) {
+    throw std::invalid_argument(fmt::format("{}: {} rows; accepted: at least {}, over frequency and amplitude",
+                                            table.name, table.points.size(), kFewestRows));
+  }
+  const component::Component built = component.makeComponent();
+  for (const element::ElementDescription& element : built.elements()) {
+    if (element.type == "self_heating") {
+      throw std::invalid_argument(
+          fmt::format("{}: has self_heating, which a table has in the state that each sine ends in; accepted: logs, or "
+                      "the component without it",
+                      component.name));
+    }
+  }
+  const auto has_temperature = [](const fit::TablePoint& point) { return point.temperature.has_value(); };
+  const auto having = std::count_if(table.points.begin(), table.points.end(), has_temperature);
+  if (built.shiftsWithTemperature() && having == 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: shifts with temperature, and {} has no column temperature; accepted: "
+                    "a table with 'temperature [degC]'",
+                    component.name, table.name));
+  }
+  for (const fit::TablePoint& point : table.points) {
+    if (point.temperature && !built.temperatures().contains(*point.temperature)) {
+      throw std::invalid_argument(fmt::format("{}: temperature {:g} degC; accepted: {}", table.name, *point.temperature,
+                                              element::describe(built.temperatures()) + " degC"));
+    }
+  }
+}
+
+double medianStiffness(std::vector<std::complex<double>> stiffness) {
+  std::vector<double> magnitudes;
+  std::transform(stiffness.begin(), stiffness.end(), std::back_inserter(magnitudes),
+                 [](std::complex<double> k) { return std::abs(k); });
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+  return *middle;
+}
+
+std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescription& component,
+                                                    const fit::MeasuredTable& table, const MeasuredRows& measured) {
+  std::vector<std::complex<double>> of_table;
+  for (const fit::TablePoint& point : table.points) {
+    of_table.push_back(point.complexStiffness());
+  }
+  return measurement::checkStiffness(table.name, medianStiffness(of_table),
+                                     medianStiffness(measured.loops().stiffnessOf(component.allElements())));
+}
+
+}  // namespace
+
+Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
+                        const DiagnosisOptions& options) {
+  checkRows(component, table);
+  const MeasuredRows measured(component, table.points, scatterOf(table.points, table.uncertainty));
+  if (const auto finding = benchFinding(component, table, measured)) {
+    Diagnosis result = refused(component, {*finding});
+    result.table = DiagnosedTable{table.name, {}, neverShownByTables(), table.notes};
+    return result;
+  }
+  const Criteria criteria;
+  auto workings = std::make_shared<Workings>();
+  workings->search = search(measured, criteria, options.threads, options.progress);
+  Evidence evidence = evidenceOf(workings->search);
+  evidence.resamplings = options.resamplings;
+  evidence.seed = options.seed;
+  markGainsWithinTolerance(component.rig.value_or(io::RigTolerances{}).gain, workings->search, criteria, evidence);
+  workings->judgement = judge(evidence, criteria);
+  if (options.evidence) {
+    workings->evidence = std::move(evidence);
+  }
+  return describeTable(component, table, measured, std::move(workings), options);
+}
+
+}  // namespace rubber_suspension::diagnosis

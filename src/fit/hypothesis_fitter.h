@@ -1,0 +1,97 @@
+// Simultaneous fits of a model's parameters and the effects of a hypothesis, whatever was measured.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "fit/hypothesis.h"
+#include "fit/model_parameters.h"
+#include "fit/normal_equations.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::fit {
+
+/// A fitted hypothesis. Gaps are RMS residuals in units of the standard deviation of the force.
+struct Fit {
+  ParameterVector parameters;
+  double gap = 0.0;                    ///< in sample
+  double penalty = 0.0;                ///< regularisation penalty of changed model parameters, as a gap
+  double held_out = 0.0;               ///< gap on blocks that took no part in the fit, by cross validation
+  std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
+  std::vector<int> block_logs;         ///< the record that each is of
+
+  /// Held-out gap and penalty together, by which fits compete.
+  double score() const { return std::hypot(held_out, penalty); }
+};
+
+/// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was
+/// measured, and so what a residual is, a derived class says. Thread-safe once constructed; the model has to outlive
+/// it.
+///
+/// Model parameters are free, but a change from their configured values has a penalty in the order of the noise: what
+/// the measurement does not determine stays as it was specified, and an effect need not compete with model parameters
+/// that are far from all that was specified.
+class HypothesisFitter {
+ public:
+  virtual ~HypothesisFitter() = default;
+  HypothesisFitter(const HypothesisFitter&) = delete;
+  HypothesisFitter& operator=(const HypothesisFitter&) = delete;
+
+  const ModelParameters& model() const { return model_; }
+
+  /// The parameter vector of no change and no effect.
+  ParameterVector configured(const Hypothesis& hypothesis) const;
+
+  /// Residuals at a parameter vector and normal equations about it. Throws std::invalid_argument where it has no model.
+  /// Terms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
+  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                       const std::vector<bool>& active = {}, int threads = 1) const {
+    return linearise(hypothesis, parameters, hypothesis.free_trends, active, threads);
+  }
+
+  /// Fit by Gauss-Newton steps within the bounds, from a start. `active`: terms that may move in the first step; all
+  /// where it is empty.
+  Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, int iterations,
+          const std::vector<bool>& active = {}) const;
+
+  /// Where the scales arrive from a start while model parameters and trends stay as they are; terms that refine stay,
+  /// too.
+  ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
+
+  /// Gap at a parameter vector, without any fit; infinite where it has no model.
+  virtual double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
+
+  /// Regularisation penalty of model parameters at these logarithms, as a gap.
+  double penaltyOf(const Eigen::VectorXd& logarithms) const;
+
+  /// Bounds on a step from a parameter vector: model parameters, terms, trends.
+  void stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index columns,
+                  Eigen::VectorXd& lower, Eigen::VectorXd& upper) const;
+
+ protected:
+  explicit HypothesisFitter(const ModelParameters& model) : model_(model) {}
+
+  /// What is measured errs by this, in units of the force's standard deviation: the penalty follows from it.
+  void setNoise(double noise);
+
+ private:
+  /// Normal equations about a parameter vector, without prior. Throws std::invalid_argument where it has no model.
+  virtual BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+                                       const std::vector<bool>& active, int threads) const = 0;
+
+  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+                       const std::vector<bool>& active, int threads) const;
+  /// Gauss-Newton steps from `parameters`, to where they end; normal equations there.
+  BlockGrams descend(const Hypothesis& hypothesis, int iterations, bool trends, bool model_fixed,
+                     const std::vector<bool>& first_active, ParameterVector& parameters) const;
+  /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
+  static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                               const Eigen::VectorXd& step);
+  double cost(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+
+  const ModelParameters& model_;
+  double noise_ = 0.0;
+};
+
+}  // namespace rubber_suspension::fit

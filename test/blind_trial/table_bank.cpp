@@ -1,0 +1,126 @@
+// Tables of virtual components with noise, and what the diagnosis makes of them: the figures of docs/tables.md.
+// table_bank NOISE TABLES [few]: noise of K* [-], tables for each component, 12 rows in place of 24.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "diagnosis/report/contradictions.h"
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace {
+
+using namespace rubber_suspension;
+
+const std::string kZener =
+    "model: maxwell, specification: {static_stiffness: 1.0e6, dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, "
+    "break_frequency: 3.0}";
+const std::string kZenerOff =
+    "model: maxwell, specification: {static_stiffness: 1.1e6, dynamic_stiffness: 1.4e6, nominal_frequency: 4.0, "
+    "break_frequency: 3.5}";
+const std::string kManyMaxwell =
+    "model: multi_maxwell, specification: {static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, nominal_frequency: 4.0, "
+    "maximum_stiffness: 4.9e6, high_frequency: 25}";
+const std::string kKelvinVoigt =
+    "model: kelvin_voigt, specification: {dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, relative_damping: 0.05}";
+
+struct Case {
+  std::string configured;
+  std::string truth;
+  std::string added;
+  std::string right;  // effect, or verdict without one
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> list = {
+      {kZener, kZener, "", "none"},
+      {kManyMaxwell, kManyMaxwell, "", "none"},
+      {kZener, kZenerOff, "", "parameter_error"},
+      {kZener, kZener, "{type: friction, maximum_force: 200, displacement: 4.0e-4}", "friction"},
+      {kZener, kZener, "{type: coulomb_friction, maximum_force: 60, stiffness: 3.0e6}", "friction"},
+      {kZener, kZener, "{type: maxwell, stiffness: 5.0e5, break_frequency: 15}", "relaxation"},
+      {kZener, kZener, "{type: maxwell, stiffness: 5.0e5, break_frequency: 0.6}", "relaxation"},
+      {kZener, kZener, "{type: dashpot, damping: 2000}", "viscous_damping"},
+      {kZener, kZener, "{type: progressive_stiffness, cubic: 6.0e10}", "progressive_stiffness"},
+      {kZener, kZener, "{type: bump_stop, stiffness: 2.0e6, gap: 1.2e-3}", "bump_stop"},
+      {kManyMaxwell, kManyMaxwell, "{type: series_compliance, stiffness: 3.0e7}", "series_compliance"},
+      {kZener, kZener, "{type: free_play, gap: 3.0e-5}", "free_play"},
+      {kZener, kZener, "{type: inertia, mass: 20}", "inertia"},
+      {kZener, kZener, "{type: time_delay, delay: 2.0e-3}", "time_delay"},
+      {kZener, kZener, "{type: nonlinear_maxwell, stiffness: 4.0e5, break_frequency: 3, displacement: 2.0e-4}",
+       "rate_amplitude_coupling"},
+      {kZener, kZener, "{type: sliding_maxwell, stiffness: 4.0e5, break_frequency: 3, yield_displacement: 2.0e-4}",
+       "rate_amplitude_coupling"},
+      {kManyMaxwell, kManyMaxwell, "{type: friction, maximum_force: 800, displacement: 5.0e-4}", "friction"},
+      {kZener, kZenerOff, "{type: friction, maximum_force: 200, displacement: 4.0e-4}", "friction"},
+      {kKelvinVoigt, kKelvinVoigt, "{type: maxwell, stiffness: 3.0e5, break_frequency: 2}", "relaxation"}};
+  return list;
+}
+
+io::ComponentDescription componentOf(const std::string& model, const std::string& added) {
+  const std::string add = added.empty() ? "" : ", add: [" + added + "]";
+  return io::parseComponentFile("components:\n  bush: {" + model + add + "}\n", "bank").front();
+}
+
+fit::MeasuredTable tableOf(const io::ComponentDescription& truth, double noise, unsigned seed, bool few) {
+  const component::Component component = truth.makeComponent();
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, noise / std::sqrt(2.0));
+  response::LoopOptions options;
+  options.maximum_cycles = 3000;
+  fit::MeasuredTable table;
+  table.name = "table";
+  const std::vector<double> amplitudes =
+      few ? std::vector<double>{1e-4, 5e-4, 2e-3} : std::vector<double>{1e-4, 3e-4, 1e-3, 2e-3};
+  const std::vector<double> frequencies =
+      few ? std::vector<double>{0.5, 2.0, 5.0, 15.0} : std::vector<double>{0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+  for (const double amplitude : amplitudes) {
+    for (const double frequency : frequencies) {
+      const auto loop = response::characteristicsAt(component, frequency, amplitude, options).characteristics;
+      const double stiffness = loop.stiffness * (1.0 + normal(generator));
+      table.points.push_back({frequency, amplitude, stiffness, loop.loss_angle + normal(generator)});
+    }
+  }
+  return table;
+}
+
+std::string setOf(const diagnosis::Diagnosis& diagnosis) {
+  std::string text;
+  for (const auto& set : diagnosis.confounded) {
+    for (const std::string& member : set) {
+      text += " " + member;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double noise = argc > 1 ? std::atof(argv[1]) : 0.01;
+  const unsigned tables = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 4;
+  const bool few = argc > 3;
+  int right = 0;
+  int contradicting = 0;
+  for (const Case& one : cases()) {
+    for (unsigned seed = 1; seed <= tables; ++seed) {
+      const auto found = diagnosis::diagnoseTable(componentOf(one.configured, ""),
+                                                  tableOf(componentOf(one.truth, one.added), noise, seed, few));
+      const std::string first = found.effects.empty() ? found.verdict : found.effects.front();
+      const bool is_right = first == one.right && found.effects.size() < 2;
+      right += is_right ? 1 : 0;
+      contradicting += diagnosis::contradictions(found).empty() ? 0 : 1;
+      if (!is_right) {
+        fmt::print("{} {}: {} {}; set:{}\n", one.right, seed, found.verdict, first, setOf(found));
+      }
+    }
+  }
+  fmt::print("right first {} of {}; reports that contradict themselves {}\n", right, cases().size() * tables,
+             contradicting);
+  return 0;
+}
