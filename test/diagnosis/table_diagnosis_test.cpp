@@ -196,11 +196,11 @@ TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   EXPECT_THAT(found.effects, ElementsAre("friction")) << found.sentence;
 }
 
-// Ten percent on all forces are a gain, or values that are all off by as much.
+// Half as much again of all forces is a gain, or values that are all off by as much: further than specifications are.
 TEST(TableDiagnosis, TellsAGainBesideWrongValues) {
   fit::MeasuredTable table = Laboratory(1).table(without(kZener));
   for (fit::TablePoint& point : table.points) {
-    point.stiffness *= 1.1;
+    point.stiffness *= 1.5;
   }
   const Diagnosis found = checkedTable(without(kZener), table);
   EXPECT_THAT(firstSet(found), ElementsAre("sensor_gain", "parameter_error")) << found.sentence;
