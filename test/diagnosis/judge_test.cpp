@@ -80,6 +80,15 @@ void leaveResidualNearNoise(Evidence& evidence) {
   addUnseenLogs(evidence);
 }
 
+// One factor on all forces closes the gap, and so do values that are all off by it.
+void doAsValuesDo(Evidence& evidence) {
+  configured(evidence).held_out = 0.3;
+  reEstimated(evidence).held_out = 0.0105;
+  evidence.element_level = 0.0105;
+  single(evidence, kOther).held_out = 0.0105;
+  single(evidence, kOther).like_parameters = true;
+}
+
 // Parameters leave 2.2 % in each of three logs, and another effect this much.
 void gainInLogs(Evidence& evidence, const std::vector<double>& errors) {
   reEstimated(evidence).held_out = 0.022;
@@ -452,6 +461,24 @@ const std::vector<Row> kRows = {
        reEstimated(e).unseen->replayed = 0.0105;
      },
      Verdict::parameter_error,
+     {}},
+    {"what does exactly as values do stands beside them",
+     [](Evidence& e, Criteria&) { doAsValuesDo(e); },
+     Verdict::confounded,
+     {kOther}},
+    {"what does as values do within what they err by does not",
+     [](Evidence& e, Criteria&) {
+       doAsValuesDo(e);
+       single(e, kOther).within_tolerance = true;
+     },
+     Verdict::parameter_error,
+     {}},
+    {"what does as values do is never named where these do not close the gap",
+     [](Evidence& e, Criteria&) {
+       doAsValuesDo(e);
+       reEstimated(e).held_out = 0.15;
+     },
+     Verdict::unknown,
      {}},
     {"a residual of less than 2 % on all logs is accepted",
      [](Evidence& e, Criteria&) { leaveResidualNearNoise(e); },

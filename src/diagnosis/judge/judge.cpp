@@ -265,10 +265,9 @@ class Judge {
     judgement_.confounded = {{effect}};
     judgement_.values_would_do = true;
     judgement_.testable[static_cast<std::size_t>(effect)] = true;
-    const double half = 0.5 * judgement_.posterior.parameter_error;
-    judgement_.posterior.parameter_error -= half;
-    judgement_.posterior.effects += half;
-    judgement_.probabilities[static_cast<std::size_t>(effect)] = half;
+    judgement_.posterior = sharedWithValues(judgement_.posterior);
+    judgement_.probabilities.assign(judgement_.probabilities.size(), 0.0);
+    judgement_.probabilities[static_cast<std::size_t>(effect)] = judgement_.posterior.effects;
   }
 
   const Evidence& evidence_;

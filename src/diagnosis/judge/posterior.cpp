@@ -83,4 +83,12 @@ Posterior posterior(const Evidence& evidence, const Criteria& criteria, const Ju
   return {weights[kNone] / sum, weights[kParameters] / sum, weights[kEffect] / sum, weights[kNoneOfThese] / sum};
 }
 
+Posterior sharedWithValues(Posterior answers) {
+  answers.effects = answers.parameter_error = 0.5 * answers.parameter_error;
+  answers.none = std::min(answers.none, kRefuted * answers.effects);
+  answers.none_of_these = std::min(answers.none_of_these, kRefuted * answers.effects);
+  const double sum = answers.none + answers.parameter_error + answers.effects + answers.none_of_these;
+  return {answers.none / sum, answers.parameter_error / sum, answers.effects / sum, answers.none_of_these / sum};
+}
+
 }  // namespace rubber_suspension::diagnosis

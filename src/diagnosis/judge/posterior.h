@@ -15,4 +15,7 @@ namespace rubber_suspension::diagnosis {
 /// refuted, on unseen logs or by chance, although it weighs more than the verdict, counts half as much as that.
 Posterior posterior(const Evidence& evidence, const Criteria& criteria, const Judgement& judgement);
 
+/// The same where an effect does exactly what wrong values do: both are as probable as the other.
+Posterior sharedWithValues(Posterior answers);
+
 }  // namespace rubber_suspension::diagnosis
