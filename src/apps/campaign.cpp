@@ -27,6 +27,7 @@ struct Options {
   std::string shard = "1/1";
   int threads = 2;
   bool retry_failed = false;
+  double job_minutes = campaign::kJobMinutes;
   std::string engine;
   std::size_t max_running = 0;
   double shard_minutes = campaign::SlurmOptions().shard_minutes;
@@ -39,8 +40,9 @@ struct Options {
 const std::map<std::string, std::vector<std::string>>& optionsOfTasks() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"make", {"--jobs", "--output", "--threads", "--force"}},
-      {"run", {"--shard", "--threads", "--retry-failed"}},
-      {"submit", {"--engine", "--max-running", "--shard-minutes", "--partition", "--threads", "--dry-run"}},
+      {"run", {"--shard", "--threads", "--job-minutes", "--retry-failed"}},
+      {"submit",
+       {"--engine", "--max-running", "--shard-minutes", "--partition", "--threads", "--job-minutes", "--dry-run"}},
       {"status", {}},
       {"collect", {"--force"}},
   };
@@ -108,6 +110,7 @@ int run(const Options& options) {
   }
   settings.workers = options.threads;
   settings.retry_failed = options.retry_failed;
+  settings.job_minutes = options.job_minutes;
   const campaign::RunSummary summary = campaign::run(options.folder, RUBBER_SUSPENSION_VERSION, settings, readLog, say);
   std::cout << fmt::format("{} jobs done, {} failed, {} passed over because they have a result\n", summary.done,
                            summary.failed, summary.passed_over);
@@ -132,6 +135,7 @@ int submit(const Options& options) {
   settings.max_running = options.max_running;
   settings.partition = options.partition;
   settings.workers = options.threads;
+  settings.job_minutes = options.job_minutes;
   const campaign::SlurmArray array =
       campaign::planArray(campaign::statusOf(manifest, options.folder), options.folder, settings);
   std::cout << array.note << '\n';
@@ -192,6 +196,11 @@ CommandBody define(CLI::App& app) {
       ->type_name("COUNT")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
+  app.add_option("--job-minutes", options->job_minutes,
+                 "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
+      ->type_name("MINUTES")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000000.0));
   app.add_flag("--retry-failed", options->retry_failed, "work failed jobs off again, for run");
   app.add_option("--engine", options->engine, "what works the jobs off, for submit")
       ->type_name("ENGINE")
