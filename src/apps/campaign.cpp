@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/output_options.h"
 #include "bag/bag_log.h"
+#include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
@@ -155,6 +156,7 @@ int collect(const Options& options) {
   options.outputs.check({{"FOLDER", campaign::manifestPath(options.folder)}},
                         {{"FOLDER", campaign::tableCsvPath(options.folder), io::FileKind::campaign_csv},
                          {"FOLDER", campaign::tableJsonPath(options.folder), io::FileKind::campaign_json},
+                         {"FOLDER", campaign::fleetJsonPath(options.folder), io::FileKind::fleet_json},
                          {"FOLDER", campaign::fleetReportPath(options.folder), io::FileKind::fleet_report}});
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
   campaign::Fleet fleet;
@@ -164,7 +166,9 @@ int collect(const Options& options) {
           fleet.add(job, *record);
         }
       });
-  log::writeNewFile(campaign::fleetReportPath(options.folder), campaign::fleetHtml(fleet.analyse(), summary));
+  const campaign::FleetFindings findings = fleet.analyse();
+  log::writeNewFile(campaign::fleetJsonPath(options.folder), campaign::toJson(findings));
+  log::writeNewFile(campaign::fleetReportPath(options.folder), campaign::fleetHtml(findings, summary));
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }

@@ -121,6 +121,7 @@ std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& ob
   if (!(most > 0.0)) {  // all are equal, and exactly known
     result.mean = observations.front().value;
     result.mean_interval = {result.mean, result.mean};
+    result.mean_chance = result.mean == 0.0 ? 1.0 : 0.0;
     return result;
   }
   const double least = 1e-9 * most;  // in place of 0, at which an exact estimate would have all the weight
@@ -133,9 +134,11 @@ std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& ob
   const Weighted weighted = weigh(observations, std::max(result.scatter, least));
   // Hartung and Knapp's factor, never below 1: a fleet that agrees better than its errors say is luck.
   const double factor = std::max(1.0, weighted.q / degrees);
-  const double half =
-      quantile(complement(boost::math::students_t(degrees), kTail)) * std::sqrt(factor / weighted.weights);
+  const boost::math::students_t student(degrees);
+  const double error = std::sqrt(factor / weighted.weights);
+  const double half = quantile(complement(student, kTail)) * error;
   result.mean = weighted.mean;
+  result.mean_chance = 2.0 * cdf(complement(student, std::abs(weighted.mean) / error));
   result.mean_interval = {weighted.mean - half, weighted.mean + half};
   return result;
 }

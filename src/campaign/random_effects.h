@@ -17,6 +17,7 @@ struct Observation {
 struct RandomEffects {
   double mean = 0.0;
   std::array<double, 2> mean_interval{};     ///< 95 %
+  double mean_chance = 1.0;                  ///< that a mean of 0 would be found as far away, or farther
   double scatter = 0.0;                      ///< standard deviation between components
   std::array<double, 2> scatter_interval{};  ///< 95 %
   double median = 0.0;

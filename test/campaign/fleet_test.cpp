@@ -51,7 +51,7 @@ campaign::FleetType analyse(const std::vector<campaign::Record>& records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     fleet.add(job(static_cast<int>(i)), records[i]);
   }
-  return fleet.analyse().at(0);
+  return fleet.analyse().types.at(0);
 }
 
 TEST(FleetAnalysis, DecidesBetweenEffectsThatOneComponentConfounds) {
@@ -99,7 +99,7 @@ std::vector<campaign::Record> scatteringFleet(double mean, double scatter, std::
 TEST(FleetAnalysis, TellsWrongValuesOfTheTypeFromScatterBetweenTestPieces) {
   const campaign::FleetType common = analyse(scatteringFleet(-0.1, 0.03));
   ASSERT_TRUE(common.parameters.at(0).model);
-  EXPECT_TRUE(common.parameters[0].isWrongForAll());
+  EXPECT_TRUE(common.parameters[0].wrong_for_all);
   EXPECT_NEAR(common.parameters[0].model->mean, -0.1, 4.0 * 0.03 / std::sqrt(30.0));
   // The scatter itself is known to 1/sqrt(2*29) of it.
   EXPECT_NEAR(common.parameters[0].model->scatter, 0.03, 4.0 * 0.03 / std::sqrt(58.0));
@@ -108,7 +108,7 @@ TEST(FleetAnalysis, TellsWrongValuesOfTheTypeFromScatterBetweenTestPieces) {
   EXPECT_THAT(common.changed[0].reason, HasSubstr("static_stiffness -"));
 
   const campaign::FleetType scatter = analyse(scatteringFleet(0.0, 0.05));
-  EXPECT_FALSE(scatter.parameters[0].isWrongForAll());
+  EXPECT_FALSE(scatter.parameters[0].wrong_for_all);
   ASSERT_THAT(scatter.changed, SizeIs(30));
   EXPECT_EQ(scatter.changed[0].to, "scatter between test pieces");
 }
@@ -133,7 +133,7 @@ TEST(FleetAnalysis, TypesAreComparedEachAlone) {
   campaign::Fleet fleet;
   fleet.add(job(1, "bush"), diagnosis("none"));
   fleet.add(job(2, "mount"), diagnosis("none"));
-  EXPECT_THAT(fleet.analyse(), SizeIs(2));
+  EXPECT_THAT(fleet.analyse().types, SizeIs(2));
 }
 
 TEST(FleetReport, EscapesNamesAndLinksReports) {
