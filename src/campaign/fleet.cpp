@@ -219,7 +219,7 @@ class Analysis {
         parameter.observations.push_back({found->second.logarithm, errorOf(found->second, deviation)});
       }
     }
-    parameter.model = fitRandomEffects(parameter.observations);
+    parameter.model = fitRandomEffects(parameter.observations, commonError(parameter));
     for (std::size_t i = 0; parameter.model && i < parameter.components.size(); ++i) {
       const double distance = std::abs(parameter.observations[i].value - parameter.model->median);
       if (std::abs(parameter.model->robust_z[i]) > parameter.model->z_limit && distance > kWorthSaying) {
@@ -228,6 +228,20 @@ class Analysis {
       }
     }
     type_.parameters.push_back(std::move(parameter));
+  }
+
+  // Of gain and, where it was given back, compliance of the rig.
+  double commonError(const FleetParameter& parameter) const {
+    double of_compliance = 0.0;
+    for (const std::size_t place : parameter.components) {
+      const FleetComponent& component = type_.components[place];
+      if (isOnSoftRig(component)) {
+        const ParameterChange& change = component.parameters.at(parameter.name);
+        of_compliance += change.configured * std::exp(change.logarithm) * rigOf(component).compliance_error /
+                         static_cast<double>(parameter.components.size());
+      }
+    }
+    return std::hypot(kGainError, of_compliance);
   }
 
   void markWrongForAll() {

@@ -16,7 +16,6 @@ constexpr double kWrongEach = 0.035;       // of one stiffness of a type against
 constexpr double kLargest = 0.14;          // standard deviation of what a compliance takes of the stiffest value
 constexpr double kSpecification = 0.01;    // by which the values of any type err
 constexpr double kDiscretisation = 0.002;  // of any value, by the time step of its logs
-constexpr double kGain = 0.0025;           // of the rig: its usual tolerance, 0.5 %, as two standard deviations
 
 // The means of all types one below the other, and how well they are known.
 struct Means {
@@ -63,7 +62,7 @@ std::optional<Means> meansOf(const std::vector<TypeOnRig>& types) {
   const Eigen::Index size = means.each * static_cast<Eigen::Index>(types.size());
   means.logarithm.resize(size);
   means.stiffness.resize(size);
-  means.covariance = Eigen::MatrixXd::Constant(size, size, kGain * kGain);
+  means.covariance = Eigen::MatrixXd::Constant(size, size, kGainError * kGainError);
   for (std::size_t t = 0; t < types.size(); ++t) {
     const Eigen::Index place = means.each * static_cast<Eigen::Index>(t);
     means.logarithm.segment(place, means.each) = rows[t].colwise().mean().transpose();
@@ -184,6 +183,10 @@ std::optional<RigJudgement> judgeRig(const std::vector<TypeOnRig>& types) {
   for (std::size_t i = 0; i < grid.weight.size(); ++i) {
     judgement.compliance += grid.weight[i] * grid.compliance[i];
   }
+  for (std::size_t i = 0; i < grid.weight.size(); ++i) {
+    judgement.compliance_error += grid.weight[i] * std::pow(grid.compliance[i] - judgement.compliance, 2);
+  }
+  judgement.compliance_error = std::sqrt(judgement.compliance_error);
   judgement.compliance_interval = {quantileOf(grid, 0.025), quantileOf(grid, 0.975)};
   return judgement;
 }

@@ -26,6 +26,7 @@ constexpr std::size_t kRigCauses = 4;
 struct RigJudgement {
   std::array<double, kRigCauses> probabilities{};  ///< by RigCause
   double compliance = 0.0;                         ///< if it is that [m/N]
+  double compliance_error = 0.0;                   ///< its standard deviation
   std::array<double, 2> compliance_interval{};     ///< 95 %
 
   double probability(RigCause cause) const { return probabilities.at(static_cast<std::size_t>(cause)); }
@@ -40,6 +41,10 @@ constexpr double kLeastLever = 1.5;
 /// (Criteria::changed_far); a compliance takes about 14 % of the stiffest type. Nothing for fewer than two types of
 /// kFewestComponents, or types of the same stiffness.
 std::optional<RigJudgement> judgeRig(const std::vector<TypeOnRig>& types);
+
+/// Standard deviation of the logarithm of a rig's gain, which all components on it share: the usual tolerance of 0.5 %
+/// (io::RigTolerances) as two of them.
+constexpr double kGainError = 0.0025;
 
 /// Logarithm of true over configured stiffness, of that of measured over configured, behind a compliance [m/N]; nothing
 /// where the compliance alone would be softer than what was measured.
