@@ -19,6 +19,7 @@ using nlohmann::ordered_json;
 constexpr double kJeffreys = 0.5;                        // prior count of each cause
 constexpr const char* kWrongValues = "parameter_error";  // among the effects of a set
 constexpr const char* kCompliance = "series_compliance";
+constexpr const char* kGain = "sensor_gain";
 constexpr const char* kCommonCompliance = "series_compliance of the rig";
 constexpr double kChance = 0.05;  // that a value right for the type is called wrong, over all parameters of a type
 
@@ -92,9 +93,11 @@ bool contains(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// True where these logs leave a series compliance and wrong values at most.
-bool leavesComplianceAlone(const FleetComponent& component) {
-  const auto allowed = [](const std::string& name) { return name == kCompliance || name == kWrongValues; };
+// True where these logs leave wrong values and what of the rig is like them, at most.
+bool leavesLikeValuesAlone(const FleetComponent& component) {
+  const auto allowed = [](const std::string& name) {
+    return name == kCompliance || name == kGain || name == kWrongValues;
+  };
   const bool alone = std::all_of(component.effects.begin(), component.effects.end(), allowed);
   return alone && std::all_of(component.confounded.begin(), component.confounded.end(),
                               [&](const auto& set) { return std::all_of(set.begin(), set.end(), allowed); });
@@ -102,7 +105,7 @@ bool leavesComplianceAlone(const FleetComponent& component) {
 
 void setParameters(FleetComponent& component, const ordered_json& evidence) {
   // Of logs that cannot be what they say nothing is known, and what no model explains bends its values.
-  if (component.verdict == "check_bench" || component.verdict == "unknown" || !leavesComplianceAlone(component)) {
+  if (component.verdict == "check_bench" || component.verdict == "unknown" || !leavesLikeValuesAlone(component)) {
     return;
   }
   component.without_effects = reEstimated(evidence);
@@ -167,6 +170,12 @@ class Analysis {
   }
 
   bool isOnSoftRig(const FleetComponent& component) const { return isDecided(component, RigCause::compliance); }
+
+  // Whether all types on the rig are off by one factor, or not: either way a gain is no open question any more.
+  bool factorIsDecided(const FleetComponent& component) const {
+    const auto rig = rigs_.find(component.test_rig);
+    return rig != rigs_.end() && std::abs(rig->second.judgement.probability(RigCause::factor) - 0.5) >= kDecided - 0.5;
+  }
 
   const RigJudgement& rigOf(const FleetComponent& component) const { return rigs_.at(component.test_rig).judgement; }
 
@@ -292,7 +301,7 @@ class Analysis {
     for (std::size_t i = 0; i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
       if (component.confounded.empty() || component.confounded.front().size() < 2 ||
-          (isOnSoftRig(component) && leavesComplianceAlone(component))) {
+          (isOnSoftRig(component) && leavesLikeValuesAlone(component))) {
         continue;
       }
       decide(i, component.confounded.front());
@@ -302,8 +311,8 @@ class Analysis {
   // Only within the set: what its own logs exclude, the fleet does not bring back.
   void decide(std::size_t place, const std::vector<std::string>& set) {
     const FleetComponent& component = type_.components[place];
-    if (contains(set, kCompliance) && contains(set, kWrongValues)) {
-      return;  // only another type on the same rig can tell
+    if (contains(set, kWrongValues) && (contains(set, kCompliance) || contains(set, kGain))) {
+      return;  // re-estimation does the same: only other types on the same rig, or other pieces of the type, can tell
     }
     std::vector<double> alone;
     std::vector<double> weights;
@@ -374,6 +383,12 @@ class Analysis {
                        [&](const StandOut& one) { return one.component == component; });
   }
 
+  // A gain that one rig has would be the same for all on it: scatter speaks against it, and other types may.
+  static bool hasGainBesideValues(const FleetComponent& component) {
+    return component.confounded.size() == 1 && component.confounded.front().size() == 2 &&
+           contains(component.confounded.front(), kGain) && contains(component.confounded.front(), kWrongValues);
+  }
+
   void explainParameterErrors() {
     std::string common;
     std::string scatter;
@@ -392,22 +407,24 @@ class Analysis {
     }
     for (std::size_t i = 0; modelled && i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
-      if (component.verdict != "parameter_error" || standsOut(i) || isOnSoftRig(component)) {
+      const bool gain = hasGainBesideValues(component);
+      if ((component.verdict != "parameter_error" && !gain) || standsOut(i) || isOnSoftRig(component) ||
+          (gain && !common.empty() && !factorIsDecided(component))) {
         continue;
       }
       if (isDecided(component, RigCause::factor)) {
         type_.changed.push_back(
-            {i, "parameter_error", "one factor common to the types on this rig",
+            {i, verdictOf(component), "one factor common to the types on this rig",
              fmt::format("all types on this rig are off by the same factor: {:.0f} % against wrong "
                          "values of each type and a rig that gives way; look at its gains and units",
                          100.0 * rigOf(component).probability(RigCause::factor))});
       } else if (common.empty()) {
-        type_.changed.push_back({i, "parameter_error", "scatter between test pieces",
+        type_.changed.push_back({i, verdictOf(component), "scatter between test pieces",
                                  "the configured values hold for the type, and this component lies within the scatter "
                                  "of the others: standard deviation " +
                                      scatter});
       } else {
-        type_.changed.push_back({i, "parameter_error", "wrong values common to the type",
+        type_.changed.push_back({i, verdictOf(component), "wrong values common to the type",
                                  "the specification is off for all components: " + common});
       }
     }

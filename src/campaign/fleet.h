@@ -37,7 +37,8 @@ struct FleetComponent {
   std::string test_rig;
   /// Nothing where an effect is named: the values that go with it depend on the form that it is given.
   ParameterChanges parameters;
-  /// Re-estimated alone, where the logs leave no effect but a series compliance; what a rig is judged by.
+  /// Re-estimated alone, where the logs leave no effect but those of a rig that are like wrong values; what a rig is
+  /// judged by.
   ParameterChanges without_effects;
 };
 
@@ -112,7 +113,7 @@ constexpr double kDecided = 0.95;
 ///
 /// Rigs: where one gives way (rig_stiffness.h), what it took is given back before values are compared. A series
 /// compliance and wrong values are told apart in no other way: re-estimation hides the compliance in all components, so
-/// that those that call it wrong values are no witnesses.
+/// that those that call it wrong values are no witnesses. The same holds for the gain of a sensor.
 ///
 /// Causes: the components whose own logs leave one cause only are draws from a multinomial distribution of unknown
 /// shares (Jeffreys' prior, 1/2 for each cause). The expected shares are the prior of every other component of the

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -200,6 +201,26 @@ TEST(FleetAnalysis, OneFactorOnARigIsSaid) {
   ASSERT_THAT(findings.rigs, SizeIs(1));
   EXPECT_EQ(findings.rigs[0].decided, campaign::RigCause::factor);
   EXPECT_EQ(findings.types.at(0).changed.at(0).to, "one factor common to the types on this rig");
+}
+
+TEST(FleetAnalysis, ScatterIsNoGainOfARig) {
+  std::vector<campaign::Record> records = scatteringFleet(0.0, 0.05);
+  records[2] = diagnosis("confounded", {"sensor_gain", "parameter_error"}, {}, 1.04);
+  const campaign::FleetType type = analyse(records);
+  const auto changed = std::find_if(type.changed.begin(), type.changed.end(),
+                                    [](const campaign::ChangedVerdict& one) { return one.component == 2; });
+  ASSERT_NE(changed, type.changed.end());
+  EXPECT_EQ(changed->to, "scatter between test pieces");
+}
+
+TEST(FleetAnalysis, OneTypeLeavesAGainBesideWrongValues) {
+  std::vector<campaign::Record> records = scatteringFleet(-0.1, 0.02);
+  records[2] = diagnosis("confounded", {"sensor_gain", "parameter_error"}, {}, std::exp(-0.1));
+  const campaign::FleetType type = analyse(records);
+  EXPECT_THAT(type.changed, SizeIs(29));
+  for (const campaign::ChangedVerdict& one : type.changed) {
+    EXPECT_NE(one.component, 2U);
+  }
 }
 
 TEST(FleetAnalysis, CountsNoWitnessesAgainstACompliance) {

@@ -38,6 +38,7 @@ class Piece:
         self.fleet, self.plan = label["fleet"], FLEETS[label["fleet"]]
         self.verdict = row["values"].get("verdict", row["status"])
         self.effects = [e for e in row["values"].get("effects", "").split(", ") if e]
+        self.may_be_values = "parameter_error" in row["values"].get("confounded", "")
         self.changed_to, self.stands_out = None, False
 
     @property
@@ -106,9 +107,9 @@ def coverage(pieces, fleet):
 
 def causes(pieces):
     with_effect = [p for p in pieces if p.label["effect"]]
-    without = [p for p in pieces if not p.label["effect"] and p.plan["rig"] != "soft"]
+    without = [p for p in pieces if not p.label["effect"] and p.plan["rig"] not in ("soft", "gain")]
     return {"effect named": share(p.effects == [p.label["effect"]] for p in with_effect),
-            "effect named where there is none": share(bool(p.effects) for p in without)}
+            "effect named where there is none": share(bool(p.effects) and not p.may_be_values for p in without)}
 
 
 def changes(pieces):
