@@ -8,6 +8,7 @@
 #include "apps/command.h"
 #include "apps/output_options.h"
 #include "bag/bag_log.h"
+#include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
@@ -27,6 +28,7 @@ struct Options {
   std::string shard = "1/1";
   int threads = 2;
   bool retry_failed = false;
+  double job_minutes = campaign::kJobMinutes;
   std::string engine;
   std::size_t max_running = 0;
   double shard_minutes = campaign::SlurmOptions().shard_minutes;
@@ -39,8 +41,9 @@ struct Options {
 const std::map<std::string, std::vector<std::string>>& optionsOfTasks() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"make", {"--jobs", "--output", "--threads", "--force"}},
-      {"run", {"--shard", "--threads", "--retry-failed"}},
-      {"submit", {"--engine", "--max-running", "--shard-minutes", "--partition", "--threads", "--dry-run"}},
+      {"run", {"--shard", "--threads", "--job-minutes", "--retry-failed"}},
+      {"submit",
+       {"--engine", "--max-running", "--shard-minutes", "--partition", "--threads", "--job-minutes", "--dry-run"}},
       {"status", {}},
       {"collect", {"--force"}},
   };
@@ -108,6 +111,7 @@ int run(const Options& options) {
   }
   settings.workers = options.threads;
   settings.retry_failed = options.retry_failed;
+  settings.job_minutes = options.job_minutes;
   const campaign::RunSummary summary = campaign::run(options.folder, RUBBER_SUSPENSION_VERSION, settings, readLog, say);
   std::cout << fmt::format("{} jobs done, {} failed, {} passed over because they have a result\n", summary.done,
                            summary.failed, summary.passed_over);
@@ -132,6 +136,7 @@ int submit(const Options& options) {
   settings.max_running = options.max_running;
   settings.partition = options.partition;
   settings.workers = options.threads;
+  settings.job_minutes = options.job_minutes;
   const campaign::SlurmArray array =
       campaign::planArray(campaign::statusOf(manifest, options.folder), options.folder, settings);
   std::cout << array.note << '\n';
@@ -151,6 +156,7 @@ int collect(const Options& options) {
   options.outputs.check({{"FOLDER", campaign::manifestPath(options.folder)}},
                         {{"FOLDER", campaign::tableCsvPath(options.folder), io::FileKind::campaign_csv},
                          {"FOLDER", campaign::tableJsonPath(options.folder), io::FileKind::campaign_json},
+                         {"FOLDER", campaign::fleetJsonPath(options.folder), io::FileKind::fleet_json},
                          {"FOLDER", campaign::fleetReportPath(options.folder), io::FileKind::fleet_report}});
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
   campaign::Fleet fleet;
@@ -160,7 +166,9 @@ int collect(const Options& options) {
           fleet.add(job, *record);
         }
       });
-  log::writeNewFile(campaign::fleetReportPath(options.folder), campaign::fleetHtml(fleet.analyse(), summary));
+  const campaign::FleetFindings findings = fleet.analyse();
+  log::writeNewFile(campaign::fleetJsonPath(options.folder), campaign::toJson(findings));
+  log::writeNewFile(campaign::fleetReportPath(options.folder), campaign::fleetHtml(findings, summary));
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }
@@ -192,6 +200,11 @@ CommandBody define(CLI::App& app) {
       ->type_name("COUNT")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
+  app.add_option("--job-minutes", options->job_minutes,
+                 "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
+      ->type_name("MINUTES")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000000.0));
   app.add_flag("--retry-failed", options->retry_failed, "work failed jobs off again, for run");
   app.add_option("--engine", options->engine, "what works the jobs off, for submit")
       ->type_name("ENGINE")

@@ -75,6 +75,12 @@ ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
   for (const diagnosis::ParameterByLog& row : d.by_log) {
     by_log.push_back(ratiosJson(row.ratios));
   }
+  ordered_json configured = ordered_json::object();
+  for (const diagnosis::SizedValue& size : d.model_sizes) {
+    if (size.owner == "specification") {
+      configured[size.name] = number(size.configured);
+    }
+  }
   ordered_json probabilities = ordered_json::object();
   for (const diagnosis::CandidateResult& candidate : d.candidates) {
     probabilities[candidate.effect] = number(candidate.probability);
@@ -86,7 +92,8 @@ ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
           {"probabilities", probabilities},
           {"probability_none_of_these", number(d.posterior.none_of_these)},
           {"ratios", ratiosJson(d.parameter_ratios)},
-          {"ratios_by_log", by_log}};
+          {"ratios_by_log", by_log},
+          {"configured", configured}};
 }
 
 ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
@@ -157,6 +164,7 @@ void Executor::diagnose(const Job& job, Record& record) {
     description.rig = tolerances;
   }
   diagnosis::DiagnosisOptions settings;
+  settings.evidence = job.options.evidence;
   settings.threads = 1;  // the jobs themselves run side by side
   const diagnosis::Diagnosis result =
       diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
@@ -169,6 +177,9 @@ void Executor::diagnose(const Job& job, Record& record) {
     log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
     if (result.workings) {
       log::writeNewFile(folder + "/augmented.yaml", io::toYaml({result.augmented}));
+    }
+    if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
+      log::writeNewFile(folder + "/evidence.json", evidence);
     }
   }
 }

@@ -18,6 +18,12 @@ using nlohmann::ordered_json;
 
 constexpr double kJeffreys = 0.5;                        // prior count of each cause
 constexpr const char* kWrongValues = "parameter_error";  // among the effects of a set
+constexpr const char* kCompliance = "series_compliance";
+constexpr const char* kGain = "sensor_gain";
+constexpr const char* kCommonCompliance = "series_compliance of the rig";
+constexpr double kChance = 0.05;  // that a value right for the type is called wrong, over all parameters of a type
+
+const std::array kStiffnesses = {"static_stiffness", "dynamic_stiffness", "maximum_stiffness"};
 
 // Nothing for null, which stands for a value that is not finite, and for what has no logarithm.
 std::optional<double> logarithm(const ordered_json& value) {
@@ -27,8 +33,11 @@ std::optional<double> logarithm(const ordered_json& value) {
   return std::log(value.get<double>());
 }
 
-std::map<std::string, ParameterChange> changesOfDiagnosis(const ordered_json& evidence) {
-  std::map<std::string, ParameterChange> changes;
+constexpr double kHalfInterval = 1.96;  // standard errors of a normal distribution in half of a 95 % interval
+
+// By re-estimation alone.
+ParameterChanges reEstimated(const ordered_json& evidence) {
+  ParameterChanges changes;
   for (const auto& [name, ratio] : evidence.at("ratios").items()) {
     const auto value = logarithm(ratio);
     if (!value) {
@@ -36,6 +45,9 @@ std::map<std::string, ParameterChange> changesOfDiagnosis(const ordered_json& ev
     }
     ParameterChange change;
     change.logarithm = *value;
+    const ordered_json configured = evidence.value("configured", ordered_json::object());
+    change.configured =
+        configured.contains(name) && configured.at(name).is_number() ? configured.at(name).get<double>() : 0.0;
     double mean = 0.0;
     for (const ordered_json& log : evidence.at("ratios_by_log")) {
       const auto alone = log.contains(name) ? logarithm(log.at(name)) : std::nullopt;
@@ -52,9 +64,8 @@ std::map<std::string, ParameterChange> changesOfDiagnosis(const ordered_json& ev
 }
 
 // Of parameters that the logs determine.
-std::map<std::string, ParameterChange> changesOfEstimate(const ordered_json& evidence) {
-  constexpr double kHalfInterval = 1.96;  // standard errors of a normal distribution in half of a 95 % interval
-  std::map<std::string, ParameterChange> changes;
+ParameterChanges changesOfEstimate(const ordered_json& evidence) {
+  ParameterChanges changes;
   for (const ordered_json& parameter : evidence.at("parameters")) {
     const auto value = logarithm(parameter.at("value"));
     const auto given = logarithm(parameter.at("given"));
@@ -62,7 +73,7 @@ std::map<std::string, ParameterChange> changesOfEstimate(const ordered_json& evi
     const auto upper = logarithm(parameter.at("upper"));
     if (value && given && lower && upper && parameter.at("determined").get<bool>()) {
       changes[parameter.at("name").get<std::string>()] = {*value - *given, 0.0, 1,
-                                                          (*upper - *lower) / (2.0 * kHalfInterval)};
+                                                          (*upper - *lower) / (2.0 * kHalfInterval), 0.0};
     }
   }
   return changes;
@@ -76,6 +87,33 @@ std::optional<std::string> sureCause(const FleetComponent& component) {
   const bool one = component.verdict == "named" && !component.confounded.empty() && !component.effects.empty() &&
                    component.confounded.front().size() == 1;
   return one ? std::optional<std::string>(component.effects.front()) : std::nullopt;
+}
+
+bool contains(const std::vector<std::string>& names, const char* name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// True where these logs leave wrong values and what of the rig is like them, at most.
+bool leavesLikeValuesAlone(const FleetComponent& component) {
+  const auto allowed = [](const std::string& name) {
+    return name == kCompliance || name == kGain || name == kWrongValues;
+  };
+  const bool alone = std::all_of(component.effects.begin(), component.effects.end(), allowed);
+  return alone && std::all_of(component.confounded.begin(), component.confounded.end(),
+                              [&](const auto& set) { return std::all_of(set.begin(), set.end(), allowed); });
+}
+
+void setParameters(FleetComponent& component, const ordered_json& evidence) {
+  // Of logs that cannot be what they say nothing is known, and what no model explains bends its values.
+  if (component.verdict == "check_bench" || component.verdict == "unknown" || !leavesLikeValuesAlone(component)) {
+    return;
+  }
+  component.without_effects = reEstimated(evidence);
+  const bool wrong_values = std::any_of(component.confounded.begin(), component.confounded.end(),
+                                        [](const auto& set) { return contains(set, kWrongValues); });
+  if (component.effects.empty() || wrong_values) {
+    component.parameters = component.without_effects;
+  }
 }
 
 double errorOf(const ParameterChange& change, double deviation_of_logs) {
@@ -102,7 +140,10 @@ std::string percent(double logarithm) { return fmt::format("{:.1f} %", 100.0 * s
 
 class Analysis {
  public:
-  Analysis(const std::string& name, const std::vector<FleetComponent>& components) {
+  // `rigs` by name: those of which something can be said.
+  Analysis(const std::string& name, const std::vector<FleetComponent>& components,
+           const std::map<std::string, FleetRig>& rigs)
+      : rigs_(rigs) {
     type_.name = name;
     type_.components = components;
   }
@@ -113,14 +154,54 @@ class Analysis {
         ++type_.verdicts[component.verdict];
       }
     }
+    giveBackCompliance();
     compareParameters();
     countEffects();
     decideConfounded();
+    explainCompliance();
     explainParameterErrors();
     return std::move(type_);
   }
 
  private:
+  bool isDecided(const FleetComponent& component, RigCause cause) const {
+    const auto rig = rigs_.find(component.test_rig);
+    return rig != rigs_.end() && rig->second.decided == cause;
+  }
+
+  bool isOnSoftRig(const FleetComponent& component) const { return isDecided(component, RigCause::compliance); }
+
+  // Whether all types on the rig are off by one factor, or not: either way a gain is no open question any more.
+  bool factorIsDecided(const FleetComponent& component) const {
+    const auto rig = rigs_.find(component.test_rig);
+    return rig != rigs_.end() && std::abs(rig->second.judgement.probability(RigCause::factor) - 0.5) >= kDecided - 0.5;
+  }
+
+  const RigJudgement& rigOf(const FleetComponent& component) const { return rigs_.at(component.test_rig).judgement; }
+
+  // Stiffnesses as they would be on a rig that does not give way. What else it bends, such as break frequencies,
+  // follows no formula as simple and is left out.
+  void giveBackCompliance() {
+    for (FleetComponent& component : type_.components) {
+      if (!isOnSoftRig(component) || component.without_effects.empty()) {
+        continue;
+      }
+      component.parameters.clear();
+      for (const char* name : kStiffnesses) {
+        const auto found = component.without_effects.find(name);
+        if (found == component.without_effects.end()) {
+          continue;
+        }
+        const auto alone =
+            withoutCompliance(found->second.logarithm, found->second.configured, rigOf(component).compliance);
+        if (alone) {
+          component.parameters[name] = found->second;
+          component.parameters[name].logarithm = *alone;
+        }
+      }
+    }
+  }
+
   void compareParameters() {
     std::set<std::string> names;
     for (const FleetComponent& component : type_.components) {
@@ -131,6 +212,7 @@ class Analysis {
     for (const std::string& name : names) {
       addParameter(name);
     }
+    markWrongForAll();
     std::stable_sort(type_.stand_outs.begin(), type_.stand_outs.end(),
                      [](const StandOut& a, const StandOut& b) { return std::abs(a.robust_z) > std::abs(b.robust_z); });
   }
@@ -146,14 +228,39 @@ class Analysis {
         parameter.observations.push_back({found->second.logarithm, errorOf(found->second, deviation)});
       }
     }
-    parameter.model = fitRandomEffects(parameter.observations);
+    parameter.model = fitRandomEffects(parameter.observations, commonError(parameter));
     for (std::size_t i = 0; parameter.model && i < parameter.components.size(); ++i) {
-      if (std::abs(parameter.model->robust_z[i]) > parameter.model->z_limit) {
+      const double distance = std::abs(parameter.observations[i].value - parameter.model->median);
+      if (std::abs(parameter.model->robust_z[i]) > parameter.model->z_limit && distance > kWorthSaying) {
         type_.stand_outs.push_back(
             {parameter.components[i], name, std::exp(parameter.observations[i].value), parameter.model->robust_z[i]});
       }
     }
     type_.parameters.push_back(std::move(parameter));
+  }
+
+  // Of gain and, where it was given back, compliance of the rig.
+  double commonError(const FleetParameter& parameter) const {
+    double of_compliance = 0.0;
+    for (const std::size_t place : parameter.components) {
+      const FleetComponent& component = type_.components[place];
+      if (isOnSoftRig(component)) {
+        const ParameterChange& change = component.parameters.at(parameter.name);
+        of_compliance += change.configured * std::exp(change.logarithm) * rigOf(component).compliance_error /
+                         static_cast<double>(parameter.components.size());
+      }
+    }
+    return std::hypot(kGainError, of_compliance);
+  }
+
+  void markWrongForAll() {
+    const auto tried =
+        static_cast<double>(std::count_if(type_.parameters.begin(), type_.parameters.end(),
+                                          [](const FleetParameter& parameter) { return parameter.model.has_value(); }));
+    for (FleetParameter& parameter : type_.parameters) {
+      parameter.wrong_for_all = parameter.model && parameter.model->mean_chance < kChance / tried &&
+                                std::abs(parameter.model->mean) > kWorthSaying;
+    }
   }
 
   void countEffects() {
@@ -193,7 +300,8 @@ class Analysis {
   void decideConfounded() {
     for (std::size_t i = 0; i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
-      if (component.confounded.empty() || component.confounded.front().size() < 2) {
+      if (component.confounded.empty() || component.confounded.front().size() < 2 ||
+          (isOnSoftRig(component) && leavesLikeValuesAlone(component))) {
         continue;
       }
       decide(i, component.confounded.front());
@@ -203,6 +311,9 @@ class Analysis {
   // Only within the set: what its own logs exclude, the fleet does not bring back.
   void decide(std::size_t place, const std::vector<std::string>& set) {
     const FleetComponent& component = type_.components[place];
+    if (contains(set, kWrongValues) && (contains(set, kCompliance) || contains(set, kGain))) {
+      return;  // re-estimation does the same: only other types on the same rig, or other pieces of the type, can tell
+    }
     std::vector<double> alone;
     std::vector<double> weights;
     double sum_alone = 0.0;
@@ -226,12 +337,56 @@ class Analysis {
       others += i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i], sureOf(set[i]));
     }
     type_.changed.push_back(
-        {place, fmt::format("{}: {}", component.verdict, log::join(set)),
-         set[best] == kWrongValues ? set[best] : "named: " + set[best],
+        {place, verdictOf(component), set[best] == kWrongValues ? set[best] : "named: " + set[best],
          fmt::format("of {} components of this type whose own logs leave one cause, {} is it in {}, {}: {:.0f} % "
                      "within the set, by its own logs {:.0f} %",
                      sure_, set[best], sureOf(set[best]), others, 100.0 * weights[best] / sum,
                      100.0 * alone[best] / sum_alone)});
+  }
+
+  // On a rig that gives way: what its compliance explains.
+  void explainCompliance() {
+    for (std::size_t i = 0; i < type_.components.size(); ++i) {
+      const FleetComponent& component = type_.components[i];
+      const bool off = component.verdict == "parameter_error" || !component.effects.empty();
+      if (!isOnSoftRig(component) || component.without_effects.empty() || !off) {
+        continue;
+      }
+      const RigJudgement& rig = rigOf(component);
+      std::string rest;
+      for (const FleetParameter& parameter : type_.parameters) {
+        if (parameter.wrong_for_all) {
+          rest +=
+              fmt::format("{}{} {}", rest.empty() ? "; beyond it the specification is off for all components: " : ", ",
+                          parameter.name, percent(parameter.model->mean));
+        }
+      }
+      type_.changed.push_back(
+          {i, verdictOf(component),
+           standsOut(i) ? std::string(kCommonCompliance) + " and wrong values" : kCommonCompliance,
+           fmt::format(
+               "types of different stiffness on this rig are softer by one compliance, {:.3g} m/N (95 % interval "
+               "{:.3g} to {:.3g}): {:.0f} % against wrong values of each type, a factor common to all, and "
+               "nothing{}",
+               rig.compliance, rig.compliance_interval[0], rig.compliance_interval[1],
+               100.0 * rig.probability(RigCause::compliance), rest)});
+    }
+  }
+
+  static std::string verdictOf(const FleetComponent& component) {
+    return component.confounded.empty() ? component.verdict
+                                        : component.verdict + ": " + log::join(component.confounded.front());
+  }
+
+  bool standsOut(std::size_t component) const {
+    return std::any_of(type_.stand_outs.begin(), type_.stand_outs.end(),
+                       [&](const StandOut& one) { return one.component == component; });
+  }
+
+  // A gain that one rig has would be the same for all on it: scatter speaks against it, and other types may.
+  static bool hasGainBesideValues(const FleetComponent& component) {
+    return component.confounded.size() == 1 && component.confounded.front().size() == 2 &&
+           contains(component.confounded.front(), kGain) && contains(component.confounded.front(), kWrongValues);
   }
 
   void explainParameterErrors() {
@@ -244,45 +399,121 @@ class Analysis {
       }
       modelled = true;
       const RandomEffects& model = *parameter.model;
-      if (parameter.isWrongForAll()) {
+      if (parameter.wrong_for_all) {
         common += fmt::format("{}{} {} (95 % interval {} to {})", common.empty() ? "" : ", ", parameter.name,
                               percent(model.mean), percent(model.mean_interval[0]), percent(model.mean_interval[1]));
       }
       scatter += fmt::format("{}{} {}", scatter.empty() ? "" : ", ", parameter.name, percent(model.scatter));
     }
     for (std::size_t i = 0; modelled && i < type_.components.size(); ++i) {
-      const bool out = std::any_of(type_.stand_outs.begin(), type_.stand_outs.end(),
-                                   [&](const StandOut& one) { return one.component == i; });
-      if (type_.components[i].verdict != "parameter_error" || out) {
+      const FleetComponent& component = type_.components[i];
+      const bool gain = hasGainBesideValues(component);
+      if ((component.verdict != "parameter_error" && !gain) || standsOut(i) || isOnSoftRig(component) ||
+          (gain && !common.empty() && !factorIsDecided(component))) {
         continue;
       }
-      if (common.empty()) {
-        type_.changed.push_back({i, "parameter_error", "scatter between test pieces",
+      if (isDecided(component, RigCause::factor)) {
+        type_.changed.push_back(
+            {i, verdictOf(component), "one factor common to the types on this rig",
+             fmt::format("all types on this rig are off by the same factor: {:.0f} % against wrong "
+                         "values of each type and a rig that gives way; look at its gains and units",
+                         100.0 * rigOf(component).probability(RigCause::factor))});
+      } else if (common.empty()) {
+        type_.changed.push_back({i, verdictOf(component), "scatter between test pieces",
                                  "the configured values hold for the type, and this component lies within the scatter "
                                  "of the others: standard deviation " +
                                      scatter});
       } else {
-        type_.changed.push_back({i, "parameter_error", "wrong values common to the type",
+        type_.changed.push_back({i, verdictOf(component), "wrong values common to the type",
                                  "the specification is off for all components: " + common});
       }
     }
   }
 
+  const std::map<std::string, FleetRig>& rigs_;
   FleetType type_;
   std::size_t sure_ = 0;  // components that are sure of their cause
 };
 
-}  // namespace
-
-bool FleetParameter::isWrongForAll() const {
-  return model && (model->mean_interval[0] > 0.0 || model->mean_interval[1] < 0.0);
+// Components of one type on one rig by these stiffnesses, without those that stand out.
+TypeOnRig typeOnRig(const std::vector<const FleetComponent*>& components, const std::vector<std::string>& stiffnesses) {
+  TypeOnRig type;
+  std::vector<bool> out(components.size(), false);
+  for (const std::string& name : stiffnesses) {
+    type.stiffness.push_back(components.front()->without_effects.at(name).configured);
+    std::vector<Observation> observations;
+    for (const FleetComponent* component : components) {
+      observations.push_back({component->without_effects.at(name).logarithm, 0.0});
+    }
+    const auto model = fitRandomEffects(observations);
+    for (std::size_t i = 0; model && i < components.size(); ++i) {
+      out[i] = out[i] || std::abs(model->robust_z[i]) > model->z_limit;
+    }
+  }
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (out[i]) {
+      continue;
+    }
+    std::vector<double> row;
+    for (const std::string& name : stiffnesses) {
+      row.push_back(components[i]->without_effects.at(name).logarithm);
+    }
+    type.logarithms.push_back(row);
+  }
+  return type;
 }
+
+bool has(const FleetComponent& component, const std::string& stiffness) {
+  const auto found = component.without_effects.find(stiffness);
+  return found != component.without_effects.end() && found->second.configured > 0.0;
+}
+
+// Of a rig, the components of each type that can say something.
+using RigComponents = std::map<std::string, std::vector<const FleetComponent*>>;
+
+std::optional<FleetRig> judgeOne(const std::string& name, const RigComponents& types) {
+  std::vector<std::string> stiffnesses;  // that every one of them has
+  for (const char* stiffness : kStiffnesses) {
+    if (std::all_of(types.begin(), types.end(), [&](const auto& type) {
+          return std::all_of(type.second.begin(), type.second.end(),
+                             [&](const FleetComponent* component) { return has(*component, stiffness); });
+        })) {
+      stiffnesses.emplace_back(stiffness);
+    }
+  }
+  if (stiffnesses.empty()) {
+    return std::nullopt;
+  }
+  FleetRig rig;
+  rig.name = name;
+  std::vector<TypeOnRig> compared;
+  for (const auto& [type, components] : types) {
+    compared.push_back(typeOnRig(components, stiffnesses));
+    if (compared.back().logarithms.size() >= kFewestComponents) {
+      rig.types.push_back(type);
+    }
+  }
+  const auto judgement = judgeRig(compared);
+  if (!judgement) {
+    return std::nullopt;
+  }
+  rig.judgement = *judgement;
+  for (const RigCause cause : {RigCause::none, RigCause::factor, RigCause::own, RigCause::compliance}) {
+    if (judgement->probability(cause) >= kDecided) {
+      rig.decided = cause;
+    }
+  }
+  return rig;
+}
+
+}  // namespace
 
 void Fleet::add(const Job& job, const Record& record) {
   if (record.failed() || job.command == Command::replay) {
     return;
   }
   FleetComponent component;
+  component.test_rig = job.test_rig;
   component.id = job.id;
   component.name = job.test_piece == "." ? job.component : job.test_piece + " " + job.component;
   for (const char* name : {"report.html", "report.json", "identification.json"}) {
@@ -299,19 +530,32 @@ void Fleet::add(const Job& job, const Record& record) {
     for (const auto& [effect, probability] : record.evidence.at("probabilities").items()) {
       component.probabilities[effect] = probability.is_number() ? probability.get<double>() : 0.0;
     }
-    if (component.verdict != "check_bench") {  // of logs that cannot be what they say nothing is known
-      component.parameters = changesOfDiagnosis(record.evidence);
-    }
+    setParameters(component, record.evidence);
   }
   components_[job.type].push_back(std::move(component));
 }
 
-std::vector<FleetType> Fleet::analyse() const {
-  std::vector<FleetType> types;
-  for (const auto& [name, components] : components_) {
-    types.push_back(Analysis(name, components).run());
+FleetFindings Fleet::analyse() const {
+  std::map<std::string, RigComponents> rigs;
+  for (const auto& [type, components] : components_) {
+    for (const FleetComponent& component : components) {
+      if (has(component, kStiffnesses.front())) {
+        rigs[component.test_rig][type].push_back(&component);
+      }
+    }
   }
-  return types;
+  FleetFindings findings;
+  std::map<std::string, FleetRig> decided;
+  for (const auto& [name, types] : rigs) {
+    if (const auto rig = judgeOne(name, types)) {
+      findings.rigs.push_back(*rig);
+      decided[name] = *rig;
+    }
+  }
+  for (const auto& [name, components] : components_) {
+    findings.types.push_back(Analysis(name, components, decided).run());
+  }
+  return findings;
 }
 
 }  // namespace rubber_suspension::campaign

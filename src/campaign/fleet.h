@@ -10,6 +10,7 @@
 #include "campaign/job.h"
 #include "campaign/random_effects.h"
 #include "campaign/record.h"
+#include "campaign/rig_stiffness.h"
 
 namespace rubber_suspension::campaign {
 
@@ -19,7 +20,10 @@ struct ParameterChange {
   double squares = 0.0;         ///< of the logarithms that each log alone gives, about their mean
   std::size_t logs = 0;         ///< that give one each
   double standard_error = 0.0;  ///< where the estimate itself tells it; else from all logs of the type
+  double configured = 0.0;      ///< [SI]; 0: not known
 };
+
+using ParameterChanges = std::map<std::string, ParameterChange>;  ///< by name
 
 /// What is known of one component by its own logs.
 struct FleetComponent {
@@ -30,7 +34,12 @@ struct FleetComponent {
   std::vector<std::string> effects;                  ///< named
   std::vector<std::vector<std::string>> confounded;  ///< for each effect named, those that its logs cannot tell from it
   std::map<std::string, double> probabilities;       ///< of each effect, by its own logs
-  std::map<std::string, ParameterChange> parameters;  ///< by name
+  std::string test_rig;
+  /// Nothing where an effect is named: the values that go with it depend on the form that it is given.
+  ParameterChanges parameters;
+  /// Re-estimated alone, where the logs leave no effect but those of a rig that are like wrong values; what a rig is
+  /// judged by.
+  ParameterChanges without_effects;
 };
 
 /// A parameter over the components of a type.
@@ -39,9 +48,7 @@ struct FleetParameter {
   std::vector<std::size_t> components;    ///< places in FleetType::components
   std::vector<Observation> observations;  ///< of the logarithm of re-estimated over configured value
   std::optional<RandomEffects> model;     ///< nothing for a few components
-
-  /// True where the fleet shows that the configured value is wrong for the type.
-  bool isWrongForAll() const;
+  bool wrong_for_all = false;             ///< the fleet shows that the configured value is wrong for the type
 };
 
 /// In how many components an effect is the cause.
@@ -78,13 +85,35 @@ struct FleetType {
   std::vector<ChangedVerdict> changed;
 };
 
+/// What the types tested on one rig have in common.
+struct FleetRig {
+  std::string name;                ///< "" where the jobs file names none
+  std::vector<std::string> types;  ///< that took part
+  RigJudgement judgement;
+  std::optional<RigCause> decided;  ///< the cause that is probable enough
+
+  bool givesWay() const { return decided == RigCause::compliance; }
+};
+
+struct FleetFindings {
+  std::vector<FleetType> types;
+  std::vector<FleetRig> rigs;  ///< those of which something can be said
+};
+
+/// Less than this logarithm is within what a bench can hold: no value is said to be wrong for it, and none stands out.
+constexpr double kWorthSaying = 0.02;
+
 /// A member of a set that a component's logs cannot tell apart is decided where it becomes as probable as this.
 constexpr double kDecided = 0.95;
 
 /// Collects components job by job, in the order of the manifest, and looks at them together.
 ///
 /// Parameters: the hierarchical model of random_effects.h for each. The error of a component's value follows from the
-/// scatter of its logs, each fitted alone, pooled over the type.
+/// scatter of its logs, each fitted alone, pooled over the type. Components with a named effect take no part.
+///
+/// Rigs: where one gives way (rig_stiffness.h), what it took is given back before values are compared. A series
+/// compliance and wrong values are told apart in no other way: re-estimation hides the compliance in all components, so
+/// that those that call it wrong values are no witnesses. The same holds for the gain of a sensor.
 ///
 /// Causes: the components whose own logs leave one cause only are draws from a multinomial distribution of unknown
 /// shares (Jeffreys' prior, 1/2 for each cause). The expected shares are the prior of every other component of the
@@ -96,8 +125,8 @@ class Fleet {
   /// Jobs that failed, and replays, add nothing.
   void add(const Job& job, const Record& record);
 
-  /// By the name of the type.
-  std::vector<FleetType> analyse() const;
+  /// By the names of types and rigs.
+  FleetFindings analyse() const;
 
  private:
   std::map<std::string, std::vector<FleetComponent>> components_;

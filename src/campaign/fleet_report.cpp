@@ -112,7 +112,7 @@ std::string parameterTable(const FleetType& type) {
           change(model.mean), change(model.mean_interval[0]), change(model.mean_interval[1]),
           percent(std::expm1(model.scatter)), percent(std::expm1(model.scatter_interval[0])),
           percent(std::expm1(model.scatter_interval[1])), percent(std::expm1(model.robust_scatter)),
-          parameter.isWrongForAll() ? "the configured value is off for the type" : "the configured value holds");
+          parameter.wrong_for_all ? "the configured value is off for the type" : "the configured value holds");
     }
     rows += fmt::format("<tr><td>{}</td><td class=n>{}</td>{}<td>{}</td></tr>\n", escape(parameter.name),
                         parameter.components.size(), numbers, strip(parameter));
@@ -156,6 +156,39 @@ std::string changedTable(const FleetType& type) {
          rows + "</table>\n" + restNote(type.changed.size());
 }
 
+std::string rigRow(const FleetRig& rig) {
+  std::string types;
+  for (const std::string& type : rig.types) {
+    types += (types.empty() ? "" : ", ") + escape(type);
+  }
+  const RigJudgement& judgement = rig.judgement;
+  const std::string compliance =
+      rig.givesWay() ? fmt::format("{:.3g} m/N<br><span class=note>{:.3g} to {:.3g}</span>", judgement.compliance,
+                                   judgement.compliance_interval[0], judgement.compliance_interval[1])
+                     : "";
+  return fmt::format(
+      "<tr><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td "
+      "class=n>{}</td></tr>\n",
+      rig.name.empty() ? "of all jobs without a name of theirs" : escape(rig.name), types,
+      percent(judgement.probability(RigCause::none)), percent(judgement.probability(RigCause::factor)),
+      percent(judgement.probability(RigCause::own)), percent(judgement.probability(RigCause::compliance)), compliance);
+}
+
+std::string rigTable(const std::vector<FleetRig>& rigs) {
+  if (rigs.empty()) {
+    return "";
+  }
+  std::string rows;
+  for (const FleetRig& rig : rigs) {
+    rows += rigRow(rig);
+  }
+  return "<h2>Rigs</h2>\n<p>How the stiffnesses of all types on a rig are off: a rig that gives way takes more of a "
+         "stiff type than of a soft one. Where that is 95 % probable, values are compared without it.</p>\n<table><tr>"
+         "<th>rig</th><th>types</th><th class=n>as configured</th><th class=n>one factor</th><th class=n>each its "
+         "own</th><th class=n>rig gives way</th><th class=n>compliance</th></tr>\n" +
+         rows + "</table>\n";
+}
+
 std::string componentTable(const FleetType& type) {
   std::string rows;
   for (std::size_t i = 0; i < std::min(kMostRows, type.components.size()); ++i) {
@@ -175,16 +208,17 @@ std::string componentTable(const FleetType& type) {
 
 std::string fleetReportPath(const std::string& folder) { return folder + "/fleet.html"; }
 
-std::string fleetHtml(const std::vector<FleetType>& types, const CollectSummary& summary) {
+std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary) {
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport "
       "content=\"width=device-width\"><title>Fleet report</title><style>{}</style></head><body>\n<h1>Fleet "
       "report</h1>\n<p>{} jobs done, {} failed, {} missing; all of them in <a href=\"table.csv\">table.csv</a>.</p>\n",
       kStyle, summary.done, summary.failed, summary.missing);
-  if (types.empty()) {
+  if (fleet.types.empty()) {
     html += "<p>No diagnosis and no estimate is done: there is no fleet to compare.</p>\n";
   }
-  for (const FleetType& type : types) {
+  html += rigTable(fleet.rigs);
+  for (const FleetType& type : fleet.types) {
     html += fmt::format("<h2>{}: {} components</h2>\n", escape(type.name), type.components.size());
     html += changedTable(type) + standOutTable(type) + effectTable(type) + parameterTable(type) + verdictTable(type) +
             componentTable(type);

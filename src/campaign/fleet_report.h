@@ -12,7 +12,7 @@ namespace rubber_suspension::campaign {
 std::string fleetReportPath(const std::string& folder);
 
 /// The page: causes, components that stand out, parameters with their scatter, verdicts that the fleet changes, links
-/// to the reports of components. The same bytes for the same results.
-std::string fleetHtml(const std::vector<FleetType>& types, const CollectSummary& summary);
+/// to the reports of components, and what types on one rig share. The same bytes for the same results.
+std::string fleetHtml(const FleetFindings& fleet, const CollectSummary& summary);
 
 }  // namespace rubber_suspension::campaign

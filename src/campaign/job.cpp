@@ -44,7 +44,8 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 // Those of optionsJson(); a manifest of another version may have others, which must not go unheard.
 void checkOptionNames(const nlohmann::json& json) {
-  const std::vector<std::string> known = {"reports", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
+  const std::vector<std::string> known = {"reports",       "evidence", "columns", "unit",
+                                          "sampling_rate", "rig",      "hold",    "starts"};
   for (const auto& entry : json.items()) {
     if (std::find(known.begin(), known.end(), entry.key()) == known.end()) {
       throw std::invalid_argument("'" + entry.key() + "' is unknown" + element::didYouMean(entry.key(), known));
@@ -57,6 +58,7 @@ JobOptions optionsFromJson(const nlohmann::json& json) {
   JobOptions options;
   const std::string reports = json.value("reports", toString(options.reports));
   options.reports = require(reportsFromString(reports), reports);
+  options.evidence = json.value("evidence", options.evidence);
   options.columns = json.value("columns", options.columns);
   options.unit = json.value("unit", options.unit);
   options.sampling_rate = json.value("sampling_rate", options.sampling_rate);
@@ -80,6 +82,9 @@ std::optional<Reports> reportsFromString(const std::string& name) { return fromN
 
 ordered_json optionsJson(const JobOptions& options) {
   ordered_json json = {{"reports", toString(options.reports)}};
+  if (options.evidence) {
+    json["evidence"] = true;
+  }
   if (!options.columns.empty()) {
     json["columns"] = options.columns;
   }
@@ -122,6 +127,9 @@ ordered_json jobJson(const Job& job) {
                        {"component", job.component},
                        {"config", job.config},
                        {"logs", job.logs}};
+  if (!job.test_rig.empty()) {
+    json["test_rig"] = job.test_rig;
+  }
   if (!job.hold_out.empty()) {
     json["hold_out"] = job.hold_out;
   }
@@ -138,6 +146,7 @@ Job jobFromJson(const nlohmann::json& json) {
   job.group = json.at("group").get<std::string>();
   job.type = json.at("type").get<std::string>();
   job.test_piece = json.at("test_piece").get<std::string>();
+  job.test_rig = json.value("test_rig", job.test_rig);
   const auto command = json.at("command").get<std::string>();
   job.command = require(commandFromString(command), command);
   job.component = json.at("component").get<std::string>();

@@ -33,6 +33,7 @@ std::optional<Reports> reportsFromString(const std::string& name);
 /// The options of a job, those of the commands under the same names.
 struct JobOptions {
   Reports reports = Reports::data;
+  bool evidence = false;                   ///< as --evidence, of diagnose
   std::vector<std::string> columns;        ///< as --columns
   std::string unit;                        ///< as --unit
   double sampling_rate = 0.0;              ///< as --sampling-rate [Hz]; 0: not given
@@ -53,6 +54,7 @@ struct Job {
   std::string id;          ///< SHA-256 of what decides its result, 64 hexadecimal digits
   std::string group;       ///< name of its entry in the jobs file
   std::string type;        ///< components of one type are compared with each other
+  std::string test_rig;    ///< what is tested on one rig may share its stiffness
   std::string test_piece;  ///< what tells components of one name apart: the folder, or the number of the draw
   Command command = Command::diagnose;
   std::string component;

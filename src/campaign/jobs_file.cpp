@@ -25,9 +25,9 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 using Keys = std::vector<std::string>;
 
 // What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
-const Keys kGroupKeys = {"command", "folders",  "config",          "component",  "type",
-                         "log",     "hold_out", "one_job_per_log", "monte_carlo"};
+const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
+const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
+                         "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
 class Reader {
  public:
@@ -134,6 +134,7 @@ class Reader {
     group.folders = text(node, path, "folders", false);
     group.config = text(node, path, "config", true);
     group.type = text(node, path, "type", false);
+    group.test_rig = text(node, path, "test_rig", false);
     group.components = texts(node, path, "component", false);
     group.logs = texts(node, path, "log", true);
     group.hold_out = texts(node, path, "hold_out", false);
@@ -166,6 +167,8 @@ class Reader {
       }
     };
     refuse("rig", Command::diagnose);
+    refuse("evidence", Command::diagnose);
+    refuse("test_rig", Command::diagnose);
     refuse("hold_out", Command::diagnose);
     refuse("hold", Command::estimate);
     refuse("starts", Command::estimate);
@@ -231,6 +234,10 @@ class Reader {
         report(node["reports"], child(path, "reports"),
                fmt::format("{}; accepted: none, data, full", log::quoted(name)));
       }
+    }
+    readFlag(node, path, "evidence", options.evidence);
+    if (options.evidence && options.reports == Reports::none) {
+      report(node, path, "evidence: true leaves a file, and reports: none leaves none; accepted: reports: data, full");
     }
     if (node["sampling_rate"]) {
       constexpr double kFastest = 1e9;  // [Hz]: a stamp is a whole number of nanoseconds

@@ -39,6 +39,7 @@ struct JobGroup {
   std::string config;
   std::vector<std::string> components;  ///< empty: the only one of each file
   std::string type;                     ///< empty: the name of the component
+  std::string test_rig;                 ///< empty: the one that all entries without a name are tested on
   std::vector<std::string> logs;
   std::vector<std::string> hold_out;
   bool one_job_per_log = false;

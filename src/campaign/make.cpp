@@ -264,6 +264,7 @@ class Maker {
     Job job;
     job.group = group.name;
     job.type = group.type.empty() ? component.name : group.type;
+    job.test_rig = group.test_rig;
     job.test_piece = place.name;
     job.command = group.command;
     job.component = component.name;

@@ -84,6 +84,17 @@ double mostLikelyScatter(const std::vector<Observation>& observations, double le
   return deviance(least) <= deviance(inside) ? 0.0 : inside;
 }
 
+// Interval and chance of the mean: Student's distribution for its own error, with that of all components on top, which
+// more components do not make smaller.
+void setMean(RandomEffects& result, double error, double common_error, double degrees) {
+  const boost::math::students_t student(degrees);
+  const double total = std::hypot(error, common_error);
+  const double half = quantile(complement(student, kTail)) * total;
+  result.mean_interval = {result.mean - half, result.mean + half};
+  const double distance = std::abs(result.mean);
+  result.mean_chance = total > 0.0 ? 2.0 * cdf(complement(student, distance / total)) : (distance > 0.0 ? 0.0 : 1.0);
+}
+
 void addRobust(const std::vector<Observation>& observations, RandomEffects& result) {
   std::vector<double> values;
   std::vector<double> variances;
@@ -111,21 +122,21 @@ void addRobust(const std::vector<Observation>& observations, RandomEffects& resu
 
 }  // namespace
 
-std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& observations) {
+std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& observations, double common_error) {
   if (observations.size() < kFewestComponents) {
     return std::nullopt;
   }
   RandomEffects result;
+  const double degrees = static_cast<double>(observations.size()) - 1.0;
   addRobust(observations, result);
   const double most = widest(observations);
   if (!(most > 0.0)) {  // all are equal, and exactly known
     result.mean = observations.front().value;
-    result.mean_interval = {result.mean, result.mean};
+    setMean(result, 0.0, common_error, degrees);
     return result;
   }
   const double least = 1e-9 * most;  // in place of 0, at which an exact estimate would have all the weight
   result.scatter = mostLikelyScatter(observations, least, most);
-  const double degrees = static_cast<double>(observations.size()) - 1.0;
   const boost::math::chi_squared chi_squared(degrees);
   const double highest_q = weigh(observations, least).q;
   const auto limit = [&](double q) { return highest_q <= q ? 0.0 : scatterOfQ(observations, q, least, most); };
@@ -133,10 +144,8 @@ std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& ob
   const Weighted weighted = weigh(observations, std::max(result.scatter, least));
   // Hartung and Knapp's factor, never below 1: a fleet that agrees better than its errors say is luck.
   const double factor = std::max(1.0, weighted.q / degrees);
-  const double half =
-      quantile(complement(boost::math::students_t(degrees), kTail)) * std::sqrt(factor / weighted.weights);
   result.mean = weighted.mean;
-  result.mean_interval = {weighted.mean - half, weighted.mean + half};
+  setMean(result, std::sqrt(factor / weighted.weights), common_error, degrees);
   return result;
 }
 

@@ -17,6 +17,7 @@ struct Observation {
 struct RandomEffects {
   double mean = 0.0;
   std::array<double, 2> mean_interval{};     ///< 95 %
+  double mean_chance = 1.0;                  ///< that a mean of 0 would be found as far away, or farther
   double scatter = 0.0;                      ///< standard deviation between components
   std::array<double, 2> scatter_interval{};  ///< 95 %
   double median = 0.0;
@@ -30,8 +31,9 @@ constexpr std::size_t kFewestComponents = 5;
 
 /// Restricted maximum likelihood for the scatter (Patterson and Thompson, Biometrika 58 (1971) 545-554), its interval
 /// by the Q-profile (Viechtbauer, Statist. Med. 26 (2007) 37-52), that of the mean by Hartung and Knapp (Statist. Med.
-/// 20 (2001) 3875-3889). Who stands out is judged by median and median absolute deviation, which outliers do not move.
-/// Nothing for fewer than kFewestComponents.
-std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& observations);
+/// 20 (2001) 3875-3889), wider by an error that all components share (its standard deviation `common_error`). Who
+/// stands out is judged by median and median absolute deviation, which outliers do not move. Nothing for fewer than
+/// kFewestComponents.
+std::optional<RandomEffects> fitRandomEffects(const std::vector<Observation>& observations, double common_error = 0.0);
 
 }  // namespace rubber_suspension::campaign

@@ -173,7 +173,7 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     heartbeat.beat(manifest, running);
     progress.show();
   };
-  summary.interrupted = workOff(jobs, options.workers, callbacks) == PoolEnd::interrupted;
+  summary.interrupted = workOff(jobs, options.workers, callbacks, 60.0 * options.job_minutes) == PoolEnd::interrupted;
   return summary;
 }
 

@@ -21,11 +21,16 @@ struct Shard {
 /// "3/8" is the third of eight shards. Throws std::invalid_argument that says what is accepted.
 Shard parseShard(const std::string& text);
 
+/// Limit of time for a job, unless it is told otherwise [min]. It is to end what would never end, and nothing else: a
+/// diagnosis searches 300,000 samples at most, which takes some minutes at most, whatever its logs have.
+constexpr double kJobMinutes = 240.0;
+
 struct RunOptions {
   Shard shard;
   int workers = 1;
-  bool retry_failed = false;  ///< work failed jobs off again
-  std::size_t most = 0;       ///< jobs at most; 0: all
+  bool retry_failed = false;         ///< work failed jobs off again
+  std::size_t most = 0;              ///< jobs at most; 0: all
+  double job_minutes = kJobMinutes;  ///< a job that takes longer has failed; 0: there is no limit
 };
 
 struct RunSummary {

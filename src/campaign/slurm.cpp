@@ -119,10 +119,10 @@ SlurmArray planArray(const Status& status, const std::string& folder, const Slur
       "#SBATCH --open-mode=append\n"
       "#SBATCH --cpus-per-task={}\n"
       "{}"
-      "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {}\n",
+      "exec {} run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} --job-minutes {}\n",
       array.shards, options.max_running > 0 ? fmt::format("%{}", options.max_running) : "", options.workers,
       options.partition.empty() ? "" : "#SBATCH --partition=" + options.partition + "\n", shellWord(options.program),
-      shellWord(absolute), array.shards, options.workers);
+      shellWord(absolute), array.shards, options.workers, options.job_minutes);
   return array;
 }
 

@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "campaign/run.h"
 #include "campaign/status.h"
 
 namespace rubber_suspension::campaign {
 
 struct SlurmOptions {
-  std::string program;          ///< absolute path of `campaign`, which every node has there
-  double shard_minutes = 5.0;   ///< of work an element: an empty one already costs some seconds
-  std::size_t max_running = 0;  ///< elements at a time; 0: as many as the cluster lets
-  std::string partition;        ///< empty: the cluster's default
-  int workers = 1;              ///< jobs at a time in an element, and processors that it asks for
+  std::string program;               ///< absolute path of `campaign`, which every node has there
+  double shard_minutes = 5.0;        ///< of work an element: an empty one already costs some seconds
+  std::size_t max_running = 0;       ///< elements at a time; 0: as many as the cluster lets
+  std::string partition;             ///< empty: the cluster's default
+  int workers = 1;                   ///< jobs at a time in an element, and processors that it asks for
+  double job_minutes = kJobMinutes;  ///< limit of time for a job; 0: none
 };
 
 /// An array as it would be submitted.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -65,6 +66,25 @@ struct Worker {
   pid_t pid = -1;
   int socket = -1;
   std::optional<std::size_t> job;
+  double begun = 0.0;  // the job, by the clock of the pool [s]
+  bool ended = false;  // killed because the job took too long
+};
+
+// Seconds in which this process ran. Between two looks, of which there is one a second at least, more than this means
+// that it was suspended, and its workers with it.
+class RunningClock {
+ public:
+  double now() {
+    constexpr double kMostBetweenLooks = 2.0;  // [s]
+    const auto look = std::chrono::steady_clock::now();
+    seconds_ += std::min(std::chrono::duration<double>(look - last_).count(), kMostBetweenLooks);
+    last_ = look;
+    return seconds_;
+  }
+
+ private:
+  double seconds_ = 0.0;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 // Signals that say something of the machine and nothing of the job.
@@ -107,8 +127,8 @@ void serve(int socket, const PoolCallbacks& callbacks) {
 
 class Pool {
  public:
-  Pool(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks)
-      : callbacks_(callbacks), waiting_(jobs.begin(), jobs.end()) {
+  Pool(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks, double longest)
+      : callbacks_(callbacks), longest_(longest), waiting_(jobs.begin(), jobs.end()) {
     workers_.resize(std::min(static_cast<std::size_t>(workers), jobs.size()));
   }
   Pool(const Pool&) = delete;
@@ -123,6 +143,7 @@ class Pool {
     }
     while (interrupted == 0 && running() > 0) {
       wait();
+      endOverdue();
       tick();
     }
     return interrupted == 0 ? PoolEnd::finished : PoolEnd::interrupted;
@@ -146,7 +167,9 @@ class Pool {
       beWorker(supervisor, sockets);
     }
     close(sockets[1]);
-    worker = {pid, sockets[0], std::nullopt};
+    worker = {};
+    worker.pid = pid;
+    worker.socket = sockets[0];
   }
 
   // Never returns: neither destructors nor what a test framework would do at exit belong here.
@@ -176,23 +199,46 @@ class Pool {
       return;
     }
     worker.job = waiting_.front();
+    worker.begun = clock_.now();
     waiting_.pop_front();
     const std::uint64_t job = *worker.job;
     send(worker.socket, &job, sizeof job, MSG_NOSIGNAL);  // one that died is seen by its silence
   }
 
   void wait() {
-    constexpr int kLongest = 1000;  // [ms]
     std::vector<pollfd> sockets;
     for (const Worker& worker : workers_) {
       sockets.push_back({worker.socket, POLLIN, 0});  // a negative one is passed over
     }
-    if (poll(sockets.data(), sockets.size(), kLongest) <= 0) {
+    if (poll(sockets.data(), sockets.size(), longestWait()) <= 0) {
       return;
     }
     for (std::size_t i = 0; i < workers_.size(); ++i) {
       if (sockets[i].revents != 0 && interrupted == 0) {
         hear(workers_[i]);
+      }
+    }
+  }
+
+  // Until the next limit of a job, but a second at most [ms].
+  int longestWait() {
+    double wait = 1.0;
+    const double now = clock_.now();
+    for (const Worker& worker : workers_) {
+      if (longest_ > 0.0 && worker.job && !worker.ended) {
+        wait = std::clamp(worker.begun + longest_ - now, 0.0, wait);
+      }
+    }
+    return static_cast<int>(std::ceil(1000.0 * wait));
+  }
+
+  // Its silence is heard when it is gone: a process that waits for a file system may take its time.
+  void endOverdue() {
+    const double now = clock_.now();
+    for (Worker& worker : workers_) {
+      if (longest_ > 0.0 && worker.job && !worker.ended && now - worker.begun > longest_) {
+        kill(worker.pid, SIGKILL);
+        worker.ended = true;
       }
     }
   }
@@ -208,7 +254,11 @@ class Pool {
     } else {
       callbacks_.finished(*worker.job, message.answer == Answer::done);
       worker.job.reset();
-      feed(worker);
+      if (worker.ended) {  // the answer was on its way when the limit came
+        bury(worker);
+      } else {
+        feed(worker);
+      }
     }
   }
 
@@ -218,17 +268,27 @@ class Pool {
     close(worker.socket);
     worker.socket = -1;
     waitpid(worker.pid, &status, 0);
-    const std::size_t job = *worker.job;
+    const Worker dead = worker;
     worker = {};
-    if (isFromOutside(status) && killed_.insert(job).second) {
-      waiting_.push_front(job);
-    } else {
-      callbacks_.died(job, describe(status));
+    if (dead.job && dead.ended) {
+      callbacks_.died(*dead.job, overdue());
+    } else if (dead.job && isFromOutside(status) && killed_.insert(*dead.job).second) {
+      waiting_.push_front(*dead.job);
+    } else if (dead.job) {
+      callbacks_.died(*dead.job, describe(status));
     }
     if (!waiting_.empty()) {
       start(worker);
       feed(worker);
     }
+  }
+
+  // The same text for the same limit, because it stands in the table.
+  std::string overdue() const {
+    return fmt::format(
+        "took longer than the limit of {:.6g} min and was ended; accepted: `campaign run --retry-failed` with another "
+        "--job-minutes",
+        longest_ / 60.0);
   }
 
   void tick() {
@@ -261,6 +321,8 @@ class Pool {
   }
 
   const PoolCallbacks& callbacks_;
+  double longest_;  // [s]; 0: no limit
+  RunningClock clock_;
   std::deque<std::size_t> waiting_;
   std::vector<Worker> workers_;
   std::set<std::size_t> killed_;  // jobs whose worker was killed from outside, once
@@ -268,8 +330,8 @@ class Pool {
 
 }  // namespace
 
-PoolEnd workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks) {
-  return Pool(jobs, workers, callbacks).run();
+PoolEnd workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks, double longest) {
+  return Pool(jobs, workers, callbacks, longest).run();
 }
 
 }  // namespace rubber_suspension::campaign

@@ -19,7 +19,8 @@ struct PoolCallbacks {
   std::function<std::function<bool(std::size_t job)>()> start_worker;
   /// In this process: a job is done, or has failed, as the worker said.
   std::function<void(std::size_t job, bool done)> finished;
-  /// In this process: a worker died of a job. `reason` says how, "the process died of signal 11 (Segmentation fault)".
+  /// In this process: a worker died of a job, or was ended at its limit of time. `reason` says how, "the process
+  /// died of signal 11 (Segmentation fault)".
   std::function<void(std::size_t job, const std::string& reason)> died;
   /// In this process, at least once a second, with the jobs that are being worked on.
   std::function<void(const std::vector<std::size_t>& running)> tick;
@@ -32,8 +33,14 @@ enum class PoolEnd {
 
 /// Work off these jobs in their order with so many processes. To be called where this process has no other thread. A
 /// worker killed from outside (SIGKILL, SIGTERM, ...) speaks against its machine, not against the job, which is tried
-/// once more; killed twice, it counts as died of it (memory, most likely). Throws std::runtime_error where no process
-/// can be made, or a worker reports an exception.
-PoolEnd workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks);
+/// once more; killed twice, it counts as died of it (memory, most likely).
+///
+/// A job that takes longer than `longest` [s] is ended with its worker and counts as died of it, at once; 0: there is
+/// no limit. Time in which this process itself did not run (suspended with its workers, as a cluster does for more
+/// urgent work) does not count.
+///
+/// Throws std::runtime_error where no process can be made, or a worker reports an exception.
+PoolEnd workOff(const std::vector<std::size_t>& jobs, int workers, const PoolCallbacks& callbacks,
+                double longest = 0.0);
 
 }  // namespace rubber_suspension::campaign

@@ -49,6 +49,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::campaign_manifest, "the manifest of a campaign", {"{\"schema\":\"rubber_suspension/campaign/"}, {}},
       {FileKind::campaign_csv, "a table of a campaign", {"id,group,type,"}, {}},
       {FileKind::campaign_json, "a table of a campaign", {"{"}, {"rubber_suspension/campaign_table/"}},
+      {FileKind::fleet_json, "the findings on a fleet", {"{"}, {"rubber_suspension/fleet/"}},
       {FileKind::fleet_report, "a fleet report", {"<!DOCTYPE html>", "<!doctype html>"}, {"Fleet report"}},
       {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
       {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},

@@ -24,6 +24,7 @@ enum class FileKind {
   campaign_manifest,    ///< the jobs of a campaign
   campaign_csv,         ///< the results of a campaign
   campaign_json,        ///< the same as JSON
+  fleet_json,           ///< what a campaign says of a fleet, as JSON
   fleet_report,         ///< what a campaign says of a fleet
   force_map_csv,        ///< missing_force.csv of a diagnosis
   fmu,                  ///< functional mock-up unit

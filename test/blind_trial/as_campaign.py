@@ -1,72 +1,124 @@
 #!/usr/bin/python3
-# Runs a blind trial as a campaign: on several processors, machines or a cluster, going on where it was interrupted.
-# It reads the cases only, never the labels.
-"""Turn the cases of a blind trial into a jobs file for `campaign`, and what a campaign found into reports to score."""
+# A blind trial as a campaign, from nothing to figures: on several processors, machines or a cluster, going on where it
+# was interrupted. What writes the jobs file reads the cases only, never the labels.
+"""Generate, run and score a blind trial, with the bank that criteria are calibrated on, as one campaign."""
 import argparse
 import json
 import os
-import shutil
+import subprocess
 import sys
 
+HERE = os.path.dirname(os.path.abspath(__file__))
+BENCH = "running_start,zeros,spikes,pink,gain"
 
-def quoted(text):
-    """Text as YAML; what is JSON is YAML."""
-    return json.dumps(text)
+# Cases of each set: `bank` and `bench` (the bank as benches are) to calibrate on, `test` to be judged by. Logs last 30
+# to 60 s, or the share of it that is given.
+SIZES = {
+    "tiny": {"bank": 2, "bench": 1, "test": 2, "duration": 0.15},
+    "five-minutes": {"bank": 12, "bench": 8, "test": 16, "duration": 1.0},
+    "night": {"bank": 400, "bench": 400, "test": 400, "duration": 1.0},
+}
+SETS = ("bank", "bench", "test")
+
+
+def call(*command, output=None):
+    """Print or write what it prints; a failure ends all."""
+    words = [str(word) for word in command]
+    if output is None:
+        status = subprocess.run(words, check=False).returncode
+    else:
+        with open(output, "w", encoding="utf-8") as file:
+            status = subprocess.run(words, check=False, stdout=file).returncode
+    if status != 0:
+        sys.exit(f"as_campaign.py: {' '.join(words[:3])} ends with {status}")
+
+
+def names_of(cases):
+    names = sorted(n for n in os.listdir(cases) if os.path.isfile(os.path.join(cases, n, "case.json")))
+    if not names:
+        sys.exit(f"as_campaign.py: {cases}: holds no cases")
+    return names
 
 
 def entry(cases, name):
-    """One entry of a jobs file: the logs in the order of the case."""
+    """One entry of a jobs file, SET_CASE: the logs in the order of the case. Each case is a type of its own."""
     with open(os.path.join(cases, name, "case.json"), encoding="utf-8") as file:
         case = json.load(file)
-    lines = [f"  {name}:", "    command: diagnose", f"    folders: {quoted(os.path.join(os.path.abspath(cases), name))}",
-             "    config: component.yaml", f"    component: {quoted(case['component'])}", f"    log: {quoted(case['logs'])}"]
+    group = f"{os.path.basename(cases)}_{name}"
+    keys = {"command": "diagnose", "folders": os.path.join(os.path.abspath(cases), name), "config": "component.yaml",
+            "component": case["component"], "type": group, "log": case["logs"]}
     if case["hold_out"]:
-        lines.append(f"    hold_out: {quoted(case['hold_out'])}")
-    return "\n".join(lines) + "\n"
+        keys["hold_out"] = case["hold_out"]
+    return f"  {group}: {json.dumps(keys)}\n"  # what is JSON is YAML
 
 
-def write_jobs(cases, path):
-    names = sorted(n for n in os.listdir(cases) if os.path.isfile(os.path.join(cases, n, "case.json")))
-    if not names:
-        sys.exit(f"as_campaign.py: --cases {cases}: holds no cases")
+def write_jobs(folders, path):
+    """The jobs file of these folders of cases."""
+    entries = [entry(cases.rstrip("/"), name) for cases in folders for name in names_of(cases)]
     with open(path, "w", encoding="utf-8") as file:
-        file.write("settings: {reports: data}\njobs:\n" + "".join(entry(cases, name) for name in names))
-    print(f"{len(names)} cases: {path}")
+        file.write("settings: {reports: data, evidence: true}\njobs:\n" + "".join(entries))
+    print(f"{len(entries)} cases: {path}")
 
 
-def write_reports(campaign, folder):
-    """The layout that score.py reads; without time and memory of each case, since jobs share their process."""
-    failed = 0
-    with open(os.path.join(campaign, "manifest.jsonl"), encoding="utf-8") as manifest:
-        jobs = [json.loads(line) for line in manifest if '"command"' in line]
-    for job in jobs:
-        name = os.path.join(job["id"][:2], job["id"][2:])
-        record_path = os.path.join(campaign, "results", name + ".json")
-        if not os.path.exists(record_path):
-            sys.exit(f"as_campaign.py: {job['group']} is not done; `campaign run` goes on with it")
-        with open(record_path, encoding="utf-8") as file:
-            record = json.load(file)
-        target = os.path.join(folder, job["group"])
-        os.makedirs(target, exist_ok=True)
-        for report in record["files"]:
-            shutil.copyfile(os.path.join(campaign, "reports", name, report), os.path.join(target, report))
-        failed += record["status"] != "done"
-    print(f"{len(jobs)} cases, {failed} failed: {folder}")
+def generate(size, seed, threads, folder):
+    """All sets that are not there yet."""
+    for name in SETS:
+        cases = os.path.join(folder, name)
+        if not os.path.isdir(cases):
+            unfinished = cases + ".unfinished"
+            call(sys.executable, os.path.join(HERE, "generate.py"), "--set", "test" if name == "test" else "bank",
+                 "--cases", SIZES[size][name], "--seed", seed + SETS.index(name), "--duration", SIZES[size]["duration"],
+                 "--bench", BENCH if name == "bench" else "", "--jobs", threads, "--output", unfinished, "--labels",
+                 cases + "_labels", output=os.devnull)
+            os.rename(unfinished, cases)
+
+
+def whole_trial(arguments):
+    folder, programs = arguments.output, arguments.programs
+    campaign, tool = os.path.join(folder, "campaign"), os.path.join(programs, "campaign")
+    os.makedirs(folder, exist_ok=True)
+    generate(arguments.size, arguments.seed, arguments.threads, folder)
+    if not os.path.exists(os.path.join(campaign, "manifest.jsonl")):
+        write_jobs([os.path.join(folder, name) for name in SETS], os.path.join(folder, "jobs.yaml"))
+        call(tool, "make", "--jobs", os.path.join(folder, "jobs.yaml"), "--output", campaign, "--threads",
+             arguments.threads)
+    if arguments.until == "make":
+        print(f"as_campaign.py: run or submit {campaign}, then call this again without --until")
+        return
+    call(tool, "run", campaign, "--threads", arguments.threads)
+    call(tool, "collect", campaign)
+    score_all(folder, campaign, os.path.join(programs, "judge_again"))
+
+
+def score_all(folder, campaign, judge_again):
+    """score.md and score.json of the trial; calibration.md of both banks."""
+    call(sys.executable, os.path.join(HERE, "score.py"), "--cases", os.path.join(folder, "test"), "--campaign",
+         campaign, "--json", os.path.join(folder, "score.json"), "--markdown", os.path.join(folder, "score.md"))
+    labels = [word for name in SETS[:2] for word in ("--labels", os.path.join(folder, name + "_labels"))]
+    page = os.path.join(folder, "calibration.md")
+    call(judge_again, "--campaign", campaign, *labels, "--calibrate", output=page)
+    with open(page, encoding="utf-8") as file:
+        print("\nCalibration on the bank, nothing of which enters the trial:\n\n" + file.read(), end="")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", help="folder that generate.py wrote: writes --jobs")
+    parser.add_argument("--size", choices=list(SIZES), help="from nothing to figures, of this size")
+    parser.add_argument("--seed", type=int, help="of the first set; the others take the next ones")
+    parser.add_argument("--programs", help="folder of the commands `campaign` and `judge_again`")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--until", choices=["make"], help="stop there, to run the campaign on a cluster")
+    parser.add_argument("--output", help="folder of all that is made; what is there already stays")
+    parser.add_argument("--cases", action="append", help="instead: folder that generate.py wrote; writes --jobs")
     parser.add_argument("--jobs", help="jobs file to write")
-    parser.add_argument("--campaign", help="folder of the campaign when it is done: writes --reports")
-    parser.add_argument("--reports", help="folder for one folder of reports per case")
     arguments = parser.parse_args()
-    if arguments.cases and arguments.jobs and not arguments.campaign:
+    whole = [arguments.size, arguments.seed is not None, arguments.programs, arguments.output]
+    if all(whole) and not (arguments.cases or arguments.jobs):
+        whole_trial(arguments)
+    elif arguments.cases and arguments.jobs and not any(whole):
         write_jobs(arguments.cases, arguments.jobs)
-    elif arguments.campaign and arguments.reports and not arguments.cases:
-        write_reports(arguments.campaign, arguments.reports)
     else:
-        parser.error("accepted: --cases FOLDER --jobs FILE, or --campaign FOLDER --reports FOLDER")
+        parser.error("accepted: --size SIZE --seed N --programs FOLDER --output FOLDER, or --cases FOLDER --jobs FILE")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ def one(job):
     """Build and write case number `number`; returns its name."""
     case_set, seed, number, (kind, effects, small), output, labels, *rest = job
     faults, size = rest[0] if rest else ((), 1.0)
+    case.DURATION = rest[1] if len(rest) > 1 else 1.0
     built = case.build(case_set, seed, number, kind, effects, small)
     if faults:
         rng = np.random.default_rng([seed, number, len(faults)])
@@ -42,8 +43,11 @@ def main():
                         help="what the bench does to each log: " + ", ".join([*bench.NUISANCES, *bench.FAULTS]))
     parser.add_argument("--size", type=float, default=1.0, help="of these nuisances; 1 is usual")
     parser.add_argument("--kind", help="cases of this kind only: single, pair, none, parameter_error, unknown")
+    parser.add_argument("--duration", type=float, default=1.0, help="of the logs, as a share of the usual 30 to 60 s")
     parser.add_argument("--jobs", type=int, default=1)
     arguments = parser.parse_args()
+    if not 0.1 <= arguments.duration <= 1.0:
+        parser.error("--duration takes a share from 0.1 to 1")
     if arguments.cases < 1 or arguments.jobs < 1:
         parser.error("--cases and --jobs take a number of at least 1")
     labels = arguments.labels or arguments.output.rstrip("/") + "_labels"
@@ -51,7 +55,8 @@ def main():
     numbers = range(arguments.cases) if arguments.only is None else arguments.only
     numbers = [i for i in numbers if arguments.kind in (None, plan[i][0])]
     faults = tuple(name for name in arguments.bench.split(",") if name)
-    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels, (faults, arguments.size))
+    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels, (faults, arguments.size),
+             arguments.duration)
             for i in numbers]
     with multiprocessing.Pool(arguments.jobs) as pool:
         for done, name in enumerate(pool.imap(one, jobs), 1):

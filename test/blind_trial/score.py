@@ -31,8 +31,9 @@ def read_json(path):
 class Case:
     """A label beside its report."""
 
-    def __init__(self, label, report, run):
-        self.label, self.report, self.run = label, report, run  # a missing report counts as a failure everywhere
+    def __init__(self, label, report, run, folder=None):
+        # A missing report counts as a failure everywhere.
+        self.label, self.report, self.run, self.folder = label, report, run, folder
         self.name, self.kind, self.truth = label["case"], label["kind"], label["effects"]
         report = report or {}
         self.verdict = report.get("verdict", "missing")
@@ -235,7 +236,8 @@ def cost_rows(cases):
         return {}
     seconds = [r["seconds"] for r in runs]
     return {"median_seconds": float(np.median(seconds)), "p95_seconds": float(np.percentile(seconds, 95)),
-            "longest_seconds": max(seconds), "peak_memory_bytes": max(r["peak_memory_bytes"] for r in runs),
+            "longest_seconds": max(seconds),
+            "peak_memory_bytes": max((r["peak_memory_bytes"] or 0) for r in runs) or None,
             "failed": sum(r["exit_status"] != 0 for r in runs), "timed_out": sum(r["timed_out"] for r in runs),
             "of": len(runs)}
 
@@ -267,8 +269,8 @@ def replay_rows(binary, cases, arguments):
     """How many reports' gap.augmented is found again by replay, to 1 %."""
     agree, rest = [], []
     for case in cases:
-        report_folder = os.path.join(arguments.reports, case.name)
-        if not case.named or not os.path.isfile(os.path.join(report_folder, "augmented.yaml")):
+        report_folder = case.folder
+        if not case.named or report_folder is None or not os.path.isfile(os.path.join(report_folder, "augmented.yaml")):
             continue
         case.labels = arguments.labels
         try:
@@ -320,8 +322,10 @@ def markdown(result):
     out += [f"| {name} | {text(figure)} |" for name, figure in result["splits"].items()]
     if result["cost"]:
         c = result["cost"]
+        peak = c["peak_memory_bytes"]
+        memory = "" if peak is None else f"peak memory {peak / 2**20:.0f} MiB; "
         out += ["", f"Time per case: median {c['median_seconds']:.1f} s, 95 % below {c['p95_seconds']:.1f} s, longest "
-                f"{c['longest_seconds']:.1f} s; peak memory {c['peak_memory_bytes'] / 2**20:.0f} MiB; "
+                f"{c['longest_seconds']:.1f} s; {memory}"
                 f"{c['failed']} failed, {c['timed_out']} timed out, of {c['of']}."]
     if result.get("replay"):
         out += ["", f"`augmented.yaml` replayed: gap as reported {text(result['replay']['agree'])}; "
@@ -339,14 +343,35 @@ def case_rows(cases):
              "programme": c.label["programme"], "model": c.label["model"]} for c in cases]
 
 
+def reports_of_campaign(folder, cases):
+    """By case: the folder of its report, and what stands for run.json, without memory: jobs share their process."""
+    prefix, found = os.path.basename(cases.rstrip("/")) + "_", {}
+    with open(os.path.join(folder, "manifest.jsonl"), encoding="utf-8") as manifest:
+        jobs = [job for job in map(json.loads, manifest) if job.get("group", "").startswith(prefix)]
+    for job in jobs:
+        place = os.path.join(job["id"][:2], job["id"][2:])
+        record = read_json(os.path.join(folder, "results", place + ".json"))
+        if record is None:
+            sys.exit(f"score.py: {job['group']} is not done; `campaign run` goes on with it")
+        failed = record["status"] != "done"
+        run = {"seconds": record["seconds"], "peak_memory_bytes": None, "exit_status": int(failed),
+               "timed_out": failed and "took longer than the limit" in record["error"]}
+        found[job["group"][len(prefix):]] = (None if failed else os.path.join(folder, "reports", place), run)
+    return found
+
+
 def load(arguments):
     cases = []
+    jobs = reports_of_campaign(arguments.campaign, arguments.cases) if arguments.campaign else None
     for file in sorted(os.listdir(arguments.labels)):
         if file.endswith(".json"):
             label = read_json(os.path.join(arguments.labels, file))
-            folder = os.path.join(arguments.reports, label["case"])
-            cases.append(Case(label, read_json(os.path.join(folder, "report.json")),
-                              read_json(os.path.join(folder, "run.json"))))
+            if jobs is None:
+                folder = os.path.join(arguments.reports, label["case"])
+                run = read_json(os.path.join(folder, "run.json"))
+            else:
+                folder, run = jobs.get(label["case"], (None, None))
+            cases.append(Case(label, read_json(os.path.join(folder, "report.json")) if folder else None, run, folder))
     return cases
 
 
@@ -362,7 +387,9 @@ def score(cases):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", required=True, help="folder that generate.py wrote")
-    parser.add_argument("--reports", required=True, help="folder that run.py wrote")
+    source = parser.add_mutually_exclusive_group(required=True)
+    source.add_argument("--reports", help="folder that run.py wrote")
+    source.add_argument("--campaign", help="folder of a campaign over a jobs file of as_campaign.py")
     parser.add_argument("--labels", help="folder of the sealed labels (default: CASES_labels)")
     parser.add_argument("--json", help="write the figures there as well")
     parser.add_argument("--markdown", help="write the tables there as well")

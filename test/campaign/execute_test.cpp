@@ -61,6 +61,20 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   EXPECT_EQ(record.values.at("verdict"), expected.verdict);
   EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
   EXPECT_EQ(record.evidence.at("ratios_by_log").size(), 2U);
+  EXPECT_EQ(record.evidence.at("configured").at("static_stiffness"),
+            component().specification().at("static_stiffness"));
+  EXPECT_FALSE(folder_.holds(report_ + "evidence.json"));
+}
+
+TEST_F(ExecuteJob, LeavesItsEvidenceWhereItIsAskedFor) {
+  const campaign::Record record = execute("diagnose\n    evidence: true");
+  ASSERT_EQ(record.error, "");
+  EXPECT_EQ(record.files.count("evidence.json"), 1U);
+  diagnosis::DiagnosisOptions settings;
+  settings.threads = 1;
+  settings.evidence = true;
+  EXPECT_EQ(folder_.read(report_ + "evidence.json"),
+            diagnosis::evidenceJson(diagnosis::diagnose(component(), logs(), {}, settings)));
 }
 
 TEST_F(ExecuteJob, EstimatesAsTheCommandDoes) {

@@ -82,10 +82,25 @@ TEST(JobsFile, TellsEveryProblemAtOnce) {
                   AllOf(HasSubstr("jobs.yaml:11: jobs.two.hold_out: has no effect on replay"))));
 }
 
+TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
+  std::vector<std::string> problems;
+  const campaign::JobsFile file = campaign::parseJobsFile(
+      "jobs:\n  a: {command: diagnose, config: c, log: l, evidence: true, test_rig: hexapod}\n", "jobs.yaml", problems);
+  EXPECT_THAT(problems, IsEmpty());
+  EXPECT_TRUE(file.groups.at(0).options.evidence);
+  EXPECT_EQ(file.groups.at(0).test_rig, "hexapod");
+  EXPECT_THAT(
+      problemsOf("settings: {reports: none}\njobs:\n  a: {command: diagnose, config: c, log: l, evidence: true}\n"),
+      ElementsAre(HasSubstr("reports: none leaves none; accepted: reports: data, full")));
+  EXPECT_THAT(
+      problemsOf("jobs:\n  a: {command: replay, config: c, log: l, evidence: true, test_rig: hexapod}\n"),
+      ElementsAre(HasSubstr("evidence: has no effect on replay"), HasSubstr("test_rig: has no effect on replay")));
+}
+
 TEST(JobsFile, TheSamplingRateHasOneName) {
   EXPECT_THAT(problemsOf("settings: {rate: 1000}\njobs:\n  a:\n    command: replay\n    config: c\n    log: l\n"),
               ElementsAre("jobs.yaml:1: settings.rate: unknown key (did you mean 'sampling_rate'?); accepted: reports, "
-                          "columns, unit, sampling_rate, rig, hold, starts"));
+                          "evidence, columns, unit, sampling_rate, rig, hold, starts"));
 }
 
 TEST(JobsFile, RefusesWhatIsNone) {

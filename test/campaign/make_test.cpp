@@ -50,6 +50,15 @@ class MakeCampaign : public ::testing::Test {
   ScratchFolder folder_;
 };
 
+TEST_F(MakeCampaign, ARigIsKeptAndDecidesNoResult) {
+  writeFleet();
+  const campaign::Manifest plain = make(kFleet);
+  const campaign::Manifest named = make(std::string(kFleet) + "    test_rig: hexapod\n");
+  EXPECT_EQ(named.jobs[0].test_rig, "hexapod");
+  EXPECT_EQ(named.jobs[0].id, plain.jobs[0].id);
+  EXPECT_EQ(campaign::jobFromJson(campaign::jobJson(named.jobs[0])).test_rig, "hexapod");
+}
+
 TEST_F(MakeCampaign, AJobForEachFolder) {
   writeFleet();
   folder_.write("fleet/notes.txt", "no folder");

@@ -2,6 +2,7 @@
 #include "campaign/run.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -31,10 +32,16 @@ class RunCampaign : public ::testing::Test {
     folder_.writeComponent("c.yaml");
     folder_.writeLog("log_1.csv", 1);
     folder_.writeLog("log_2.csv", 2);
+    writeJobs(6);
+  }
+
+  // So many draws, each with both logs.
+  void writeJobs(int draws) const {
     folder_.write(
         "jobs.yaml",
-        "jobs:\n  study:\n    command: replay\n    config: c.yaml\n    log: log_*.csv\n    monte_carlo: {runs: "
-        "6, seed: 5, tolerances: {static_stiffness: {uniform: 5 %}}}\n");
+        fmt::format("jobs:\n  study:\n    command: replay\n    config: c.yaml\n    log: log_*.csv\n"
+                    "    monte_carlo: {{runs: {}, seed: 5, tolerances: {{static_stiffness: {{uniform: 5 %}}}}}}\n",
+                    draws));
   }
 
   campaign::Manifest make(const std::string& output = "out") {
@@ -154,6 +161,56 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
   EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).failures.front(), HasSubstr("died of signal 6"));
 }
 
+constexpr double kShort = 0.02;  // [min], 1.2 s: thirty times what a job takes that ends
+
+// One log keeps its reader waiting for ever, as a file system or a loop without end would.
+campaign::LogReader readerThatHangs() {
+  return [](const std::string& path, const std::string& component, const log::LogFormat& format) {
+    while (path.find("log_2") != std::string::npos) {
+      pause();
+    }
+    return readTestLog(path, component, format);
+  };
+}
+
+TEST_F(RunCampaign, AJobThatNeverEndsFailsAtItsLimitAndTakesNoOtherWithIt) {
+  writeJobs(2);
+  const campaign::Manifest manifest = make();
+  make("one_worker");
+  campaign::RunOptions options;
+  options.job_minutes = kShort;
+  const campaign::RunSummary one = run(options, "one_worker", readerThatHangs());
+  options.workers = 3;
+  const campaign::RunSummary summary = run(options, "out", readerThatHangs());
+  for (const campaign::RunSummary& each : {one, summary}) {
+    EXPECT_EQ(each.done, 2U);
+    EXPECT_EQ(each.failed, 2U);
+    EXPECT_FALSE(each.interrupted);
+  }
+  EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).failures.front(),
+              AllOf(HasSubstr("took longer than the limit of 0.02 min and was ended"), HasSubstr("--retry-failed")));
+  EXPECT_EQ(collect().failed, 2U);
+  collect("one_worker");
+  EXPECT_EQ(folder_.read("out/table.csv"), folder_.read("one_worker/table.csv"));
+  EXPECT_EQ(folder_.read("out/table.json"), folder_.read("one_worker/table.json"));
+}
+
+TEST_F(RunCampaign, AJobThatItsLimitEndedIsDoneAgainOnlyWhenAskedFor) {
+  writeJobs(1);
+  make();
+  campaign::RunOptions options;
+  options.job_minutes = kShort;
+  run(options, "out", readerThatHangs());
+  EXPECT_EQ(run().passed_over, 2U);
+  options.retry_failed = true;
+  EXPECT_EQ(run(options).done, 1U);
+  make("never_ended");
+  run({}, "never_ended");
+  collect();
+  collect("never_ended");
+  EXPECT_EQ(folder_.read("out/table.csv"), folder_.read("never_ended/table.csv"));
+}
+
 TEST_F(RunCampaign, AManifestOfAnotherVersionIsRefused) {
   make();
   EXPECT_THAT([&] { campaign::run(folder_.path("out"), "2.0", {}, readTestLog, [](const std::string&) {}); },
@@ -197,7 +254,8 @@ TEST(Shards, AreParsed) {
 // What the supervisor sees of workers that do nothing, fail, or are killed from outside once or for ever.
 class Workers : public ::testing::Test {
  protected:
-  campaign::PoolEnd workOff(std::size_t count, int workers, const std::function<bool(std::size_t)>& work) {
+  campaign::PoolEnd workOff(std::size_t count, int workers, const std::function<bool(std::size_t)>& work,
+                            double longest = 0.0) {
     campaign::PoolCallbacks callbacks;
     callbacks.start_worker = [&] { return work; };
     callbacks.finished = [&](std::size_t job, bool done) { (done ? done_ : failed_).push_back(job); };
@@ -210,7 +268,7 @@ class Workers : public ::testing::Test {
     for (std::size_t i = 0; i < count; ++i) {
       jobs[i] = i;
     }
-    return campaign::workOff(jobs, workers, callbacks);
+    return campaign::workOff(jobs, workers, callbacks, longest);
   }
 
   std::vector<std::size_t> done_;
@@ -261,6 +319,56 @@ TEST_F(Workers, ThatEndByThemselvesCountAsDied) {
   });
   EXPECT_THAT(reasons_, ElementsAre("the process ended with status 7"));
   EXPECT_THAT(done_, ElementsAre(1, 2));
+}
+
+TEST_F(Workers, ThatTakeTooLongAreEnded) {
+  workOff(
+      6, 2,
+      [](std::size_t job) {
+        while (job == 1 || job == 4) {
+          pause();
+        }
+        return true;
+      },
+      0.2);
+  EXPECT_THAT(done_, ::testing::UnorderedElementsAre(0, 2, 3, 5));
+  EXPECT_THAT(died_, ::testing::UnorderedElementsAre(1, 4));
+  EXPECT_THAT(reasons_, ::testing::Each(HasSubstr("took longer than the limit of 0.00333333 min")));
+}
+
+// A limit is for one job: many short ones take longer together.
+TEST_F(Workers, OfManyShortJobsAreNotEnded) {
+  workOff(
+      20, 1,
+      [](std::size_t) {
+        usleep(30000);
+        return true;
+      },
+      0.5);
+  EXPECT_THAT(done_, SizeIs(20));
+  EXPECT_THAT(died_, IsEmpty());
+}
+
+TEST_F(Workers, KeepTheTimeInWhichAllWereSuspended) {
+  // A child suspends this process, as a cluster does, for longer than the limit.
+  const pid_t supervisor = getpid();
+  const pid_t cluster = fork();
+  if (cluster == 0) {
+    usleep(300000);
+    kill(supervisor, SIGSTOP);
+    usleep(4500000);
+    kill(supervisor, SIGCONT);
+    _exit(0);
+  }
+  workOff(
+      1, 1,
+      [](std::size_t) {
+        usleep(5500000);  // goes on while the supervisor is stopped
+        return true;
+      },
+      4.0);
+  waitpid(cluster, nullptr, 0);
+  EXPECT_THAT(done_, SizeIs(1));
 }
 
 TEST_F(Workers, AnExceptionEndsTheRun) {

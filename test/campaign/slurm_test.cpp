@@ -32,7 +32,7 @@ TEST(SlurmArrays, AnElementIsMinutesOfWork) {
   EXPECT_THAT(array.script, AllOf(HasSubstr("#SBATCH --array=1-33\n"), HasSubstr("#SBATCH --requeue\n"),
                                   HasSubstr("#SBATCH --cpus-per-task=1\n"), Not(HasSubstr("--partition")),
                                   HasSubstr("exec '/opt/bin/campaign' run '/data/fleet' --shard "
-                                            "\"$SLURM_ARRAY_TASK_ID/33\" --threads 1\n")));
+                                            "\"$SLURM_ARRAY_TASK_ID/33\" --threads 1 --job-minutes 240\n")));
 }
 
 TEST(SlurmArrays, MoreWorkersMakeFewerElements) {
@@ -40,10 +40,11 @@ TEST(SlurmArrays, MoreWorkersMakeFewerElements) {
   four.workers = 4;
   four.max_running = 6;
   four.partition = "long";
+  four.job_minutes = 2.5;
   const campaign::SlurmArray array = campaign::planArray(statusOf(1000, 10, 10.0), "/data/fleet", four);
   EXPECT_EQ(array.shards, 9U);
   EXPECT_THAT(array.script, AllOf(HasSubstr("--array=1-9%6\n"), HasSubstr("--partition=long\n"),
-                                  HasSubstr("--cpus-per-task=4\n"), HasSubstr("--threads 4\n")));
+                                  HasSubstr("--cpus-per-task=4\n"), HasSubstr("--threads 4 --job-minutes 2.5\n")));
 }
 
 TEST(SlurmArrays, StayWithinWhatSlurmTakes) {

@@ -240,6 +240,9 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
 /// The report as JSON text, schema rubber_suspension/gap_report/1.
 std::string toJson(const Diagnosis& diagnosis);
 
+/// What every hypothesis leaves, of which the judgement is made, as JSON text; empty where it was not asked for.
+std::string evidenceJson(const Diagnosis& diagnosis);
+
 /// The report as a page that needs no network.
 std::string toHtml(const Diagnosis& diagnosis);
 

@@ -75,14 +75,6 @@ class NewReport {
   std::vector<std::pair<std::string, std::unique_ptr<log::NewFile>>> files_;
 };
 
-NamedEvidence namedEvidence(const Workings& workings) {
-  NamedEvidence named{*workings.evidence, {}};
-  for (const fit::Candidate& candidate : workings.search.candidates) {
-    named.effects.push_back(candidate.effect);
-  }
-  return named;
-}
-
 std::string experimentCsv(const ProposedExperiment& experiment) {
   std::string text = "time_s,displacement_m\n";
   for (std::size_t i = 0; i < experiment.displacement.size(); ++i) {
@@ -92,6 +84,17 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
 }
 
 }  // namespace
+
+std::string evidenceJson(const Diagnosis& diagnosis) {
+  if (!diagnosis.workings || !diagnosis.workings->evidence) {
+    return "";
+  }
+  NamedEvidence named{*diagnosis.workings->evidence, {}};
+  for (const fit::Candidate& candidate : diagnosis.workings->search.candidates) {
+    named.effects.push_back(candidate.effect);
+  }
+  return toJson(named);
+}
 
 std::vector<std::string> reportFiles() {
   std::vector<std::string> names = {"report.json", kComponent, kExperiment, kSurrogate, kMissingForce, kEvidence};
@@ -116,8 +119,8 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));
     report.write(kMissingForce, toCsv(missingForce(diagnosis)));
   }
-  if (diagnosis.workings && diagnosis.workings->evidence) {
-    report.write(kEvidence, toJson(namedEvidence(*diagnosis.workings)));
+  if (const std::string evidence = evidenceJson(diagnosis); !evidence.empty()) {
+    report.write(kEvidence, evidence);
   }
   if (!diagnosis.proposed.displacement.empty()) {
     report.write(kExperiment, experimentCsv(diagnosis.proposed));

@@ -16,6 +16,7 @@ from .rig import Rig, Ruler, gap
 RATE = 500.0          # of the logs [Hz]
 FINE = 4              # samples of the rig's own grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
+DURATION = 1.0        # of the logs, as a share of 30 to 60 s
 SETS = {"bank": 11, "test": 23}
 
 NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
@@ -134,7 +135,7 @@ def draw_logs(rng, amplitude):
     rate = RATE * FINE
     rig = excitation.Actuator(rng, amplitude, rate)
     kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT)
-    z = [excitation.make(rng, rig, k, float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
+    z = [excitation.make(rng, rig, k, DURATION * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
     if repeat is not None:
         z[repeat[1]] = z[repeat[0]].copy()
     return z, kinds, held, programme, repeat, rig

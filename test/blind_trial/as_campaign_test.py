@@ -1,0 +1,100 @@
+# A very small blind trial with its calibration, from nothing to figures through `campaign`.
+# as_campaign_test.py FOLDER: that of the commands `campaign` and `judge_again`.
+"""Tests of the blind trial as a campaign."""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import as_campaign  # noqa: E402
+
+SIZE = as_campaign.SIZES["tiny"]
+CASES = sum(SIZE[name] for name in as_campaign.SETS)
+
+
+class TrialTest(unittest.TestCase):
+    """Two cases of the bank, one of a bench, two of the trial, with short logs."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory(prefix="rubber_suspension_trial_")
+        cls.folder = os.path.join(cls.scratch.name, "trial")
+        cls.campaign = os.path.join(cls.folder, "campaign")
+        cls.said = cls.trial()
+        with open(os.path.join(cls.campaign, "table.json"), encoding="utf-8") as file:
+            cls.rows = {row["group"]: row for row in json.load(file)["jobs"]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    @classmethod
+    def trial(cls):
+        return subprocess.run([sys.executable, os.path.join(HERE, "as_campaign.py"), "--size", "tiny", "--seed", "3",
+                               "--programs", cls.programs, "--output", cls.folder], check=True, capture_output=True,
+                              text=True).stdout
+
+    def read(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+            return file.read()
+
+    def test_every_case_is_a_job(self):
+        self.assertEqual(len(self.rows), CASES)
+        self.assertEqual({row["status"] for row in self.rows.values()}, {"done"})
+        self.assertEqual({name.split("_")[0] for name in self.rows}, set(as_campaign.SETS))
+
+    def test_the_trial_alone_is_scored(self):
+        result = json.loads(self.read("score.json"))
+        self.assertEqual((result["cases"], result["missing"], result["cost"]["of"]), (SIZE["test"], 0, SIZE["test"]))
+        for case in result["by_case"]:
+            self.assertEqual(case["verdict"], self.rows["test_" + case["case"]]["values"]["verdict"])
+        self.assertIn(f"Blind trial: {SIZE['test']} cases, 0 without a report", self.read("score.md"))
+
+    def test_the_banks_alone_are_calibrated_on(self):
+        page = self.read("calibration.md")
+        counted = re.search(r"^(\d+) cases, (\d+) of (\d+) right", page)
+        self.assertIsNotNone(counted, page)
+        self.assertEqual(int(counted[1]), SIZE["bank"] + SIZE["bench"])
+        self.assertEqual(counted[1], counted[3])
+        stated = re.findall(r"^\| \S+ to \S+ \| (\d+) \|", page, re.MULTILINE)
+        self.assertEqual(sum(map(int, stated)), int(counted[1]))
+        for criterion in ("floor_margin", "sharpness", "set_probability"):
+            self.assertIn(f"| `{criterion}` |", page)
+        self.assertIn("Mean logarithm of the probability of the truth", page)
+
+    def test_the_evidence_gives_the_verdicts_again(self):
+        said = subprocess.run([os.path.join(self.programs, "judge_again"), "--verdicts", "--campaign", self.campaign,
+                               "--labels", os.path.join(self.folder, "bank_labels"), "--labels",
+                               os.path.join(self.folder, "test_labels")], check=True, capture_output=True, text=True)
+        again = dict(re.findall(r"/(\w\w/\w+)/evidence.json: (\w+)", said.stdout))
+        rows = [row for name, row in self.rows.items() if not name.startswith("bench")]
+        self.assertEqual(again, {f"{row['id'][:2]}/{row['id'][2:]}": row["values"]["verdict"] for row in rows})
+
+    def test_nothing_is_done_twice(self):
+        before = self.read("score.json")
+        self.assertIn(f"0 jobs done, 0 failed, {CASES} passed over", self.trial())
+        self.assertEqual(self.read("score.json"), before)
+
+    def test_an_unfinished_campaign_is_not_scored(self):
+        record = os.path.join(self.campaign, "results", self.rows["test_case_000"]["id"][:2],
+                              self.rows["test_case_000"]["id"][2:] + ".json")
+        os.rename(record, record + ".away")
+        try:
+            said = subprocess.run([sys.executable, os.path.join(HERE, "score.py"), "--cases",
+                                   os.path.join(self.folder, "test"), "--campaign", self.campaign], check=False,
+                                  capture_output=True, text=True)
+        finally:
+            os.rename(record + ".away", record)
+        self.assertNotEqual(said.returncode, 0)
+        self.assertIn("test_case_000 is not done", said.stderr)
+
+
+if __name__ == "__main__":
+    TrialTest.programs = sys.argv.pop(1)
+    unittest.main()
