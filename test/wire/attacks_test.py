@@ -298,7 +298,6 @@ class Answers(Attack):
 
     def test_connections_that_come_and_go_lose_nothing(self):
         self.start(["left"])
-        report = self.network.subscribe(NODE, "/diagnostics")
         answers = self.forces_of("left")
         api = self.network.node_api(NODE)
         for visit in range(40):
@@ -315,6 +314,7 @@ class Answers(Attack):
             # Until the master's word has come, the node calls the one that left again: it would take the next for it.
             tcpros.until(lambda: "/left/displacement" not in [link[4] for link in api.getBusInfo(tcpros.CALLER)[2]],
                          "the node to leave a publisher")
+        report = self.network.subscribe(NODE, "/diagnostics")  # not before: reports of the time till now would wait
         self.assertEqual(self.counts(report, "left", "accepted", 1200), 1200)
         self.assertEqual(self.counts(report, "left", "lost before arrival", 0), 0)
 
