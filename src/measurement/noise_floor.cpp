@@ -3,11 +3,10 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
+#include "measurement/functions_of_motion.h"
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
 #include "rubber_suspension/element/constants.h"
@@ -127,79 +126,6 @@ double keptShare(const NoiseModel& noise, double lag) {
 double withSlowPart(double fast_variance, double slow_variance, const log::Record& record) {
   const double most = record.slow_noise * record.slow_noise;
   return fast_variance + std::clamp(slow_variance, 0.0, most);
-}
-
-// Piecewise linear functions of a signal, even over its range.
-class Hats {
- public:
-  Hats(const VectorXd& signal, Index count) : low_(signal.minCoeff()), step_(rangeOf(signal) / (count - 1.0)) {}
-
-  // The first of the two that are not 0 at a value, and the share of the second.
-  std::pair<Index, double> at(double value) const {
-    const double place = step_ > 0.0 ? (value - low_) / step_ : 0.0;
-    const auto first = static_cast<Index>(place);
-    return {first, place - static_cast<double>(first)};
-  }
-
- private:
-  double low_;
-  double step_;
-};
-
-// How many functions of each kind a log can tell: one for two cycles or 50 samples of it, so that they take some
-// percent of noise with them at most.
-Index tellable(const log::Record& record, const Mask& mask) {
-  constexpr double kKinds = 3.0;
-  constexpr double kMost = 12.0;
-  const double cycles = record.mean_frequency * record.duration();
-  return static_cast<Index>(std::min({kMost, 0.5 * cycles, static_cast<double>(mask.count()) / 50.0 / kKinds}));
-}
-
-// A residual without what is a function of displacement, in each direction apart, and of speed: a law that is missing
-// is no noise. Nonlinear stiffness and damping, stops, and most of friction are such functions.
-VectorXd withoutFunctionsOfMotion(const log::Record& record, const VectorXd& residual, const Mask& mask) {
-  const Index count = tellable(record, mask);
-  if (count < 3) {
-    return residual;
-  }
-  const VectorXd& z = record.displacement;
-  VectorXd speed = VectorXd::Zero(z.size());
-  speed.segment(1, z.size() - 2) = z.tail(z.size() - 2) - z.head(z.size() - 2);
-  const Hats of_displacement(z, count);
-  const Hats of_speed(speed, count);
-  const auto columnsAt = [&](Index i) {
-    const auto [place, share] = of_displacement.at(z[i]);
-    const auto [pace, further] = of_speed.at(speed[i]);
-    const Index direction = (speed[i] < 0.0 ? 1 : 0) * (count + 1);
-    const Index speeds = 2 * (count + 1);
-    return std::array<std::pair<Index, double>, 4>{{{direction + place, 1.0 - share},
-                                                    {direction + place + 1, share},
-                                                    {speeds + pace, 1.0 - further},
-                                                    {speeds + pace + 1, further}}};
-  };
-  const Index size = 3 * (count + 1);
-  MatrixXd gram = MatrixXd::Zero(size, size);
-  VectorXd moment = VectorXd::Zero(size);
-  for (Index i = 0; i < z.size(); ++i) {
-    if (!mask[i]) {
-      continue;
-    }
-    const auto columns = columnsAt(i);
-    for (const auto& [a, x] : columns) {
-      moment[a] += x * residual[i];
-      for (const auto& [b, y] : columns) {
-        gram(a, b) += x * y;
-      }
-    }
-  }
-  const VectorXd weights = gram.completeOrthogonalDecomposition().solve(moment);
-  VectorXd rest = residual;
-  for (Index i = 0; i < z.size(); ++i) {
-    for (const auto& [a, x] : columnsAt(i)) {
-      rest[i] -= x * weights[a];
-    }
-  }
-  return rest;
 }
 
 // Power of single lines beside the motion, such as hum: what a machine adds, and no noise. Of a band whose mean is far
