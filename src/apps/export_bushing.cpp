@@ -6,10 +6,10 @@
 #include "apps/command.h"
 #include "apps/component_options.h"
 #include "apps/output_options.h"
+#include "apps/quantity_option.h"
 #include "command/bushing_file.h"
 #include "log/new_file.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/log/units.h"
 
 namespace {
 
@@ -27,27 +27,16 @@ struct Options {
   OutputOptions outputs;
 };
 
-double quantity(const std::string& option, const std::string& text, const std::string& unit) {
-  const element::Range range = element::Range::positive();
-  double value = 0.0;
-  try {
-    value = log::parseQuantity(text, unit);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(option + ": " + error.what());
-  }
-  if (!range.contains(value)) {
-    throw UsageError(
-        fmt::format("{}: '{}' is out of range; accepted: {} {}", option, text, element::describe(range), unit));
-  }
-  return value;
+double positive(const std::string& option, const std::string& text, const std::string& unit) {
+  return quantityOf(option, text, unit, element::Range::positive());
 }
 
 int run(const Options& options) {
   command::BushingFileOptions bushing;
   bushing.axis = options.axis.front();
-  bushing.largest_displacement = quantity("--largest-displacement", options.largest_displacement, "m");
-  bushing.frequency = quantity("--frequency", options.frequency, "Hz");
-  bushing.amplitude = quantity("--amplitude", options.amplitude, "m");
+  bushing.largest_displacement = positive("--largest-displacement", options.largest_displacement, "m");
+  bushing.frequency = positive("--frequency", options.frequency, "Hz");
+  bushing.amplitude = positive("--amplitude", options.amplitude, "m");
   bushing.points = options.points;
   if (bushing.points % 2 == 0) {
     throw UsageError(

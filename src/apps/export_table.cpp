@@ -6,10 +6,10 @@
 #include "apps/command.h"
 #include "apps/component_options.h"
 #include "apps/output_options.h"
+#include "apps/quantity_option.h"
 #include "command/characteristic_table.h"
 #include "log/new_file.h"
 #include "rubber_suspension/io/component_file.h"
-#include "rubber_suspension/log/units.h"
 
 namespace {
 
@@ -29,14 +29,7 @@ std::vector<double> quantities(const std::string& option, const std::vector<std:
                                const std::string& unit, const element::Range& range) {
   std::vector<double> values;
   for (const std::string& text : texts) {
-    try {
-      values.push_back(log::parseQuantity(text, unit));
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(option + ": " + error.what());
-    }
-    if (!range.contains(values.back())) {
-      throw UsageError(fmt::format("{}: '{}' is out of range; accepted: {}", option, text, element::describe(range)));
-    }
+    values.push_back(quantityOf(option, text, unit, range));
   }
   return values;
 }

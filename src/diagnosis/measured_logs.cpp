@@ -56,9 +56,12 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
   const std::vector<log::Record>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
-  const FittedHypothesis& model = result.re_estimated;
-  const std::vector<double> caused =
-      frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
+  if (result.record_caused.empty()) {
+    const FittedHypothesis& model = result.re_estimated;
+    result.record_caused =
+        frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
+  }
+  const std::vector<double>& caused = result.record_caused;
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);

@@ -33,11 +33,12 @@ struct Search {
   std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
   std::vector<FittedHypothesis> pairs;    ///< those that a screening of all found worth a full fit, best first
   std::vector<FittedHypothesis> triples;
-  double surrogate_gap = 0.0;        ///< held out, all candidates at once: what a flexible fit could close
-  double discretisation = 0.0;       ///< what dashpots of the model err by at the time steps of the logs
-  double noise = 0.0;                ///< noise floor of all logs
-  std::vector<double> record_rest;   ///< of each log, noise of the least that models leave, in these units
-  std::vector<double> record_noise;  ///< of each log, in units of its force's standard deviation
+  double surrogate_gap = 0.0;         ///< held out, all candidates at once: what a flexible fit could close
+  double discretisation = 0.0;        ///< what dashpots of the model err by at the time steps of the logs
+  double noise = 0.0;                 ///< noise floor of all logs
+  std::vector<double> record_rest;    ///< of each log, noise of the least that models leave, in these units
+  std::vector<double> record_caused;  ///< of each log, what the noise of the displacement causes in the model
+  std::vector<double> record_noise;   ///< of each log, in units of its force's standard deviation
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
   std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for

@@ -142,9 +142,9 @@ double powerOfLines(const log::Record& record, const VectorXd& residual, const M
   return power;
 }
 
-double meanSquare(const VectorXd& signal, const Mask& mask) {
-  return (signal.array() * mask.cast<double>()).square().sum() /
-         std::max<double>(1.0, static_cast<double>(mask.count()));
+// Lines are in the repeats as well, unless they are harmonics of the motion.
+double withoutLines(double deviation, const log::Record& record, const VectorXd& residual, const Mask& mask) {
+  return std::sqrt(std::max(0.0, deviation * deviation - powerOfLines(record, residual, mask)));
 }
 
 // Deviation of the residual where the freedom of the fits is taken off.
@@ -226,9 +226,8 @@ NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const
   const VectorXd rest = withoutFunctionsOfMotion(record, residual, mask);
   const double by_repeats = noiseFromRepeats(record, rest, mask);
   const double by_spectrum = noiseFromSpectrum(record, rest, mask);
-  // Lines are in the repeats as well, unless they are harmonics of the motion.
-  const double without_lines = std::sqrt(std::max(0.0, by_repeats * by_repeats - powerOfLines(record, rest, mask)));
-  take(std::max(without_lines, std::min(by_repeats, by_spectrum)), "repeats");
+  take(by_repeats > by_spectrum ? std::max(by_spectrum, withoutLines(by_repeats, record, rest, mask)) : by_repeats,
+       "repeats");
   take(by_spectrum, "spectrum");
   take(noiseFromStandstill(record, mask), "standstill");
   const double least_left = std::min(left, std::sqrt(meanSquare(rest, mask)));

@@ -247,11 +247,6 @@ VectorXd clamped(const VectorXd& signal, const Mask& mask) {
   return limit > 0.0 ? VectorXd(signal.cwiseMin(limit).cwiseMax(-limit)) : signal;
 }
 
-double meanSquare(const VectorXd& signal, const Mask& mask) {
-  return (signal.array() * mask.cast<double>()).square().sum() /
-         std::max<double>(1.0, static_cast<double>(mask.count()));
-}
-
 VectorXd centred(const VectorXd& signal, const Mask& mask) {
   const double mean =
       (signal.array() * mask.cast<double>()).sum() / std::max<double>(1.0, static_cast<double>(mask.count()));

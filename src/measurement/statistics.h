@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "rubber_suspension/measurement/faults.h"
+
 namespace rubber_suspension::measurement {
 
 constexpr double kMadToDeviation = 1.4826;  // of a normal variable
@@ -23,6 +25,12 @@ inline double rangeOf(const Eigen::VectorXd& values) { return values.maxCoeff() 
 
 inline double rmsOf(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(values.size(), 1)));
+}
+
+/// Over the samples that count.
+inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
+  return (signal.array() * mask.cast<double>()).square().sum() /
+         std::max<double>(1.0, static_cast<double>(mask.count()));
 }
 
 inline double deviationOf(const Eigen::VectorXd& values) {

@@ -9,6 +9,7 @@
 
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"
+#include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/measurement/bench_check.h"
 
@@ -45,13 +46,11 @@ void checkRows(const io::ComponentDescription& component, const fit::MeasuredTab
   }
 }
 
-double medianStiffness(std::vector<std::complex<double>> stiffness) {
+double medianStiffness(const std::vector<std::complex<double>>& stiffness) {
   std::vector<double> magnitudes;
   std::transform(stiffness.begin(), stiffness.end(), std::back_inserter(magnitudes),
                  [](std::complex<double> k) { return std::abs(k); });
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  return *middle;
+  return measurement::medianOf(std::move(magnitudes));
 }
 
 std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescription& component,
