@@ -1,4 +1,4 @@
-// The bare loop over blocks for one kind of processor; included once for each by kernel/instruction_sets.h. The laws
+// The bare loop over blocks for one kind of processor; included once for each by processor/instruction_sets.h. The laws
 // are repeated on purpose.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});

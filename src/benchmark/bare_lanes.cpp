@@ -7,7 +7,7 @@
 #include "benchmark/bare_numbers.h"
 #define RUBBER_SUSPENSION_LAYER benchmark
 #define RUBBER_SUSPENSION_KERNELS "benchmark/bare_kernels.h"
-#include "kernel/instruction_sets.h"
+#include "processor/instruction_sets.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::benchmark {

@@ -1,6 +1,6 @@
 // Columns of unit forces and of their derivatives over a block of samples, and products of columns, for one kind of
 // processor. Sums run over eight lanes on each of them, so that all give the same bits. See instruction_sets.h.
-#include "kernel/lanes.h"
+#include "processor/lanes.h"
 
 /// Forces of Berg friction of unit maximum and their derivatives by ln(z2), two columns, from sample `first` of the log
 /// on; `branch` is the one that this sample is on, and the last sample's is returned. What is written beyond the last

@@ -139,7 +139,7 @@ void relax(const RelaxationSteps& steps, RelaxationState* state, const double* r
 
 #define RUBBER_SUSPENSION_LAYER fit
 #define RUBBER_SUSPENSION_KERNELS "fit/unit_column_kernels.h"
-#include "kernel/instruction_sets.h"
+#include "processor/instruction_sets.h"
 
 namespace rubber_suspension::fit {
 namespace {

@@ -4,7 +4,7 @@
 
 #define RUBBER_SUSPENSION_LAYER kernel
 #define RUBBER_SUSPENSION_KERNELS "kernel/prepare_kernels.h"
-#include "kernel/instruction_sets.h"
+#include "processor/instruction_sets.h"
 
 namespace rubber_suspension::kernel {
 namespace {

@@ -1,5 +1,5 @@
 // Coefficients of Maxwell elements for a small step, for one kind of processor. See instruction_sets.h.
-#include "kernel/lanes.h"
+#include "processor/lanes.h"
 #include "rubber_suspension/element/relaxation_mean.h"
 
 /// MaxwellStep with Relaxation::small for `count` elements, of rates [1/s] and stiffnesses [N/m].

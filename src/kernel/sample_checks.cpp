@@ -3,7 +3,7 @@
 
 #define RUBBER_SUSPENSION_LAYER kernel
 #define RUBBER_SUSPENSION_KERNELS "kernel/sample_checks_kernels.h"
-#include "kernel/instruction_sets.h"
+#include "processor/instruction_sets.h"
 
 namespace rubber_suspension::kernel {
 

@@ -31,7 +31,7 @@ struct LogSteps {
 
 #define RUBBER_SUSPENSION_LAYER kernel
 #define RUBBER_SUSPENSION_KERNELS "kernel/simulate_kernels.h"
-#include "kernel/instruction_sets.h"
+#include "processor/instruction_sets.h"
 
 namespace rubber_suspension::kernel {
 

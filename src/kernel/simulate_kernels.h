@@ -1,6 +1,16 @@
 // Many steps of basic laws, for one kind of processor. See instruction_sets.h.
-#include "kernel/lanes.h"
+#include "processor/lanes.h"
 #include "rubber_suspension/element/maxwell_force.h"
+
+/// BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
+inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
+                            const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
+  constexpr double kTiny = std::numeric_limits<double>::min();
+  const Lanes travel = displacement - reference_displacement;
+  const Lanes left = withSignOf(maximum_force, travel) - reference_force;
+  const Lanes reach = compliance * magnitude(left) + kTiny;
+  return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
+}
 
 // Maxwell elements side by side, each one sample behind the one before it: what it adds to the sum of a sample then
 // goes with it from lane to lane. Lane 0 is the last element, and the sums leave it finished.

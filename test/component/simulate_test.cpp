@@ -8,7 +8,7 @@
 
 #include "element/typical_elements.h"
 #include "rubber_suspension/component/sample_stream.h"
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -68,15 +68,15 @@ void expectSameBits(const component::Component& component, const std::vector<dou
 }
 
 /// All kinds of instructions that this processor has, one after the other.
-class Simulate : public testing::TestWithParam<kernel::Instructions> {
+class Simulate : public testing::TestWithParam<processor::Instructions> {
  protected:
-  Simulate() { kernel::useAtMost(GetParam()); }
-  ~Simulate() override { kernel::useAtMost(kernel::Instructions::avx512); }
+  Simulate() { processor::useAtMost(GetParam()); }
+  ~Simulate() override { processor::useAtMost(processor::Instructions::avx512); }
 };
 
 INSTANTIATE_TEST_SUITE_P(With, Simulate,
-                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
-                                         kernel::Instructions::avx512));
+                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
+                                         processor::Instructions::avx512));
 
 TEST_P(Simulate, HasTheBitsOfStepsForRandomLaws) {
   std::mt19937 random(1);

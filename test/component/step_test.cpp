@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -168,15 +168,15 @@ class Pairing {
 };
 
 /// All kinds of instructions that this processor has, one after the other.
-class Step : public testing::TestWithParam<kernel::Instructions> {
+class Step : public testing::TestWithParam<processor::Instructions> {
  protected:
-  Step() { kernel::useAtMost(GetParam()); }
-  ~Step() override { kernel::useAtMost(kernel::Instructions::avx512); }
+  Step() { processor::useAtMost(GetParam()); }
+  ~Step() override { processor::useAtMost(processor::Instructions::avx512); }
 };
 
 INSTANTIATE_TEST_SUITE_P(With, Step,
-                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
-                                         kernel::Instructions::avx512));
+                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
+                                         processor::Instructions::avx512));
 
 TEST_P(Step, HasTheBitsOfTheLawsOneByOne) {
   std::mt19937 random(1);

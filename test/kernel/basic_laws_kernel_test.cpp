@@ -14,7 +14,7 @@
 #include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/spring.h"
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 #include "support/allocation_counter.h"
 
 namespace rubber_suspension::test {
@@ -195,15 +195,15 @@ class Pair {
 };
 
 /// All kinds of instructions that this processor has, one after the other.
-class BasicLawsKernel : public testing::TestWithParam<kernel::Instructions> {
+class BasicLawsKernel : public testing::TestWithParam<processor::Instructions> {
  protected:
-  BasicLawsKernel() { kernel::useAtMost(GetParam()); }
-  ~BasicLawsKernel() override { kernel::useAtMost(kernel::Instructions::avx512); }
+  BasicLawsKernel() { processor::useAtMost(GetParam()); }
+  ~BasicLawsKernel() override { processor::useAtMost(processor::Instructions::avx512); }
 };
 
 INSTANTIATE_TEST_SUITE_P(With, BasicLawsKernel,
-                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
-                                         kernel::Instructions::avx512));
+                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
+                                         processor::Instructions::avx512));
 
 TEST_P(BasicLawsKernel, HasTheBitsOfItsLawsStepByStep) {
   std::mt19937 random(1);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -16,15 +16,15 @@ constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kSmallest = std::numeric_limits<std::int64_t>::min();
 
 /// All kinds of instructions that this processor has, one after the other.
-class SampleChecks : public testing::TestWithParam<kernel::Instructions> {
+class SampleChecks : public testing::TestWithParam<processor::Instructions> {
  protected:
-  SampleChecks() { kernel::useAtMost(GetParam()); }
-  ~SampleChecks() override { kernel::useAtMost(kernel::Instructions::avx512); }
+  SampleChecks() { processor::useAtMost(GetParam()); }
+  ~SampleChecks() override { processor::useAtMost(processor::Instructions::avx512); }
 };
 
 INSTANTIATE_TEST_SUITE_P(With, SampleChecks,
-                         testing::Values(kernel::Instructions::any, kernel::Instructions::avx2,
-                                         kernel::Instructions::avx512));
+                         testing::Values(processor::Instructions::any, processor::Instructions::avx2,
+                                         processor::Instructions::avx512));
 
 std::vector<std::int64_t> evenStamps(std::size_t count, std::int64_t first, std::int64_t step) {
   std::vector<std::int64_t> stamps{first};

@@ -10,8 +10,9 @@ import sys
 
 # What each layer may include, itself apart.
 BELOW = {
-    "element": set(),
-    "kernel": {"element"},
+    "processor": set(),
+    "element": {"processor"},
+    "kernel": {"processor", "element"},
     "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
@@ -19,7 +20,8 @@ BELOW = {
     "io": {"element", "component", "response", "estimation", "log"},
     "gap": {"element", "component", "response", "estimation", "log", "io"},
     "measurement": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},
-    "fit": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement"},
+    "fit": {
+        "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "command": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
     "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
     "campaign": {
@@ -33,8 +35,8 @@ BELOW = {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag"},
     "benchmark": {
-        "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit",
-        "diagnosis", "node", "ros_interface", "fmi"},
+        "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement",
+        "fit", "diagnosis", "node", "ros_interface", "fmi"},
 }
 KNOW_ROS = {"bag", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

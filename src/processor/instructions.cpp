@@ -1,10 +1,10 @@
 // What this processor can do.
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 
 #include <algorithm>
 #include <atomic>
 
-namespace rubber_suspension::kernel {
+namespace rubber_suspension::processor {
 namespace {
 
 Instructions widest() {
@@ -30,4 +30,4 @@ Instructions instructionsInUse() { return inUse().load(std::memory_order_relaxed
 
 void useAtMost(Instructions most) { inUse().store(std::min(most, widest()), std::memory_order_relaxed); }
 
-}  // namespace rubber_suspension::kernel
+}  // namespace rubber_suspension::processor

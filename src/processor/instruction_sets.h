@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 
 namespace rubber_suspension::RUBBER_SUSPENSION_LAYER::any {
 constexpr std::size_t kWidth = 2;
@@ -48,7 +48,7 @@ constexpr std::size_t kWidth = 8;
 #pragma GCC pop_options
 #endif
 
-namespace rubber_suspension::kernel {
+namespace rubber_suspension::processor {
 
 template <class Kernel>
 Kernel* chosen(Kernel* any, Kernel* avx2, Kernel* avx512) {
@@ -56,10 +56,10 @@ Kernel* chosen(Kernel* any, Kernel* avx2, Kernel* avx512) {
   return instructions == Instructions::avx512 ? avx512 : instructions == Instructions::avx2 ? avx2 : any;
 }
 
-}  // namespace rubber_suspension::kernel
+}  // namespace rubber_suspension::processor
 
 /// The kernel of this name for the instructions in use.
-#define RUBBER_SUSPENSION_KERNEL(name) ::rubber_suspension::kernel::chosen(any::name, avx2::name, avx512::name)
+#define RUBBER_SUSPENSION_KERNEL(name) ::rubber_suspension::processor::chosen(any::name, avx2::name, avx512::name)
 #else
 #define RUBBER_SUSPENSION_KERNEL(name) any::name
 #endif

@@ -1,5 +1,5 @@
-// Numbers side by side in one vector of the processor, and Berg's law for them. No include guard: this is included once
-// for each kind of processor by instruction_sets.h, into a namespace that says how many numbers a vector has (kWidth).
+// Numbers side by side in one vector of the processor. No include guard: this is included once for each kind of
+// processor by instruction_sets.h, into a namespace that says how many numbers a vector has (kWidth).
 
 /// GCC's vector type, which Clang knows, too.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
@@ -45,14 +45,4 @@ inline Lanes magnitude(const Lanes& lanes) {
 /// std::copysign for numbers whose own sign is positive.
 inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(positive) | (reinterpret_cast<LaneMask>(sign) & INT64_MIN));
-}
-
-/// BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
-inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
-                            const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
-  constexpr double kTiny = std::numeric_limits<double>::min();
-  const Lanes travel = displacement - reference_displacement;
-  const Lanes left = withSignOf(maximum_force, travel) - reference_force;
-  const Lanes reach = compliance * magnitude(left) + kTiny;
-  return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
 }

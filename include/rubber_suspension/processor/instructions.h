@@ -1,7 +1,7 @@
 // Which vector instructions the code for blocks of samples uses. Throws nothing.
 #pragma once
 
-namespace rubber_suspension::kernel {
+namespace rubber_suspension::processor {
 
 /// Kinds of processors that such code is compiled for, each next to the others. All give the same bits.
 enum class Instructions {
@@ -16,4 +16,4 @@ Instructions instructionsInUse();
 /// Use none wider than these from here on, in all threads: for tests, and to measure what other processors would do.
 void useAtMost(Instructions most);
 
-}  // namespace rubber_suspension::kernel
+}  // namespace rubber_suspension::processor
