@@ -8,6 +8,7 @@
 #include "apps/output_options.h"
 #include "apps/plot_option.h"
 #include "benchmark/cases.h"
+#include "benchmark/long_log.h"
 #include "benchmark/ratio_figure.h"
 #include "benchmark/single_work.h"
 
@@ -41,8 +42,12 @@ std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
 }
 
 int runSingle(const Options& options) {
+  if (options.work == "diagnose") {
+    std::cout << benchmark::diagnoseLongLog(options.log_duration) << '\n';
+    return kSuccess;
+  }
   if (options.config.empty() || options.log.empty()) {
-    throw UsageError("--work needs --config and --log");
+    throw UsageError("--work " + options.work + " needs --config and --log");
   }
   std::cout << benchmark::singleWork(options.work, options.config, options.log) << '\n';
   return kSuccess;
@@ -96,7 +101,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(10, 10000000));
         app.add_option("--log-duration", options->log_duration, "length of the logs that are diagnosed")
             ->type_name("SECONDS")
-            ->check(CLI::Range(1.0, 3600.0))
+            ->check(CLI::Range(1.0, 604800.0))
             ->capture_default_str();
         app.add_option("--pairs", options->pairs,
                        "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
@@ -105,18 +110,24 @@ int main(int argc, char** argv) {
         addPlotOption(app, options->plot, "the ratios");
         app.add_option(
                "--work", options->work,
-               "only time the library on this, once, and print JSON, for scripts/benchmark_peers: simulate, the "
-               "force of a log; fit, from the component as given")
+               "only time the library on this, once, and print JSON: simulate, the force of a log; fit, from the "
+               "component "
+               "as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is made as it is "
+               "read, with the memory that the process took")
             ->type_name("WORK")
-            ->check(CLI::IsMember({"simulate", "fit"}));
-        app.add_option("--config", options->config, "with --work: component file of one component")->type_name("FILE");
-        app.add_option("--log", options->log, "with --work: CSV log")->type_name("FILE");
+            ->check(CLI::IsMember({"simulate", "fit", "diagnose"}));
+        app.add_option("--config", options->config, "with --work simulate or fit: component file of one component")
+            ->type_name("FILE");
+        app.add_option("--log", options->log, "with --work simulate or fit: CSV log")->type_name("FILE");
         options->outputs.addTo(app);
         return [&app, options] {
           if (options->work.empty()) {
             refuseUnused(app, {"--config", "--log"}, "without --work");
           } else {
-            refuseUnused(app, {"--quick", "--samples", "--log-duration", "--pairs", "--plot"}, "with --work");
+            refuseUnused(app, {"--quick", "--samples", "--pairs", "--plot"}, "with --work");
+            using Names = std::vector<std::string>;
+            refuseUnused(app, options->work == "diagnose" ? Names{"--config", "--log"} : Names{"--log-duration"},
+                         "with --work " + options->work);
           }
           options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
           return options->work.empty() ? run(*options) : runSingle(*options);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -60,11 +61,72 @@ std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::
   fit::parallelFor(paths.size(), options.threads,
                    [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component.name); });
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    LogOptions::printNotes("diagnose", paths[i], logs[i]);
-    warnOfTemperature("diagnose", paths[i], logs[i], component);
+    LogOptions::printNotes("diagnose", paths[i], logs[i].notes);
+    warnOfTemperature("diagnose", paths[i], !logs[i].temperature.empty(), component);
   }
   return logs;
 }
+
+// A log that remembers what its first reader was told.
+class RememberedLog : public log::LogSource {
+ public:
+  explicit RememberedLog(std::shared_ptr<const log::LogSource> log) : log_(std::move(log)) {}
+
+  std::string name() const override { return log_->name(); }
+
+  std::vector<std::string> read(const Take& take) const override {
+    bool all = true;
+    bool has_temperature = false;
+    std::vector<std::string> notes = log_->read([&](const log::Log& block, std::size_t first) {
+      has_temperature = !block.temperature.empty();
+      all = take(block, first);
+      return all;
+    });
+    if (all) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      notes_ = notes;
+      has_temperature_ = has_temperature;
+    }
+    return notes;
+  }
+
+  /// To stderr.
+  void tell(const std::string& path, const io::ComponentDescription& component) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    LogOptions::printNotes("diagnose", path, notes_);
+    warnOfTemperature("diagnose", path, has_temperature_, component);
+  }
+
+ private:
+  std::shared_ptr<const log::LogSource> log_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::string> notes_;
+  mutable bool has_temperature_ = true;
+};
+
+// Logs to be diagnosed, which may be longer than memory.
+class OpenedLogs {
+ public:
+  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component, const Options& options)
+      : paths_(paths), logs_(paths.size()) {
+    fit::parallelFor(paths.size(), options.threads, [&](std::size_t i) {
+      logs_[i] = std::make_shared<RememberedLog>(options.log_options.open(paths[i], component.name));
+    });
+  }
+
+  log::LogSources sources() const { return {logs_.begin(), logs_.end()}; }
+
+  /// What was found in the logs once they were read.
+  void tell(const io::ComponentDescription& component) const {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      logs_[i]->tell(paths_[i], component);
+    }
+  }
+
+ private:
+  const std::vector<std::string>& paths_;
+  std::vector<std::shared_ptr<RememberedLog>> logs_;
+};
 
 void showStage(const std::string& stage, double fraction) {
   if (isatty(STDERR_FILENO) != 0) {
@@ -290,9 +352,22 @@ int run(const Options& options) {
   settings.progress = showStage;
   settings.evidence = options.evidence;
   showStage("reading the logs", 0.0);
-  const std::vector<log::Log> logs = readLogs(options.logs, component, options);
-  const std::vector<log::Log> hold_out = readLogs(options.hold_out, component, options);
-  return publish(diagnosis::diagnose(component, logs, hold_out, settings), earlier, options);
+  const OpenedLogs logs(options.logs, component, options);
+  const OpenedLogs hold_out(options.hold_out, component, options);
+  auto tell = [&, told = false]() mutable {
+    if (!told) {
+      logs.tell(component);
+      hold_out.tell(component);
+    }
+    told = true;
+  };
+  settings.progress = [&tell](const std::string& stage, double fraction) {
+    tell();  // before the search, which takes longest
+    showStage(stage, fraction);
+  };
+  diagnosis::Diagnosis diagnosis = diagnosis::diagnose(component, logs.sources(), hold_out.sources(), settings);
+  tell();  // where nothing was searched
+  return publish(std::move(diagnosis), earlier, options);
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ int identifyComponent(const Options& options) {
   for (const std::string& path : options.logs) {
     logs.push_back(options.log_options.read("estimate", path, description.name));
     warnOf("estimate", path, gap::oddMotion(logs.back(), description));
-    warnOfTemperature("estimate", path, logs.back(), description);
+    warnOfTemperature("estimate", path, !logs.back().temperature.empty(), description);
   }
   const fit::Identification result = command::identifyFromLogs(description, logs, options.identification);
   if (!options.plot.empty()) {

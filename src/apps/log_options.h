@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ class LogOptions {
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const {
     log::Log log = readSilently(path, component);
-    printNotes(command, path, log);
+    printNotes(command, path, log.notes);
     return log;
   }
 
@@ -45,8 +46,13 @@ class LogOptions {
     return bag::readAnyLog(path, component, format());
   }
 
-  static void printNotes(const std::string& command, const std::string& path, const log::Log& log) {
-    for (const std::string& note : log.notes) {
+  /// A log that is read block by block; several threads may open at once. Throws UsageError and LogError.
+  std::shared_ptr<const log::LogSource> open(const std::string& path, const std::string& component) const {
+    return bag::openAnyLog(path, component, format());
+  }
+
+  static void printNotes(const std::string& command, const std::string& path, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
       printNote(command, path + ": " + note);
     }
   }

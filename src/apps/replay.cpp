@@ -35,7 +35,7 @@ int run(const Options& options) {
   const io::ComponentDescription description = options.component.read("replay");
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);
-  warnOfTemperature("replay", options.log, log, description);
+  warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
   log::writeForceCsv(options.output, log, result.force);
   if (!options.plot.empty()) {

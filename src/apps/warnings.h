@@ -30,9 +30,9 @@ inline void warnOf(const std::string& command, const std::string& path, const st
 }
 
 /// Of a log without a temperature for a component that follows one.
-inline void warnOfTemperature(const std::string& command, const std::string& path, const log::Log& log,
+inline void warnOfTemperature(const std::string& command, const std::string& path, bool has_temperature,
                               const io::ComponentDescription& description) {
-  if (log.temperature.empty() && description.makeComponent().shiftsWithTemperature()) {
+  if (!has_temperature && description.makeComponent().shiftsWithTemperature()) {
     printWarning(command, path + ": has no column temperature_degC: " + description.name +
                               " stays at its reference temperature");
   }

@@ -281,6 +281,11 @@ log::Log readAnyLog(const std::string& path, const std::string& component, const
   return isBagPath(path) ? readBagLog(path, component) : log::readLog(path, format);
 }
 
+std::shared_ptr<const log::LogSource> openAnyLog(const std::string& path, const std::string& component,
+                                                 const log::LogFormat& format) {
+  return isBagPath(path) ? log::sourceOf(readBagLog(path, component)) : log::openLog(path, format);
+}
+
 std::int64_t headerShift(const log::Log& log) {
   constexpr std::int64_t kOneSecond = 1000000000;
   constexpr std::int64_t kEnd = kOneSecond * std::numeric_limits<std::uint32_t>::max();

@@ -11,6 +11,7 @@
 #include "log/new_file.h"
 #include "rubber_suspension/element/element.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/log_source.h"
 
 namespace rubber_suspension::bag {
 
@@ -27,6 +28,10 @@ bool isBagPath(const std::string& path);
 
 /// A log of any kind: a bag, else as log::readLog().
 log::Log readAnyLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
+
+/// The same to be read block by block: a bag is kept, else as log::openLog().
+std::shared_ptr<const log::LogSource> openAnyLog(const std::string& path, const std::string& component,
+                                                 const log::LogFormat& format);
 
 /// The time that shifts a log's stamps into those that a ROS header can hold (0 to 2^32 s); 0 where none is needed
 /// [ns].

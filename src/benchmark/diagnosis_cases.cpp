@@ -2,51 +2,20 @@
 // half as many logs, and one thread.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
-#include <random>
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
+#include "benchmark/measured_log.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
-constexpr double kNoise = 50.0;  // standard deviation of the measured force's noise [N]; the friction is 3 kN
-
-// A component with one Maxwell element; the test piece has friction on top, which the description lacks. It is friction
-// with memory, as rubber's: its minor loops close.
-io::ComponentDescription description() {
-  return {"benchmark",
-          {{"spring", {{"stiffness", {3.0e6}}}}, {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}}};
-}
-
-log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
-  std::vector<element::ElementDescription> elements = description().elements();
-  elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
-  const component::Component test_piece(elements);
-  component::ComponentState state = test_piece.makeState();
-  std::mt19937_64 random(seed);
-  log::Log log;
-  log.name = name;
-  log.stamp = evenStamps(samples);
-  log.displacement = benchmarkDisplacement(samples);
-  for (double& z : log.displacement) {
-    z *= scale;
-    double noise = 0.0;  // twelve uniform numbers make a normal one, the same with every compiler
-    for (int i = 0; i < 12; ++i) {
-      noise += static_cast<double>(random() >> 11) * 0x1p-53;
-    }
-    log.force.push_back(test_piece.step(state, kStep, z).total + kNoise * (noise - 6.0));
-  }
-  return log;
-}
-
 // Logs of several amplitudes, and what became of diagnosing them.
 struct DiagnosisBench {
-  io::ComponentDescription component = description();
+  io::ComponentDescription component = describedComponent();
   std::vector<log::Log> logs;
   diagnosis::Diagnosis diagnosis;
 

@@ -12,6 +12,7 @@
 #include "diagnosis/bench_evidence.h"
 #include "diagnosis/excerpts.h"
 #include "diagnosis/judge/judge.h"
+#include "diagnosis/log_survey.h"
 #include "diagnosis/measured_logs.h"
 #include "diagnosis/memory.h"
 #include "diagnosis/refused.h"
@@ -22,7 +23,6 @@
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
 #include "io/available_memory.h"
-#include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
@@ -217,9 +217,9 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   }
 }
 
-// `whole`: the logs that the gap as recorded is of.
+// `recorded`: the whole logs that the gap as recorded is of.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Excerpts& excerpts,
-                           const std::vector<log::Log>& whole, const DiagnosisOptions& options) {
+                           const std::vector<LogSurvey>& recorded, const DiagnosisOptions& options) {
   std::vector<PreparedLog> prepared = prepare(excerpts, options.threads);
   std::vector<RigFinding> findings = findingsOf(prepared);
   std::vector<log::Record> training = takeRecords(std::move(prepared));
@@ -237,33 +237,37 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
   Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
   takeOutRig(component, tolerances, options, judged, findings);
-  std::vector<log::Record> recorded;
-  for (const log::Log& log : whole) {
-    recorded.push_back(log::evenRecord(log));
-  }
   return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
 }
 
 }  // namespace
 
-Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
-                   const std::vector<log::Log>& hold_out, const DiagnosisOptions& options) {
+Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
+                   const log::LogSources& hold_out, const DiagnosisOptions& options) {
   if (logs.empty()) {
     throw log::LogError("no log: a diagnosis needs at least one");
   }
-  const Excerpts excerpts = makeExcerpts(logs, hold_out, options.most_samples);
+  const component::Component built = component.makeComponent();
+  const std::vector<LogSurvey> surveys = surveyLogs(logs, built, options.threads);
+  const std::vector<LogSurvey> unseen = surveyLogs(hold_out, built, options.threads);
+  const Excerpts excerpts = makeExcerpts(surveys, unseen, options.most_samples);
   requireMemory(excerpts.samples, excerpts.of, options.threads,
                 options.available_memory > 0 ? options.available_memory : io::availableMemory());
-  const component::Component built = component.makeComponent();
-  for (const auto* list : {&logs, &hold_out}) {
-    for (const log::Log& log : *list) {
-      gap::checkTemperature(built, log);
-    }
-  }
-  Diagnosis result = diagnoseExcerpts(component, excerpts, hold_out.empty() ? logs : hold_out, options);
+  Diagnosis result = diagnoseExcerpts(component, excerpts, unseen.empty() ? surveys : unseen, options);
   result.samples = excerpts.samples;
   result.recorded_samples = excerpts.of;
   return result;
+}
+
+Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
+                   const std::vector<log::Log>& hold_out, const DiagnosisOptions& options) {
+  const auto sources = [](const std::vector<log::Log>& list) {
+    log::LogSources result;
+    std::transform(list.begin(), list.end(), std::back_inserter(result),
+                   [](const log::Log& log) { return log::sourceOf(log); });
+    return result;
+  };
+  return diagnose(component, sources(logs), sources(hold_out), options);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <utility>
+
+#include "log/samples.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -14,7 +17,6 @@ namespace {
 constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
 constexpr double kCycles = 10.0;           // in a window: the first does not count, and some are to be left for folds
 constexpr double kMoves = 0.1;             // of the deviation of the window that moves most: less is a standstill
-constexpr double kCrossing = 0.5;          // of the deviation to both sides of the mean: a crossing beyond the noise
 constexpr std::size_t kLeastShare = 2000;  // samples of a log, however many logs there are: ten cycles of 200 samples
 
 struct Window {
@@ -22,57 +24,40 @@ struct Window {
   std::size_t last;  // one behind
 };
 
-double deviationOf(const std::vector<double>& values, const Window& window) {
-  const auto first = values.begin() + static_cast<std::ptrdiff_t>(window.first);
-  const auto last = values.begin() + static_cast<std::ptrdiff_t>(window.last);
-  const auto count = static_cast<double>(window.last - window.first);
-  const double mean = std::accumulate(first, last, 0.0) / count;
-  const double squares =
-      std::accumulate(first, last, 0.0, [&](double sum, double z) { return sum + (z - mean) * (z - mean); });
-  return std::sqrt(squares / count);
-}
-
-// Samples of a cycle, by how often the displacement goes from one side of its mean to the other.
-double samplesPerCycle(const std::vector<double>& displacement) {
-  const auto count = static_cast<double>(displacement.size());
-  const double mean = std::accumulate(displacement.begin(), displacement.end(), 0.0) / count;
-  const double threshold = kCrossing * deviationOf(displacement, {0, displacement.size()});
-  int side = 0;
-  double crossings = 0.0;
-  for (const double z : displacement) {
-    const int now = z - mean > threshold ? 1 : z - mean < -threshold ? -1 : side;
-    crossings += now * side < 0 ? 1.0 : 0.0;
-    side = now;
-  }
-  return 2.0 * count / std::max(crossings, 1.0);
-}
-
-// Even parts of a log with as many samples each as a window of a share has.
-std::vector<Window> windowsOf(const log::Log& log, std::size_t share) {
-  const double least = kCycles * samplesPerCycle(log.displacement);
+// Even parts of a log with as many samples each as a window of a share has, to whole stretches of the survey.
+std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
+  const double least = kCycles * log.motion.samplesPerCycle();
   const double most = static_cast<double>(share) / least;
   const auto windows = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(kWindows)));
-  const std::size_t length = share / windows;
+  const std::size_t stretch = log.motion.stretch();
+  const std::size_t length = std::max(share / windows / stretch, std::size_t{1}) * stretch;
   std::vector<Window> result;
-  for (std::size_t first = 0; first + length <= log.size(); first += length) {
+  for (std::size_t first = 0; first + length <= log.samples(); first += length) {
     result.push_back({first, first + length});
   }
   return result;
 }
 
-std::size_t largestMotion(const log::Log& log, const std::vector<Window>& windows) {
-  const auto largest = std::max_element(log.displacement.begin(), log.displacement.end(),
-                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const auto sample = static_cast<std::size_t>(largest - log.displacement.begin());
-  return std::min(sample / (windows[0].last - windows[0].first), windows.size() - 1);
+std::size_t largestMotion(const LogSurvey& log, const std::vector<Window>& windows) {
+  return std::min(log.motion.largest() / (windows[0].last - windows[0].first), windows.size() - 1);
+}
+
+std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& windows) {
+  std::vector<double> motion;
+  std::transform(windows.begin(), windows.end(), std::back_inserter(motion),
+                 [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
+  return motion;
+}
+
+// What moves less stands still.
+double standstillOf(const std::vector<double>& motion) {
+  return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
 // `count` of the windows by their place, ascending.
-std::vector<std::size_t> choose(const log::Log& log, const std::vector<Window>& windows, std::size_t count) {
-  std::vector<double> motion;
-  std::transform(windows.begin(), windows.end(), std::back_inserter(motion),
-                 [&](const Window& window) { return deviationOf(log.displacement, window); });
-  const double least = kMoves * *std::max_element(motion.begin(), motion.end());
+std::vector<std::size_t> choose(const LogSurvey& log, const std::vector<Window>& windows, std::size_t count) {
+  const std::vector<double> motion = motionOf(log, windows);
+  const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;
   for (const std::size_t window : {std::size_t{0}, largestMotion(log, windows)}) {
     if (motion[window] >= least && chosen.size() < count && (chosen.empty() || chosen[0] != window)) {
@@ -107,28 +92,89 @@ std::vector<Window> joined(const std::vector<Window>& windows, const std::vector
   return result;
 }
 
-template <class T>
-std::vector<T> part(const std::vector<T>& values, const Window& window) {
-  if (values.empty()) {
-    return {};
+// Takes excerpts of a log, and what leads into them, from its samples as they come.
+class ExcerptTaker {
+ public:
+  /// Windows ascending; `coarse` samples of what lies between them are a step.
+  ExcerptTaker(const LogSurvey& log, const std::vector<Window>& windows, std::size_t coarse, double standstill)
+      : log_(log) {
+    std::size_t done = 0;
+    for (const Window& window : windows) {
+      taken_.push_back({done, window, {done, window.first, coarse, standstill}, {}});
+      done = window.last;
+    }
   }
-  return {values.begin() + static_cast<std::ptrdiff_t>(window.first),
-          values.begin() + static_cast<std::ptrdiff_t>(window.last)};
-}
 
-log::Log excerpt(const log::Log& log, const Window& window) {
-  const auto since = [&](std::size_t sample) { return log.time(sample) - log.time(0); };
-  const double from = since(window.first);
-  const double until = since(window.last - 1);
-  log::Log result;
-  result.name = fmt::format("{} ({:.0f} to {:.0f} s)", log.name, from, until);
-  result.stamp = part(log.stamp, window);
-  result.displacement = part(log.displacement, window);
-  result.force = part(log.force, window);
-  result.temperature = part(log.temperature, window);
-  result.notes = log.notes;
-  result.notes.push_back(fmt::format("excerpt of {:.0f} s", since(log.size() - 1)));
-  return result;
+  void take() {
+    readAgain(log_, [this](const log::Log& block, std::size_t first) {
+      for (Taken& excerpt : taken_) {
+        addTo(excerpt, block, first);
+      }
+      return first + block.size() < taken_.back().window.last;
+    });
+  }
+
+  std::vector<log::Log> excerpts() const {
+    std::vector<log::Log> result;
+    for (const Taken& excerpt : taken_) {
+      result.push_back(excerpt.log);
+      describe(excerpt.log, result.back());
+    }
+    return result;
+  }
+
+  std::vector<LeadIn> leadIns() const {
+    std::vector<LeadIn> result;
+    std::size_t done = 0;
+    for (const Taken& excerpt : taken_) {
+      result.push_back(excerpt.window.first > done ? excerpt.lead_in.finish() : LeadIn{});
+      result.back().continues = done > 0;
+      done = excerpt.window.last;
+    }
+    return result;
+  }
+
+ private:
+  struct Taken {
+    std::size_t led_from;
+    Window window;
+    LeadInBuilder lead_in;
+    log::Log log;
+  };
+
+  static void addTo(Taken& excerpt, const log::Log& block, std::size_t first) {
+    const std::size_t end = first + block.size();
+    for (std::size_t i = std::max(first, excerpt.led_from); i < std::min(end, excerpt.window.first); ++i) {
+      excerpt.lead_in.add(i, block.stamp[i - first], block.displacement[i - first]);
+    }
+    const std::size_t from = std::max(first, excerpt.window.first);
+    const std::size_t until = std::min(end, excerpt.window.last);
+    if (from < until) {
+      log::appendSamples(block, from - first, until - from, excerpt.log);
+    }
+  }
+
+  void describe(const log::Log& taken, log::Log& excerpt) const {
+    const auto since = [&](std::int64_t stamp) { return static_cast<double>(stamp - log_.steps.firstStamp()) * 1e-9; };
+    excerpt.name = fmt::format("{} ({:.0f} to {:.0f} s)", log_.source->name(), since(taken.stamp.front()),
+                               since(taken.stamp.back()));
+    excerpt.notes = log_.notes;
+    excerpt.notes.push_back(fmt::format("excerpt of {:.0f} s", log_.duration()));
+  }
+
+  const LogSurvey& log_;
+  std::vector<Taken> taken_;
+};
+
+log::Log takeWhole(const LogSurvey& survey) {
+  log::Log log;
+  readAgain(survey, [&](const log::Log& block, std::size_t) {
+    log::appendSamples(block, 0, block.size(), log);
+    return true;
+  });
+  log.name = survey.source->name();
+  log.notes = survey.notes;
+  return log;
 }
 
 // Most samples that each log may give, all together no more than `most`: what short ones leave goes to the long ones.
@@ -146,31 +192,25 @@ std::size_t fairShare(const std::vector<std::size_t>& sizes, std::size_t most) {
   return ascending.back();
 }
 
-// The motion of a window in means over `coarse` samples each, but for what is left of them at its beginning.
-LeadIn leadIn(const log::Log& log, const Window& window, std::size_t coarse) {
-  const std::size_t count = (window.last - window.first) / coarse;
-  LeadIn result;
-  result.continues = window.first > 0;
-  result.dt = (log.time(window.last - 1) - log.time(window.first)) /
-              static_cast<double>(window.last - 1 - window.first) * static_cast<double>(coarse);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto end = log.displacement.begin() + static_cast<std::ptrdiff_t>(window.last - (count - 1 - i) * coarse);
-    result.displacement.push_back(std::accumulate(end - static_cast<std::ptrdiff_t>(coarse), end, 0.0) /
-                                  static_cast<double>(coarse));
+void addExcerptsOfTheFit(const LogSurvey& log, std::size_t share, Excerpts& result) {
+  const std::vector<Window> windows = windowsOf(log, share);
+  const std::size_t count = std::max(share / (windows[0].last - windows[0].first), std::size_t{1});
+  const std::size_t coarse = (log.samples() - 1) / share + 1;
+  const double standstill = standstillOf(motionOf(log, windows));
+  ExcerptTaker taker(log, joined(windows, choose(log, windows, count)), coarse, standstill);
+  taker.take();
+  for (log::Log& excerpt : taker.excerpts()) {
+    result.logs.push_back(std::move(excerpt));
   }
-  return result;
+  for (LeadIn& lead_in : taker.leadIns()) {
+    result.lead_in.push_back(std::move(lead_in));
+  }
 }
 
-void addExcerptsOfTheFit(const log::Log& log, std::size_t share, Excerpts& result) {
-  const std::vector<Window> windows = windowsOf(log, share);
-  const std::size_t count = share / (windows[0].last - windows[0].first);
-  const std::size_t coarse = (log.size() - 1) / share + 1;
-  std::size_t done = 0;
-  for (const Window& window : joined(windows, choose(log, windows, count))) {
-    result.lead_in.push_back(window.first > done ? leadIn(log, {done, window.first}, coarse) : LeadIn{});
-    result.logs.push_back(excerpt(log, window));
-    done = window.last;
-  }
+log::Log beginningOf(const LogSurvey& log, std::size_t share) {
+  ExcerptTaker taker(log, {{0, share}}, share, 0.0);
+  taker.take();
+  return taker.excerpts().front();
 }
 
 std::size_t samplesOf(const std::vector<log::Log>& logs) {
@@ -180,37 +220,28 @@ std::size_t samplesOf(const std::vector<log::Log>& logs) {
 
 }  // namespace
 
-Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most) {
+Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most) {
   Excerpts result;
   std::vector<std::size_t> sizes;
   for (const auto* list : {&logs, &hold_out}) {
     std::transform(list->begin(), list->end(), std::back_inserter(sizes),
-                   [](const log::Log& log) { return log.size(); });
+                   [](const LogSurvey& log) { return log.samples(); });
   }
-  result.of = samplesOf(logs) + samplesOf(hold_out);
+  result.of = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   const std::size_t share = fairShare(sizes, most);
-  for (const log::Log& log : logs) {
-    if (log.size() <= share) {
-      result.logs.push_back(log);
+  for (const LogSurvey& log : logs) {
+    if (log.samples() <= share) {
+      result.logs.push_back(takeWhole(log));
       result.lead_in.emplace_back();
     } else {
       addExcerptsOfTheFit(log, share, result);
     }
   }
-  for (const log::Log& log : hold_out) {
-    result.hold_out.push_back(log.size() <= share ? log : excerpt(log, {0, share}));
+  for (const LogSurvey& log : hold_out) {
+    result.hold_out.push_back(log.samples() <= share ? takeWhole(log) : beginningOf(log, share));
   }
   result.samples = samplesOf(result.logs) + samplesOf(result.hold_out);
   return result;
-}
-
-void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records) {
-  for (std::size_t i = 0; i < lead_in.size(); ++i) {
-    const std::vector<double>& z = lead_in[i].displacement;
-    records[i].lead_in = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
-    records[i].lead_in_dt = lead_in[i].dt;
-    records[i].continues = lead_in[i].continues;
-  }
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -4,17 +4,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "diagnosis/lead_in.h"
+#include "diagnosis/log_survey.h"
 #include "rubber_suspension/log/log.h"
-#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
-
-/// What leads to the first sample of an excerpt: the means of the log's displacement over so many samples each.
-struct LeadIn {
-  double dt = 0.0;                   ///< [s]
-  std::vector<double> displacement;  ///< [m]; empty where the component rested
-  bool continues = false;            ///< begins where the excerpt before ended
-};
 
 /// Logs of one component as the search takes them.
 struct Excerpts {
@@ -34,9 +28,7 @@ struct Excerpts {
 /// What lies between two excerpts leads the component from one to the other, in no more steps than the share has
 /// samples. A window holds at least ten cycles of the log, where the share is long enough. Each excerpt has a note of
 /// where it is from, and its name tells the seconds.
-Excerpts makeExcerpts(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out, std::size_t most);
-
-/// Give the records of excerpts, in their order, what leads into them.
-void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records);
+/// Throws LogError where a log is no longer what it was in the survey.
+Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most);
 
 }  // namespace rubber_suspension::diagnosis

@@ -16,8 +16,6 @@ namespace {
 // is larger where many effects have to be simulated.
 constexpr std::uint64_t kBytesPerSample = 2700;
 constexpr std::uint64_t kBytesPerSampleAndThread = 250;
-// The logs as read, and what the gap as recorded takes of them.
-constexpr std::uint64_t kBytesPerRecordedSample = 100;
 constexpr std::uint64_t kBytesOfProgram = 64 * 1024 * 1024;
 
 std::string readable(std::uint64_t bytes) {
@@ -31,14 +29,14 @@ std::uint64_t bytesPerSample(int threads) {
 
 }  // namespace
 
-std::uint64_t memoryNeeded(std::size_t samples, std::size_t recorded, int threads) {
-  return kBytesOfProgram + bytesPerSample(threads) * samples + kBytesPerRecordedSample * recorded;
+std::uint64_t memoryNeeded(std::size_t samples, int threads) {
+  return kBytesOfProgram + bytesPerSample(threads) * samples;
 }
 
 void requireMemory(std::size_t samples, std::size_t recorded, int threads, std::uint64_t available) {
-  const std::uint64_t needed = memoryNeeded(samples, recorded, threads);
+  const std::uint64_t needed = memoryNeeded(samples, threads);
   if (needed > available) {
-    const std::uint64_t fixed = memoryNeeded(0, recorded, threads);
+    const std::uint64_t fixed = memoryNeeded(0, threads);
     const std::uint64_t most = available > fixed ? (available - fixed) / bytesPerSample(threads) : 0;
     throw log::LogError(
         fmt::format("a search that takes {} of {} samples needs about {}, and {} are available; accepted: {} samples "

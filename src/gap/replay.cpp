@@ -105,7 +105,7 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
 
 }  // namespace
 
-void checkTemperature(const component::Component& component, const log::Log& log) {
+void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first) {
   if (!component.shiftsWithTemperature()) {
     return;
   }
@@ -113,10 +113,10 @@ void checkTemperature(const component::Component& component, const log::Log& log
   const auto bad = std::find_if(log.temperature.begin(), log.temperature.end(),
                                 [&](double temperature) { return !range.contains(temperature); });
   if (bad != log.temperature.end()) {
-    throw log::LogError(
-        fmt::format("{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
-                    "the component's shift holds",
-                    log.name, bad - log.temperature.begin() + 1, *bad, element::describe(range)));
+    throw log::LogError(fmt::format(
+        "{}: sample {}: temperature {:g} degC is out of range; accepted: {} degC, where "
+        "the component's shift holds",
+        log.name, first + static_cast<std::size_t>(bad - log.temperature.begin()) + 1, *bad, element::describe(range)));
   }
 }
 

@@ -12,58 +12,128 @@
 namespace rubber_suspension::log {
 namespace {
 
-std::vector<double> readFinite(const Column& column, const ReadColumn& read) {
-  std::vector<double> values = read(column.index, column.name);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) {
+// Reads the columns of a log part by part.
+class ColumnReader {
+ public:
+  ColumnReader(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format)
+      : file_(file), format_(format), columns_(findColumns(names, format)) {
+    notes_ = notesOnIgnored(names, columns_, format);
+    samples_ = lengthOf(columns_.displacement);
+    for (const Column* column : {&columns_.time, &columns_.force, &columns_.temperature}) {
+      requireLength(*column);
+    }
+    if (samples_ < 2) {
       throw std::runtime_error(
-          fmt::format("{}: element {}: {} is not finite; accepted: a finite number", column.name, i + 1, values[i]));
+          fmt::format("{}: {} samples; accepted: at least 2", columns_.displacement.name, samples_));
     }
   }
-  return values;
-}
 
-std::vector<double> readConverted(const Column& column, const ReadColumn& read) {
-  std::vector<double> values = column.found() ? readFinite(column, read) : std::vector<double>();
-  std::transform(values.begin(), values.end(), values.begin(), column.conversion);
-  return values;
-}
+  std::size_t samples() const { return samples_; }
 
-void appendStamps(Log& log, const Column& time, const ReadColumn& read) {
-  const std::vector<double> times = readFinite(time, read);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    try {
-      const std::int64_t stamp = toStamp(times[i], time);
-      requireIncrease(log.stamp, stamp, time);
-      log.stamp.push_back(stamp);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("element {}: {}", i + 1, error.what()));
+  void read(std::size_t first, std::size_t count, Log& block) {
+    block.displacement = readConverted(columns_.displacement, first, count);
+    block.force = readConverted(columns_.force, first, count);
+    block.temperature = readConverted(columns_.temperature, first, count);
+    readStamps(first, count, block.stamp);
+    first_stamp_ = first == 0 ? block.stamp.front() : first_stamp_;
+    last_stamp_ = block.stamp.back();
+  }
+
+  /// Once all is read.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes = notes_;
+    if (!areCanonical(columns_)) {
+      notes.insert(notes.begin(), describeColumns(columns_, {samples_, first_stamp_, last_stamp_}));
+    }
+    return notes;
+  }
+
+ private:
+  std::size_t lengthOf(const Column& column) const { return file_.length(column.index, column.name); }
+
+  void requireLength(const Column& column) const {
+    if (column.found() && lengthOf(column) != samples_) {
+      throw std::runtime_error(fmt::format("{} has {} values, {} has {}; accepted: as many in each column", column.name,
+                                           lengthOf(column), columns_.displacement.name, samples_));
     }
   }
-}
+
+  std::vector<double> readFinite(const Column& column, std::size_t first, std::size_t count) const {
+    std::vector<double> values = file_.read(column.index, column.name, first, count);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!std::isfinite(values[i])) {
+        throw std::runtime_error(fmt::format("{}: element {}: {} is not finite; accepted: a finite number", column.name,
+                                             first + i + 1, values[i]));
+      }
+    }
+    return values;
+  }
+
+  std::vector<double> readConverted(const Column& column, std::size_t first, std::size_t count) const {
+    std::vector<double> values = column.found() ? readFinite(column, first, count) : std::vector<double>();
+    std::transform(values.begin(), values.end(), values.begin(), column.conversion);
+    return values;
+  }
+
+  void readStamps(std::size_t first, std::size_t count, std::vector<std::int64_t>& stamps) const {
+    stamps.clear();
+    stamps.reserve(count);
+    if (format_.rate) {
+      for (std::size_t i = first; i < first + count; ++i) {
+        stamps.push_back(stampAtRate(i, *format_.rate));
+      }
+      return;
+    }
+    const std::vector<double> times = readFinite(columns_.time, first, count);
+    std::int64_t last = last_stamp_;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      try {
+        const std::int64_t stamp = toStamp(times[i], columns_.time);
+        if (first + i > 0) {
+          requireIncrease(last, stamp, columns_.time);
+        }
+        stamps.push_back(stamp);
+        last = stamp;
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("element {}: {}", first + i + 1, error.what()));
+      }
+    }
+  }
+
+  const ColumnFile& file_;
+  const LogFormat& format_;
+  Columns columns_;
+  std::vector<std::string> notes_;
+  std::size_t samples_ = 0;
+  std::int64_t first_stamp_ = 0;
+  std::int64_t last_stamp_ = 0;
+};
 
 }  // namespace
 
-Log logFromColumns(const std::vector<ColumnName>& names, const ReadColumn& read, const LogFormat& format,
+std::vector<std::string> blocksFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file,
+                                           const LogFormat& format, const std::string& name, std::size_t block,
+                                           const LogSource::Take& take) {
+  ColumnReader reader(names, file, format);
+  Log samples;
+  samples.name = name;
+  bool more = true;
+  for (std::size_t first = 0; more && first < reader.samples(); first += samples.size()) {
+    reader.read(first, std::min(block, reader.samples() - first), samples);
+    more = take(samples, first);
+  }
+  return reader.notes();
+}
+
+Log logFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format,
                    const std::string& name) {
-  const Columns columns = findColumns(names, format);
   Log log;
-  log.name = name;
-  log.notes = notesOnIgnored(names, columns, format);
-  log.displacement = readConverted(columns.displacement, read);
-  log.force = readConverted(columns.force, read);
-  log.temperature = readConverted(columns.temperature, read);
-  if (format.rate) {
-    for (std::size_t i = 0; i < log.displacement.size(); ++i) {
-      log.stamp.push_back(stampAtRate(i, *format.rate));
-    }
-  } else {
-    appendStamps(log, columns.time, read);
-  }
-  checkLog(log);
-  if (!areCanonical(columns)) {
-    log.notes.insert(log.notes.begin(), describeColumns(columns, log));
-  }
+  std::vector<std::string> notes =
+      blocksFromColumns(names, file, format, name, kAllSamples, [&](const Log& all, std::size_t) {
+        log = all;
+        return true;
+      });
+  log.notes = std::move(notes);
   return log;
 }
 

@@ -1,22 +1,38 @@
 // A log from a file of whole columns (MATLAB, HDF5), as opposed to rows of text.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "log/column_name.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/log_source.h"
 
 namespace rubber_suspension::log {
 
-/// The numbers of a column by its place, as the file has them; the name is for errors.
-/// Throws std::runtime_error where they cannot be read.
-using ReadColumn = std::function<std::vector<double>(std::size_t place, const std::string& name)>;
+/// How to read the columns of a file by their places; names are for errors. Both throw std::runtime_error where a
+/// column cannot be read.
+struct ColumnFile {
+  /// How many numbers a column has.
+  std::function<std::size_t(std::size_t place, const std::string& name)> length;
+  /// The numbers [first, first + count) of a column, as the file has them.
+  std::function<std::vector<double>(std::size_t place, const std::string& name, std::size_t first, std::size_t count)>
+      read;
+};
 
-/// Find the columns, read those that are needed and make a log of them: checked, with the notes that readCsvLog gives.
-/// Throws std::runtime_error that names column, element and what is accepted.
-Log logFromColumns(const std::vector<ColumnName>& names, const ReadColumn& read, const LogFormat& format,
+constexpr std::size_t kAllSamples = std::numeric_limits<std::size_t>::max();
+
+/// Finds the columns and hands out those that are needed in blocks of so many samples: checked; the notes are those
+/// that readCsvLog gives. Throws std::runtime_error that names column, element and what is accepted.
+std::vector<std::string> blocksFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file,
+                                           const LogFormat& format, const std::string& name, std::size_t block,
+                                           const LogSource::Take& take);
+
+/// The same as one log.
+Log logFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format,
                    const std::string& name);
 
 }  // namespace rubber_suspension::log

@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "log/byte_source.h"
+#include "log/csv_blocks.h"
 #include "log/csv_dialect.h"
 #include "log/line_reader.h"
 #include "log/log_columns.h"
 #include "log/text.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/log_source.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -136,29 +138,65 @@ class FieldParser {
 class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format) : format_(format) {
+    log_.name = logName(path);
     TextSource source = openText(path);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
   }
 
   Log read() {
-    readHeader();
-    for (line_ = reader_->line() + 1; const char* line = reader_->next(); ++line_) {
-      readRow(line);
-    }
-    line_ = std::max<std::size_t>(reader_->line(), 1);
-    if (log_.size() < 2) {
-      throw std::runtime_error(
-          fmt::format("{} sample{}; accepted: at least 2", log_.size(), log_.size() == 1 ? "" : "s"));
-    }
-    addNotes();
+    readRows(nullptr);
     return std::move(log_);
+  }
+
+  std::vector<std::string> readBlocks(const LogSource::Take& take) {
+    readRows(&take);
+    if (log_.size() > 0 && !ended_) {
+      handOut(take);
+    }
+    return std::move(log_.notes);
   }
 
   /// Of what an error is about.
   std::size_t line() const { return line_; }
 
  private:
+  // All rows are kept where nobody takes them.
+  void readRows(const LogSource::Take* take) {
+    bounded_ = take == nullptr;
+    readHeader();
+    for (line_ = reader_->line() + 1; !ended_; ++line_) {
+      const char* const line = reader_->next();
+      if (line == nullptr) {
+        break;
+      }
+      readRow(line);
+      if (take != nullptr && log_.size() == kLogBlock) {
+        handOut(*take);
+      }
+    }
+    line_ = std::max<std::size_t>(reader_->line(), 1);
+    if (count() < 2) {
+      throw std::runtime_error(fmt::format("{} sample{}; accepted: at least 2", count(), count() == 1 ? "" : "s"));
+    }
+    if (!ended_) {
+      addNotes();
+    }
+  }
+
+  void handOut(const LogSource::Take& take) {
+    const std::size_t first = handed_out_;
+    handed_out_ += log_.size();
+    ended_ = !take(log_, first);
+    log_.stamp.clear();
+    for (auto* values : {&log_.displacement, &log_.force, &log_.temperature}) {
+      values->clear();
+    }
+  }
+
+  // Of the rows read so far.
+  std::size_t count() const { return handed_out_ + log_.size(); }
+
   void readHeader() {
     HeaderFinder finder(format_);
     std::vector<TextLine> head;
@@ -212,12 +250,12 @@ class CsvLogReader {
       noteComment();
       return;
     }
-    if (blank_line_ != 0 && log_.size() > 0) {
+    if (blank_line_ != 0 && count() > 0) {
       throw std::runtime_error(
           fmt::format("a row after blank line {}; accepted: no blank line between rows", blank_line_));
     }
     blank_line_ = 0;
-    if (log_.size() == kMaximumLogRows) {
+    if (bounded_ && log_.size() == kMaximumLogRows) {
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
     if (by_fields_ || !readPlainRow(line)) {
@@ -254,10 +292,18 @@ class CsvLogReader {
     }
   }
 
-  void appendRateStamp() { log_.stamp.push_back(stampAtRate(log_.size(), *format_.rate)); }
+  void appendRateStamp() { keepStamp(stampAtRate(count(), *format_.rate)); }
 
   void appendStamp(std::int64_t stamp) {
-    requireIncrease(log_.stamp, stamp, columns_.time);
+    if (count() > 0) {
+      requireIncrease(last_stamp_, stamp, columns_.time);
+    }
+    keepStamp(stamp);
+  }
+
+  void keepStamp(std::int64_t stamp) {
+    first_stamp_ = count() == 0 ? stamp : first_stamp_;
+    last_stamp_ = stamp;
     log_.stamp.push_back(stamp);
   }
 
@@ -301,7 +347,7 @@ class CsvLogReader {
     const bool canonical = areCanonical(columns_) && coding_.empty() && header_.line == 1 && !header_.has_units_row &&
                            header_.separator == Separator::comma && !parser_.hasDecimalComma();
     if (!canonical) {
-      log_.notes.insert(log_.notes.begin(), describeColumns(columns_, log_) + layout());
+      log_.notes.insert(log_.notes.begin(), describeColumns(columns_, {count(), first_stamp_, last_stamp_}) + layout());
     }
     if (comments_ > 0) {
       log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_,
@@ -328,7 +374,12 @@ class CsvLogReader {
   std::unique_ptr<LineReader> reader_;
   CsvHeader header_;
   Columns columns_;
-  Log log_;
+  Log log_;  // what is not handed out yet
+  std::size_t handed_out_ = 0;
+  std::int64_t first_stamp_ = 0;
+  std::int64_t last_stamp_ = 0;
+  bool bounded_ = true;
+  bool ended_ = false;  // nobody takes any more
   std::size_t line_ = 1;
   std::size_t blank_line_ = 0;
   std::size_t comments_ = 0;
@@ -341,17 +392,31 @@ class CsvLogReader {
 
 }  // namespace
 
-Log readCsvLog(const std::string& path, const LogFormat& format) {
+namespace {
+
+// What `read` makes of a reader of the file; errors with their line.
+template <class Read>
+auto withReader(const std::string& path, const LogFormat& format, const Read& read) {
   std::unique_ptr<CsvLogReader> reader;
   try {
     reader = std::make_unique<CsvLogReader>(path, format);
-    Log log = reader->read();
-    log.name = logName(path);
-    return log;
+    return read(*reader);
+  } catch (const LogError&) {
+    throw;  // of who takes the samples
   } catch (const std::runtime_error& error) {
     throw LogError(reader ? fmt::format("{}:{}: {}", path, reader->line(), error.what())
                           : fmt::format("{}: {}", path, error.what()));
   }
+}
+
+}  // namespace
+
+Log readCsvLog(const std::string& path, const LogFormat& format) {
+  return withReader(path, format, [](CsvLogReader& reader) { return reader.read(); });
+}
+
+std::vector<std::string> readCsvBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
+  return withReader(path, format, [&](CsvLogReader& reader) { return reader.readBlocks(take); });
 }
 
 }  // namespace rubber_suspension::log

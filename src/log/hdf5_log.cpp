@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "log/column_table.h"
+#include "log/hdf5_blocks.h"
 #include "log/hdf5_mutex.h"
 #include "log/log_columns.h"
 
@@ -161,20 +162,19 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
-std::vector<double> readNumbers(hid_t file, const Hdf5Column& column) {
+// The numbers [first, first + count) of a column.
+std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   const Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
-  if (column.length > kMaximumLogRows) {
-    throw std::runtime_error(
-        fmt::format("{}: more than {} numbers; accepted: that many at most", column.name, kMaximumLogRows));
-  }
-  const std::array<hsize_t, 2> start = {column.wide ? column.part : 0, column.wide ? 0 : column.part};
-  const std::array<hsize_t, 2> count = {column.wide ? 1 : column.length, column.wide ? column.length : 1};
-  const Handle memory(H5Screate_simple(1, &column.length, nullptr), H5Sclose);
-  std::vector<double> values(column.length);
-  const bool selected = column.rank == 1 || (space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(),
-                                                                          nullptr, count.data(), nullptr) >= 0);
-  if (!dataset || !space || !selected ||
+  // Of a vector the first number of each pair counts.
+  const bool samples_first = column.rank == 1 || !column.wide;
+  const std::array<hsize_t, 2> from = {samples_first ? first : column.part, samples_first ? column.part : first};
+  const std::array<hsize_t, 2> size = {samples_first ? count : 1, samples_first ? 1 : count};
+  const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  std::vector<double> values(count);
+  const bool selected =
+      space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >= 0;
+  if (!dataset || !selected ||
       H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name));
@@ -182,38 +182,79 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column) {
   return values;
 }
 
-Log readFile(const std::string& path, const LogFormat& format) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file) {
-    throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
+// A file whose columns are known.
+class Hdf5File {
+ public:
+  explicit Hdf5File(const std::string& path) : file_(open(path), H5Fclose) {
+    if (!file_) {
+      throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
+    }
+    Visit visit{&columns_};
+    if (H5Ovisit2(file_.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
+      throw std::runtime_error("damaged; accepted: a complete HDF5 file");
+    }
+    nameColumns(columns_);
   }
-  std::vector<Hdf5Column> columns;
-  Visit visit{&columns};
-  if (H5Ovisit2(file.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
-    throw std::runtime_error("damaged; accepted: a complete HDF5 file");
+
+  std::vector<ColumnName> names() const {
+    std::vector<ColumnName> names;
+    for (const Hdf5Column& column : columns_) {
+      ColumnName name = parseColumnName(column.name, column.unit);
+      name.bare = leafOf(name.bare);
+      names.push_back(name);
+    }
+    return names;
   }
-  nameColumns(columns);
-  std::vector<ColumnName> names;
-  for (const Hdf5Column& column : columns) {
-    ColumnName name = parseColumnName(column.name, column.unit);
-    name.bare = leafOf(name.bare);
-    names.push_back(name);
+
+  /// Columns of as many numbers as may be read; longer ones are refused.
+  ColumnFile columns(std::size_t most) const {
+    return {
+        [this, most](std::size_t place, const std::string& name) {
+          if (columns_[place].length > most) {
+            throw std::runtime_error(fmt::format("{}: more than {} numbers; accepted: that many at most", name, most));
+          }
+          return static_cast<std::size_t>(columns_[place].length);
+        },
+        [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
+          return readNumbers(file_.get(), columns_[place], first, count);
+        }};
   }
-  return logFromColumns(
-      names, [&](std::size_t place, const std::string&) { return readNumbers(file.get(), columns[place]); }, format,
-      logName(path));
+
+ private:
+  static hid_t open(const std::string& path) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
+    return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  }
+
+  Handle file_;
+  std::vector<Hdf5Column> columns_;
+};
+
+// What `read` makes of a file, which nobody else reads meanwhile.
+template <class Read>
+auto withFile(const std::string& path, const Read& read) {
+  const std::lock_guard<std::mutex> lock(hdf5Mutex());
+  try {
+    return read(Hdf5File(path));
+  } catch (const LogError&) {
+    throw;  // of who takes the samples
+  } catch (const std::runtime_error& error) {
+    throw LogError(fmt::format("{}: {}", path, error.what()));
+  }
 }
 
 }  // namespace
 
 Log readHdf5Log(const std::string& path, const LogFormat& format) {
-  const std::lock_guard<std::mutex> lock(hdf5Mutex());
-  try {
-    return readFile(path, format);
-  } catch (const std::runtime_error& error) {
-    throw LogError(fmt::format("{}: {}", path, error.what()));
-  }
+  return withFile(path, [&](const Hdf5File& file) {
+    return logFromColumns(file.names(), file.columns(kMaximumLogRows), format, logName(path));
+  });
+}
+
+std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
+  return withFile(path, [&](const Hdf5File& file) {
+    return blocksFromColumns(file.names(), file.columns(kAllSamples), format, logName(path), kLogBlock, take);
+  });
 }
 
 }  // namespace rubber_suspension::log

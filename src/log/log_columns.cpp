@@ -320,7 +320,7 @@ bool areCanonical(const Columns& columns) {
          fits(columns.force, Quantity::force) && fits(columns.temperature, Quantity::temperature);
 }
 
-std::string describeColumns(const Columns& columns, const Log& log) {
+std::string describeColumns(const Columns& columns, const LogExtent& extent) {
   std::string text;
   const auto tell = [&](const Column& column, Quantity quantity) {
     if (column.found()) {
@@ -331,9 +331,9 @@ std::string describeColumns(const Columns& columns, const Log& log) {
   tell(columns.displacement, Quantity::displacement);
   tell(columns.force, Quantity::force);
   tell(columns.temperature, Quantity::temperature);
-  if (log.size() > 1) {
-    const double duration = 1e-9 * static_cast<double>(log.stamp.back() - log.stamp.front());
-    appendPart(text, fmt::format("{:.6g} Hz", static_cast<double>(log.size() - 1) / duration));
+  if (extent.samples > 1) {
+    const double duration = 1e-9 * static_cast<double>(extent.last_stamp - extent.first_stamp);
+    appendPart(text, fmt::format("{:.6g} Hz", static_cast<double>(extent.samples - 1) / duration));
   }
   return text;
 }
@@ -354,11 +354,11 @@ std::int64_t stampAtRate(std::size_t sample, double rate) {
   return std::llround(static_cast<double>(sample) * 1e9 / rate);
 }
 
-void requireIncrease(const std::vector<std::int64_t>& stamps, std::int64_t next, const Column& column) {
-  if (!stamps.empty() && next <= stamps.back()) {
+void requireIncrease(std::int64_t last, std::int64_t next, const Column& column) {
+  if (next <= last) {
     throw std::runtime_error(
         fmt::format("{}: {} after {}; accepted: time that increases from row to row, by 1 ns at least", column.name,
-                    formatStamp(next), formatStamp(stamps.back())));
+                    formatStamp(next), formatStamp(last)));
   }
 }
 

@@ -48,8 +48,15 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
 /// True where all columns that are read have the names that this package writes.
 bool areCanonical(const Columns& columns);
 
+/// How many samples a log has, and from when to when [ns].
+struct LogExtent {
+  std::size_t samples;
+  std::int64_t first_stamp;
+  std::int64_t last_stamp;
+};
+
 /// What was taken for what: "time from 'Zeit [s]', displacement from 'Weg [mm]', 1000 Hz".
-std::string describeColumns(const Columns& columns, const Log& log);
+std::string describeColumns(const Columns& columns, const LogExtent& extent);
 
 /// The stamp [ns] of a time in the unit of its column. Throws std::runtime_error where it is out of range.
 std::int64_t toStamp(long double time, const Column& column);
@@ -57,8 +64,8 @@ std::int64_t toStamp(long double time, const Column& column);
 /// The stamp [ns] of a sample of a log without time column.
 std::int64_t stampAtRate(std::size_t sample, double rate);
 
-/// Throws std::runtime_error unless the stamp is later than the last one.
-void requireIncrease(const std::vector<std::int64_t>& stamps, std::int64_t next, const Column& column);
+/// Throws std::runtime_error unless the next stamp is later than the last one.
+void requireIncrease(std::int64_t last, std::int64_t next, const Column& column);
 
 /// A stamp [ns] in seconds, exactly.
 std::string formatStamp(std::int64_t stamp);

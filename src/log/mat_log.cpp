@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -98,7 +99,14 @@ class MatLogReader {
     std::transform(columns_.begin(), columns_.end(), std::back_inserter(names),
                    [](const MatColumn& column) { return parseColumnName(column.name); });
     return logFromColumns(
-        names, [this](std::size_t place, const std::string& column) { return readColumn(columns_[place], column); },
+        names,
+        {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
+         [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, and all of them
+           keep(place, column);
+           std::vector<double> numbers = std::move(kept_.at(place));
+           kept_.erase(place);
+           return numbers;
+         }},
         format_, name);
   }
 
@@ -123,6 +131,12 @@ class MatLogReader {
         column.name = column.part > 0 ? std::to_string(column.part) : column.field.empty() ? column.name : column.field;
       }
     }
+  }
+
+  // A column whose length was asked for is kept until it is taken.
+  const std::vector<double>& keep(std::size_t place, const std::string& name) {
+    const auto kept = kept_.find(place);
+    return kept != kept_.end() ? kept->second : kept_.emplace(place, readColumn(columns_[place], name)).first->second;
   }
 
   std::vector<double> readColumn(const MatColumn& source, const std::string& name) {
@@ -194,6 +208,7 @@ class MatLogReader {
   MatPointer file_;
   LogFormat format_;
   std::vector<MatColumn> columns_;
+  std::map<std::size_t, std::vector<double>> kept_;
 };
 
 }  // namespace

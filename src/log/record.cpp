@@ -10,13 +10,14 @@
 #include <random>
 #include <unsupported/Eigen/FFT>
 
+#include "log/jitter.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::log {
 namespace {
 
 constexpr Eigen::Index kFewestSamples = 100;
-constexpr double kJitterAllowed = 0.02;  // of the median step; more is resampled
+
 // The median of an exponentially distributed periodogram line is ln 2 of its mean; averaging over segments brings it
 // closer to one, by about 1 - 1/(3 segments).
 double medianToMean(Eigen::Index segments) {

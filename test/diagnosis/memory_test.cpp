@@ -24,29 +24,29 @@ std::string refusal(std::size_t samples, std::uint64_t available) {
 
 TEST(MemoryOfADiagnosis, IsRefusedOnceItIsMoreThanThereIs) {
   constexpr std::size_t kSamples = 1000000;
-  const std::uint64_t needed = diagnosis::memoryNeeded(kSamples, kRecorded, 2);
+  const std::uint64_t needed = diagnosis::memoryNeeded(kSamples, 2);
   EXPECT_EQ(refusal(kSamples, needed), "");
   EXPECT_NE(refusal(kSamples, needed - 1), "");
   EXPECT_NE(refusal(kSamples + 1, needed), "");
   EXPECT_NE(refusal(1, 0), "");
-  EXPECT_GT(diagnosis::memoryNeeded(kSamples, kRecorded, 8), needed);
+  EXPECT_GT(diagnosis::memoryNeeded(kSamples, 8), needed);
 }
 
 TEST(MemoryOfADiagnosis, TheRefusalSaysHowMuchIsNeededAndWhatIsAccepted) {
   const std::string text = refusal(12000000, 16 * kGibibyte);
   EXPECT_THAT(text, testing::HasSubstr("12000000 of 20000000 samples"));
-  EXPECT_THAT(text, testing::HasSubstr("37.7 GiB"));
+  EXPECT_THAT(text, testing::HasSubstr("35.8 GiB"));
   EXPECT_THAT(text, testing::HasSubstr("16.0 GiB are available"));
-  EXPECT_THAT(text, testing::HasSubstr("accepted: 4722737 samples"));
+  EXPECT_THAT(text, testing::HasSubstr("accepted: 5347737 samples"));
   EXPECT_EQ(text.find('\n'), std::string::npos);
-  EXPECT_EQ(refusal(4722737, 16 * kGibibyte), "");
+  EXPECT_EQ(refusal(5347737, 16 * kGibibyte), "");
 }
 
 TEST(MemoryOfADiagnosis, IsAskedForBeforeTheSearch) {
   const std::vector<log::Log> logs = {runRig("a", 1, [](double, double, double) { return 0.0; })};
   const std::size_t both = 2 * logs.front().size();  // one of the two is held out
   diagnosis::DiagnosisOptions options;
-  options.available_memory = diagnosis::memoryNeeded(both, both, options.threads) - 1;
+  options.available_memory = diagnosis::memoryNeeded(both, options.threads) - 1;
   options.progress = [](const std::string&, double) { FAIL() << "the search has begun"; };
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), logs, logs, options), log::LogError);
 }

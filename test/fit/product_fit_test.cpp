@@ -8,7 +8,7 @@
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"
-#include "rubber_suspension/kernel/instructions.h"
+#include "rubber_suspension/processor/instructions.h"
 
 namespace rubber_suspension {
 namespace {
@@ -256,10 +256,10 @@ TEST(ProductFit, FindsTheTruthInALogWithoutNoise) {
 TEST(ProductFit, SameBitsOnAnyProcessor) {
   const RandomModel model(4);
   const fit::Identification widest = fit::identify(model.guess, model.measurements);
-  for (const kernel::Instructions instructions : {kernel::Instructions::any, kernel::Instructions::avx2}) {
-    kernel::useAtMost(instructions);
+  for (const processor::Instructions instructions : {processor::Instructions::any, processor::Instructions::avx2}) {
+    processor::useAtMost(instructions);
     const fit::Identification result = fit::identify(model.guess, model.measurements);
-    kernel::useAtMost(kernel::Instructions::avx512);
+    processor::useAtMost(processor::Instructions::avx512);
     EXPECT_EQ(result.residual, widest.residual);
     ASSERT_EQ(result.parameters.size(), widest.parameters.size());
     for (std::size_t i = 0; i < result.parameters.size(); ++i) {

@@ -57,7 +57,7 @@ TEST(MatLog, RefusesWhatCannotBeUsed) {
   EXPECT_THAT(errorOf("not_finite"), HasSubstr("displacement_mm: element 2: nan is not finite"));
   EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
   EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: 1.000000000 after 1.000000000"));
-  EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("displacement has 4 values; accepted: 5, one per stamp"));
+  EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: as many"));
   EXPECT_THAT(errorOf("matrix"), HasSubstr("no column of displacement, the header has 'time_s'"));
   EXPECT_THAT(errorOf("no_time"), HasSubstr("no column of time, the header has"));
   EXPECT_THAT(errorOf("cut_off"), HasSubstr("cut_off.mat: "));

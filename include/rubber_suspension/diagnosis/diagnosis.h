@@ -21,6 +21,7 @@
 #include "rubber_suspension/gap/where.h"
 #include "rubber_suspension/io/component_file.h"
 #include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/log_source.h"
 #include "rubber_suspension/measurement/rig_finding.h"
 
 namespace rubber_suspension::diagnosis {
@@ -236,6 +237,11 @@ struct Diagnosis {
 /// std::invalid_argument for a component that cannot be built.
 Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<log::Log>& logs,
                    const std::vector<log::Log>& hold_out, const DiagnosisOptions& options = {});
+
+/// The same of logs of any length, which are read block by block, up to four times: memory depends on the samples that
+/// the search takes, and not on those that the logs have.
+Diagnosis diagnose(const io::ComponentDescription& component, const log::LogSources& logs,
+                   const log::LogSources& hold_out, const DiagnosisOptions& options = {});
 
 /// The report as JSON text, schema rubber_suspension/gap_report/1.
 std::string toJson(const Diagnosis& diagnosis);

@@ -12,8 +12,8 @@
 namespace rubber_suspension::gap {
 
 /// Throws LogError, with the first such sample, where a log has a temperature at which the component's shifts do not
-/// hold.
-void checkTemperature(const component::Component& component, const log::Log& log);
+/// hold. `first`: the place of the first sample, where these are a part of a log.
+void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first = 0);
 
 /// The force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last bit.
 /// The component is new and at rest at the log's first displacement, at the log's temperature where it has one. Shows

@@ -1,0 +1,58 @@
+// What moves a component from one excerpt of a long log to the next.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// What leads to the first sample of an excerpt, in steps of so many samples of the log each.
+struct LeadIn {
+  double dt = 0.0;                   ///< [s]
+  std::vector<double> displacement;  ///< [m]; empty where the component rested
+  bool continues = false;            ///< begins where the excerpt before ended
+};
+
+/// Makes the lead-in of a stretch of a log from its samples as they come. Each step is the mean of its samples. Where
+/// these means lose motion, because a step is no small part of a cycle, two steps are the smallest and the largest of
+/// their samples in the order in which they came: amplitudes are those of the log then, and cycles may be too few.
+class LeadInBuilder {
+ public:
+  /// Of samples [first, last) of a log, `coarse` of them a step, but for what is left of them at the beginning. What
+  /// deviates by less than `standstill` [m] is noise, of which the means are kept.
+  LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill);
+
+  /// Sample by sample from the first on; those outside the stretch do nothing.
+  void add(std::size_t sample, std::int64_t stamp, double displacement);
+
+  LeadIn finish() const;
+
+ private:
+  void beginStep(double displacement);
+  bool losesMotion() const;
+
+  std::size_t first_;
+  std::size_t last_;
+  std::size_t coarse_;
+  std::size_t steps_;
+  double standstill_;
+  std::int64_t first_stamp_ = 0;
+  std::int64_t last_stamp_ = 0;
+  double offset_ = 0.0;   // the first displacement, about which squares are taken
+  double sum_ = 0.0;      // of all samples about it
+  double squares_ = 0.0;  // likewise
+  std::vector<double> means_;
+  std::vector<double> extremes_;  // two for two steps
+  double low_ = 0.0;
+  double high_ = 0.0;
+  bool low_first_ = false;
+};
+
+/// Give the records of excerpts, in their order, what leads into them.
+void addLeadIns(const std::vector<LeadIn>& lead_in, std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::diagnosis

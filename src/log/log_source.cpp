@@ -1,0 +1,103 @@
+// Logs that are read block by block.
+#include "rubber_suspension/log/log_source.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "log/csv_blocks.h"
+#include "log/file_format.h"
+#include "log/hdf5_blocks.h"
+#include "log/log_columns.h"
+#include "log/samples.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples: reading them twice would take longer
+
+class MemorySource : public LogSource {
+ public:
+  explicit MemorySource(const Log& log) : log_(log) {}
+
+  std::string name() const override { return log_.name; }
+
+  std::vector<std::string> read(const Take& take) const override {
+    checkLengths(log_);
+    bool more = true;
+    for (std::size_t first = 0; more && first < log_.size(); first += kLogBlock) {
+      const std::size_t count = std::min(kLogBlock, log_.size() - first);
+      checkSamples(log_, first, count);
+      more = count == log_.size() ? take(log_, 0) : take(samplesOf(log_, first, count), first);
+    }
+    return log_.notes;
+  }
+
+ private:
+  const Log& log_;
+};
+
+// The log first: the source refers to it.
+struct OwnedLog {
+  Log owned;
+};
+
+class OwningSource : private OwnedLog, public MemorySource {
+ public:
+  explicit OwningSource(Log&& log) : OwnedLog{std::move(log)}, MemorySource(owned) {}
+};
+
+using ReadBlocks = std::vector<std::string> (*)(const std::string& path, const LogFormat& format,
+                                                const LogSource::Take& take);
+
+// A file that is read again each time.
+class FileSource : public LogSource {
+ public:
+  FileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
+      : path_(std::move(path)), format_(std::move(format)), read_(read_blocks) {}
+
+  std::string name() const override { return logName(path_); }
+  std::vector<std::string> read(const Take& take) const override { return read_(path_, format_, take); }
+
+ private:
+  std::string path_;
+  LogFormat format_;
+  ReadBlocks read_;
+};
+
+bool isRegularFile(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+std::shared_ptr<const LogSource> sourceOf(const Log& log) { return std::make_shared<MemorySource>(log); }
+
+std::shared_ptr<const LogSource> sourceOf(Log&& log) { return std::make_shared<OwningSource>(std::move(log)); }
+
+std::shared_ptr<const LogSource> openLog(const std::string& path, const LogFormat& format) {
+  const FileFormat kind = formatOfFile(path);
+  if (kind == FileFormat::matlab || kind == FileFormat::bag || !isRegularFile(path)) {
+    return sourceOf(readLog(path, format));
+  }
+  auto file = std::make_shared<FileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
+  Log kept;
+  bool all = true;
+  std::vector<std::string> notes = file->read([&](const Log& block, std::size_t first) {
+    all = first + block.size() <= kMostKept;
+    if (all) {
+      appendSamples(block, 0, block.size(), kept);
+    }
+    return all;
+  });
+  if (!all) {
+    return file;
+  }
+  kept.name = file->name();
+  kept.notes = std::move(notes);
+  return sourceOf(std::move(kept));
+}
+
+}  // namespace rubber_suspension::log
