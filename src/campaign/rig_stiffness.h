@@ -37,8 +37,8 @@ constexpr double kLeastLever = 1.5;
 
 /// Probabilities of the four causes, each as likely as the others before. The mean logarithms of a type have a normal
 /// distribution, with the covariance between its components over their number, and 1 % by which any specification errs.
-/// A factor, and the values of a type of its own, err by 7 %, half of what a specification errs by at most
-/// (Criteria::changed_far); a compliance takes about 14 % of the stiffest type. Nothing for fewer than two types of
+/// A factor, and the values of a type of its own, err by 7 %, half of what a specification errs by
+/// (Criteria::values_err_by); a compliance takes about 14 % of the stiffest type. Nothing for fewer than two types of
 /// kFewestComponents, or types of the same stiffness.
 std::optional<RigJudgement> judgeRig(const std::vector<TypeOnRig>& types);
 

@@ -41,7 +41,7 @@ struct Candidate {
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
   bool free_trend = false;    ///< a slow trend of each log belongs to it, which no model run reproduces
-  bool last_resort = false;   ///< named only where no other effects explain the gap
+  bool last_resort = false;   ///< named only where it errs less than the best of the others
   std::string contains = "";  ///< name of a simpler effect that its law contains; may be empty
   /// What it does, all of the model's parameters do together: never named, told beside parameter_error.
   bool like_parameters = false;

@@ -14,7 +14,7 @@ struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   bool free_trends = false;      ///< a slow trend of each log is free as well, which no model run reproduces
-  bool last_resort = false;      ///< to be named only where no other effects explain the gap
+  bool last_resort = false;      ///< to be named only where it errs less than the best of the others
   bool like_parameters = false;  ///< re-estimated parameters do the same
 
   /// Whether it competes with others: it has terms, and does what parameters do not.

@@ -1,19 +1,17 @@
-// Paired comparison of models and the Model Confidence Set, on losses whose truth is known.
+// Paired comparison of models, on losses whose truth is known.
+#include "diagnosis/judge/paired_losses.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
-#include "diagnosis/judge/model_confidence_set.h"
-
 namespace rubber_suspension::diagnosis {
 namespace {
 
-using testing::Contains;
 using testing::DoubleNear;
 using testing::ElementsAre;
-using testing::Not;
 
 // Six logs of ten blocks; model m loses shift[m] on average, each log and each block adds what chance adds.
 Losses simulated(const std::vector<double>& shift, double by_log, double by_block, unsigned seed, int logs = 6) {
@@ -77,34 +75,6 @@ TEST(PairedDifference, MoreBlocksOfOneLogMakeNobodySurer) {
   doubled.cluster = losses.cluster;
   doubled.cluster.insert(doubled.cluster.end(), losses.cluster.begin(), losses.cluster.end());
   EXPECT_NEAR(compare(doubled, 0, 1).standard_error, compare(losses, 0, 1).standard_error, 1e-12);
-}
-
-TEST(ModelConfidenceSet, HoldsTheBestAndLeavesOutTheClearlyWorse) {
-  const ModelConfidenceSet set = modelConfidenceSet(simulated({0.0, 0.02, 2.0, 3.0}, 0.1, 0.1, 5), 0.9);
-  EXPECT_THAT(set.members, Contains(0));
-  EXPECT_THAT(set.members, Contains(1));
-  EXPECT_THAT(set.members, Not(Contains(2)));
-  EXPECT_THAT(set.members, Not(Contains(3)));
-}
-
-TEST(ModelConfidenceSet, HoldsTheTruthAsOftenAsItSays) {
-  constexpr int kTrials = 300;
-  int held = 0;
-  for (unsigned seed = 0; seed < kTrials; ++seed) {
-    const ModelConfidenceSet set = modelConfidenceSet(simulated({0.0, 0.0, 0.1, 0.3}, 0.2, 0.2, seed, 8), 0.9, 400);
-    held += std::find(set.members.begin(), set.members.end(), 0) != set.members.end() ? 1 : 0;
-  }
-  // At least 0.9 asymptotically; the Bayesian bootstrap of eight clusters is a little too narrow. Three standard
-  // deviations of the binomial are 0.05.
-  EXPECT_GE(held / static_cast<double>(kTrials), 0.82);
-}
-
-TEST(PseudoBmaWeights, AddUpToOneAndGrowSurerWithLogs) {
-  const std::vector<double> few = pseudoBmaWeights(simulated({0.0, 0.3}, 0.1, 0.1, 7, 3), 1.0);
-  const std::vector<double> many = pseudoBmaWeights(simulated({0.0, 0.3}, 0.1, 0.1, 7, 24), 1.0);
-  EXPECT_NEAR(few[0] + few[1], 1.0, 1e-12);
-  EXPECT_GT(few[0], few[1]);
-  EXPECT_GT(many[0], few[0]);
 }
 
 // Blocks of three logs, the first model gaining by so much in each, and scatter of 0.1.

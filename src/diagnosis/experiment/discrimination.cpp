@@ -44,7 +44,7 @@ Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
       explanations_(explanations),
       criteria_(criteria),
       noise_{std::max(search.noise, kLeastNoise) * search.excitation.force,
-             std::max(criteria.insignificant_gap, criteria.discretisation * search.discretisation)},
+             std::max(criteria.insignificant_gap, search.discretisation)},
       force_limit_(force_limit),
       threads_(threads),
       played_(fitter.records()) {}

@@ -28,6 +28,7 @@ struct HypothesisEvidence {
   double held_out = 0.0;             ///< on blocks that took no part in the fit
   double penalty = 0.0;              ///< regularisation penalty of changed model parameters
   double at_least = 0.0;             ///< what it leaves counts as no less than this (settleFamilies())
+  bool does_no_better = false;       ///< than with a simpler law that one of its laws contains (settleFamilies())
   double largest_change = 0.0;       ///< largest |ln(value/configured)| of a model parameter
   std::vector<double> block_errors;  ///< mean square error of each of those blocks; may be empty
   std::optional<UnseenErrors> unseen;

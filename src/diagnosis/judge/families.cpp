@@ -2,31 +2,37 @@
 #include "diagnosis/judge/families.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "diagnosis/judge/weighing.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
+
+// The hypothesis with a simpler law in the place of one of its laws. A trend for each log follows whatever is slow:
+// any law is simpler, the best one counts.
+std::optional<int> simplerOf(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
+  if (evidence.at(hypothesis).free_trends && evidence.at(hypothesis).members.size() == 1) {
+    return weighing.bestWithoutTrends();
+  }
+  const int contained = evidence.contains.empty() ? -1 : evidence.contains[static_cast<std::size_t>(member)];
+  return contained < 0 ? std::nullopt : evidence.inPlaceOf(hypothesis, member, contained);
+}
+
+}  // namespace
 
 void settleFamilies(Evidence& evidence, const Criteria& criteria) {
-  if (evidence.contains.empty()) {
-    return;
-  }
   const Weighing weighing(evidence, criteria);
   for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
     for (const int member : evidence.at(h).members) {
-      const int contained = evidence.contains[static_cast<std::size_t>(member)];
-      const std::optional<int> other = contained < 0 ? std::nullopt : evidence.inPlaceOf(h, member, contained);
-      if (!other) {
-        continue;
-      }
-      const HypothesisEvidence& small = evidence.at(*other);
-      const PairedDifference gain = weighing.difference(evidence.at(h), small);
-      if (-gain.mean <= std::max(gain.standard_error, std::log1p(criteria.family_gain))) {
+      const std::optional<int> simpler = simplerOf(evidence, weighing, h, member);
+      if (simpler && !weighing.errsLess(evidence.at(h), evidence.at(*simpler))) {
         HypothesisEvidence& large = evidence.hypotheses[static_cast<std::size_t>(h)];
-        large.at_least = std::max(large.at_least, (1.0 + criteria.family_gain) * weighing.left(small));
+        large.does_no_better = true;
+        large.at_least = std::max(large.at_least, kLittleMore * weighing.left(evidence.at(*simpler)));
       }
     }
   }

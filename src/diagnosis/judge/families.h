@@ -8,8 +8,7 @@ namespace rubber_suspension::diagnosis {
 
 /// Where a hypothesis has an effect whose law contains a simpler effect (Evidence::contains), and the same hypothesis
 /// with the simpler one in its place leaves about as much, the larger one counts as leaving a little more. About as
-/// much: the paired difference of logarithmic errors is within one standard error (Breiman et al., Classification and
-/// Regression Trees, 1984, section 3.4.3) or within `family_gain`.
+/// much: it does not err less by more than one standard error (Weighing::errsLess).
 void settleFamilies(Evidence& evidence, const Criteria& criteria);
 
 }  // namespace rubber_suspension::diagnosis

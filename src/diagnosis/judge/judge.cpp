@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 
 #include "diagnosis/judge/families.h"
 #include "diagnosis/judge/naming.h"
@@ -21,10 +22,7 @@ class Judge {
   Judgement run() {
     nameWhatHolds();
     if (evidence_.has_unseen_logs && !judgement_.missing) {
-      treatUnconfirmedResidualAsNoise();
-      if (!judgement_.missing) {
-        sayWhatRemainsOfUnseenLogs();
-      }
+      sayWhatRemainsOfUnseenLogs();
     }
     if (!judgement_.missing) {
       acceptLittle();
@@ -38,32 +36,31 @@ class Judge {
   }
 
  private:
-  // Fewer effects, until those that are named hold on data that took no part in the fit.
+  // Fewer effects, then the next best one, until those that are named hold on data that took no part in the fit.
   void nameWhatHolds() {
-    for (std::size_t most = criteria_.most_effects;; --most) {
-      judgement_ = nameEffects(evidence_, criteria_, most);
+    std::set<int> refuted;
+    std::size_t most = criteria_.most_effects;
+    while (true) {
+      judgement_ = nameEffects(evidence_, criteria_, most, refuted);
       if (judgement_.effects.empty()) {
         return;
       }
-      if (evidence_.has_unseen_logs) {
-        preferWhatPredictsUnseenLogs(most);
-      }
-      if (judgement_.missing || (evidence_.has_unseen_logs && lacks({Evidence::kReEstimated, judgement_.model})) ||
-          holds()) {
+      if ((evidence_.has_unseen_logs && lacks({Evidence::kReEstimated, judgement_.model})) || holds()) {
         return;
       }
-      most = std::min(most, judgement_.effects.size());  // fewer than the false positives
+      refuted.insert(judgement_.model);
+      most = std::max(std::min(most, judgement_.effects.size()), std::size_t{2}) - 1;  // fewer than the false positives
     }
   }
 
   // True if what is named closes part of the gap for sure; also where wrong values would do as well and only few
   // numbers moved far speak against them, which is said.
   bool holds() {
-    if (evidence_.has_unseen_logs && !holdsOnUnseenLogs()) {
-      return false;
-    }
     if (!eachCloses() || judgement_.missing) {
       return judgement_.missing.has_value();
+    }
+    if (closesNextToNothingUnseen()) {
+      return false;
     }
     if (weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.reEstimated())) {
       return true;
@@ -74,6 +71,15 @@ class Judge {
     judgement_.verdict = Verdict::confounded;
     judgement_.values_would_do = true;
     return true;
+  }
+
+  // What does not explain a gap of the logs of the fit does not explain one of unseen logs.
+  bool closesNextToNothingUnseen() const {
+    if (!evidence_.has_unseen_logs || !weighing_.isBeyondNoise(unseen(Evidence::kReEstimated))) {
+      return false;
+    }
+    const double gap = Weighing::leftUnseen(unseen(Evidence::kReEstimated));
+    return 1.0 - Weighing::leftUnseen(unseen(judgement_.model)) / gap < criteria_.unknown;
   }
 
   // Of several effects, each closes part of what the others leave of unseen logs.
@@ -99,16 +105,13 @@ class Judge {
   // Re-estimated parameters leave next to nothing, here or on unseen logs.
   bool valuesWouldDo() const {
     return weighing_.closedByParameters() ||
-           (evidence_.has_unseen_logs && unseenLogsShowNothing(unseen(judgement_.model).noise_floor));
+           (evidence_.has_unseen_logs &&
+            unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * unseen(judgement_.model).noise_floor);
   }
 
   bool unseenLogsRefuteValues() const {
     const std::optional<UnseenErrors>& values = evidence_.reEstimated().unseen;
     return values && weighing_.isBeyondNoise(*values);
-  }
-
-  bool unseenLogsShowNothing(double floor) const {
-    return unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * floor;
   }
 
   // True, and noted, where errors of one of these hypotheses are needed and not known.
@@ -123,76 +126,30 @@ class Judge {
 
   const UnseenErrors& unseen(int hypothesis) const { return *evidence_.at(hypothesis).unseen; }
 
-  void preferWhatPredictsUnseenLogs(std::size_t most) {
-    if (!evidence_.at(judgement_.model).free_trends) {
-      return;
-    }
-    const Judgement other = nameEffects(evidence_, criteria_, most, false);
-    if (other.effects.empty() || lacks({Evidence::kReEstimated, judgement_.model, other.model})) {
-      return;
-    }
-    const double before = unseen(Evidence::kReEstimated).predicted;
-    const double after = unseen(other.model).predicted;
-    if (after < (1.0 - criteria_.predicts) * before &&
-        after < unseen(judgement_.model).predicted - criteria_.predicts_clearly_more * before) {
-      judgement_ = other;
-    }
-  }
-
-  // The prediction is from the displacement smoothed as for the fits: a mass or a dashpot may be there, and yet make
-  // more noise of a sensor's noise than it explains.
-  bool holdsOnUnseenLogs() const {
-    const double before = unseen(Evidence::kReEstimated).predicted;
-    const double after = unseen(judgement_.model).predicted;
-    const double floor = unseen(judgement_.model).noise_floor;
-    if (unseenLogsShowNothing(floor)) {
-      return true;
-    }
-    const double closed = gap::closedFraction(before, after, floor);
-    if (weighing_.closedByParameters() && !weighing_.hiddenEffect()) {
-      return closed >= 1.0 - criteria_.needs_another;  // as much as on the logs of the fit
-    }
-    return closed >= criteria_.least_closed_unseen || ((isDriftAlone() || weighing_.closedByParameters()) &&
-                                                       after < criteria_.little_lost_unseen * before + floor);
-  }
-
   bool isDriftAlone() const { return judgement_.effects.size() == 1 && evidence_.at(judgement_.model).free_trends; }
 
-  // What the component of a hypothesis leaves of unseen logs above their floor, which is that of the model judged.
-  double unseenLeft(int hypothesis) const {
-    return gap::residualAboveFloor(unseen(hypothesis).replayed, unseen(judgement_.model).noise_floor);
-  }
-
-  void treatUnconfirmedResidualAsNoise() {
-    const bool unexplained =
-        judgement_.verdict == Verdict::unknown || (judgement_.verdict == Verdict::partly && isDriftAlone());
-    if (!unexplained ||
-        weighing_.left(evidence_.reEstimated().held_out) > criteria_.unconfirmed_is_noise * evidence_.noise_floor) {
-      return;
-    }
-    if (lacks({Evidence::kAsConfigured, Evidence::kReEstimated, judgement_.model})) {
-      return;
-    }
-    if (unseenLeft(Evidence::kAsConfigured) < weighing_.insignificant()) {
-      judgement_.withdraw(Verdict::none, Evidence::kAsConfigured);
-    } else if (unseenLeft(Evidence::kReEstimated) < weighing_.insignificant()) {
-      judgement_.withdraw(Verdict::parameter_error, Evidence::kReEstimated);
-    }
-  }
-
-  // A rest that no effect explains and an engineer accepts, on all logs, is not worth a warning.
+  // A rest that no effect explains is not worth a warning where an engineer accepts it, nor where it is not beyond the
+  // noise and values gain as much as an effect would have to; both on all logs.
   void acceptLittle() {
-    if (judgement_.verdict != Verdict::unknown ||
-        weighing_.left(evidence_.reEstimated().held_out) > criteria_.beyond_noise) {
-      return;
-    }
-    if (evidence_.has_unseen_logs && (lacks({Evidence::kAsConfigured, Evidence::kReEstimated}) ||
-                                      Weighing::leftUnseen(unseen(Evidence::kReEstimated)) > criteria_.beyond_noise)) {
-      return;
-    }
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
     const double rest = weighing_.left(evidence_.reEstimated().held_out);
-    const bool parameters = configured > criteria_.beyond_noise || rest < criteria_.needs_another * configured;
+    const bool by_values = rest < criteria_.needs_another * configured;
+    const auto accepted = [&](double left, double floor) {
+      return by_values ? !weighing_.isBeyondNoise(left, floor) : left <= criteria_.beyond_noise;
+    };
+    if (judgement_.verdict != Verdict::unknown || !accepted(rest, evidence_.noise_floor)) {
+      return;
+    }
+    if (evidence_.has_unseen_logs) {
+      if (lacks({Evidence::kAsConfigured, Evidence::kReEstimated})) {
+        return;
+      }
+      const UnseenErrors& values = unseen(Evidence::kReEstimated);
+      if (!accepted(Weighing::leftUnseen(values), values.noise_floor)) {
+        return;
+      }
+    }
+    const bool parameters = by_values || configured > criteria_.beyond_noise;
     judgement_.withdraw(parameters ? Verdict::parameter_error : Verdict::none,
                         parameters ? Evidence::kReEstimated : Evidence::kAsConfigured);
   }
@@ -216,7 +173,7 @@ class Judge {
   void noteTestableEffects() {
     const std::vector<int>& named = judgement_.effects;
     for (int effect = 0; effect < evidence_.effects(); ++effect) {
-      judgement_.testable.push_back(weighing_.shows(effect) ||
+      judgement_.testable.push_back(evidence_.testable[static_cast<std::size_t>(effect)] ||
                                     std::find(named.begin(), named.end(), effect) != named.end());
     }
   }

@@ -17,35 +17,37 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Naming {
  public:
-  Naming(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, bool trends)
+  Naming(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, const std::set<int>& refuted)
       : evidence_(evidence),
         criteria_(criteria),
         weighing_(evidence, criteria),
         most_effects_(most_effects),
-        trends_(trends),
+        refuted_(refuted),
         gap_(left(Evidence::kReEstimated)) {
     judgement_.probabilities.assign(evidence.testable.size(), 0.0);
   }
 
   Judgement run() {
-    rank();
+    rank(Of::those_in_question);
     if (weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out) < weighing_.insignificant()) {
       judgement_.verdict = Verdict::none;
       judgement_.model = Evidence::kAsConfigured;
     } else if (weighing_.closedByParameters()) {
-      const std::optional<int> hidden = weighing_.hiddenEffect();
-      const std::optional<int> effect = hidden ? hidden : weighing_.betterThanParameters();
+      const std::optional<int> simpler = weighing_.simplerThanParameters();
+      const std::optional<int> effect = simpler ? simpler : weighing_.betterUnseen();
       judgement_.verdict = Verdict::parameter_error;
-      if (most_effects_ > 0 && effect) {
+      if (most_effects_ > 0 && effect && refuted_.count(*effect) == 0) {
         name(*effect);
       }
     } else {
       nameBest();
       considerLastResort();
-      doubtSmallGains();
       if (judgement_.verdict == Verdict::unknown) {
         considerSlowNoise();
       }
+    }
+    if (judgement_.effects.empty()) {
+      rank(Of::all);
     }
     return std::move(judgement_);
   }
@@ -55,19 +57,15 @@ class Naming {
 
   int hypotheses() const { return static_cast<int>(evidence_.hypotheses.size()); }
 
-  bool allowed(int hypothesis) const {
+  bool considered(int hypothesis) const {
     const HypothesisEvidence& h = evidence_.at(hypothesis);
-    return (trends_ || !h.free_trends) && (last_resort_ || !h.last_resort) && weighing_.mayBeACause(h);
+    return (last_resort_ || !h.last_resort) && weighing_.mayBeACause(h);
   }
 
-  // Effects that these logs would hardly show are not to be named, unless the others leave much without them.
-  bool testable(int hypothesis) const {
-    const std::vector<int>& members = evidence_.at(hypothesis).members;
-    return std::all_of(members.begin(), members.end(), [&](int member) {
-      return weighing_.shows(member) ||
-             (members.size() > 1 && left(hypothesis) < criteria_.contributes * leftWithout(hypothesis, member));
-    });
-  }
+  bool allowed(int hypothesis) const { return considered(hypothesis) && refuted_.count(hypothesis) == 0; }
+
+  // A law that contains a simpler one and errs no less is not in question: the simpler one stands for both.
+  bool inQuestion(int hypothesis) const { return allowed(hypothesis) && !evidence_.at(hypothesis).does_no_better; }
 
   // Probability of each effect from what it leaves against what its absence leaves: a power of the ratio, softened
   // by the noise, within which nothing can be told apart, less that of an effect that changes nothing.
@@ -85,11 +83,16 @@ class Naming {
     return weights;
   }
 
-  void rank() {
+  enum class Of { those_in_question, all };
+
+  // Where nothing is named, what was refuted is as likely as the logs of the fit have it, if effects are at work at
+  // all.
+  void rank(Of of) {
     std::vector<double> rests;
     for (int effect = 0; effect < evidence_.effects(); ++effect) {
       const int single = Evidence::kFirstSingle + effect;
-      rests.push_back(allowed(single) ? left(single) : kInfinity);
+      const bool counts = of == Of::all ? considered(single) : inQuestion(single);
+      rests.push_back(counts ? left(single) : kInfinity);
     }
     judgement_.probabilities = shares(rests, gap_);
   }
@@ -98,8 +101,7 @@ class Naming {
   std::optional<int> best(std::size_t effects) const {
     std::optional<int> found;
     for (int h = 0; h < hypotheses(); ++h) {
-      const bool counts = evidence_.at(h).members.size() == effects && allowed(h) && testable(h);
-      if (counts && (!found || left(h) < left(*found))) {
+      if (evidence_.at(h).members.size() == effects && allowed(h) && (!found || left(h) < left(*found))) {
         found = h;
       }
     }
@@ -108,7 +110,7 @@ class Naming {
 
   void nameBest() {
     judgement_.verdict = Verdict::unknown;
-    const std::optional<int> single = weighing_.bestSingle(trends_);
+    const std::optional<int> single = best(1);
     if (most_effects_ == 0 || !single) {
       return;
     }
@@ -119,10 +121,8 @@ class Naming {
       if (!further || (left(chosen) < weighing_.enough() && !evidence_.at(chosen).free_trends)) {
         continue;
       }
-      const double ratio = left(*further) / left(chosen);
-      const bool much =
-          ratio < criteria_.needs_another || left(chosen) - left(*further) > criteria_.worth_naming * gap_;
-      if (much && weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(chosen)) < criteria_.chance) {
+      if (left(*further) < criteria_.needs_another * left(chosen) &&
+          weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(chosen)) < criteria_.chance) {
         chosen = *further;
       }
     }
@@ -145,46 +145,34 @@ class Naming {
     judgement_.verdict = rest ? Verdict::partly : ambiguous ? Verdict::confounded : Verdict::named;
   }
 
-  // The least that any of the others leave.
-  double leastOfOthers() const {
-    double least = gap_;
+  // The hypothesis of the others that leaves least, re-estimation among them.
+  int bestOfOthers() const {
+    int best = Evidence::kReEstimated;
     for (int h = Evidence::kFirstSingle; h < hypotheses(); ++h) {
-      least = allowed(h) ? std::min(least, left(h)) : least;
+      best = allowed(h) && left(h) < left(best) ? h : best;
     }
-    return least;
+    return best;
   }
 
-  // An effect that can look like several others stands where it leaves half of the gap at most, and all others leave
-  // much more.
+  // An effect that can look like several others stands where it leaves little of the gap, and errs less than the best
+  // of the others, pairs and triples among them.
   void considerLastResort() {
-    if (most_effects_ == 0 || (judgement_.verdict != Verdict::unknown && judgement_.verdict != Verdict::partly)) {
+    if (most_effects_ == 0) {
       return;
     }
-    const double others = leastOfOthers();
+    const int others = bestOfOthers();
     for (int effect = 0; effect < evidence_.effects(); ++effect) {
       const int single = Evidence::kFirstSingle + effect;
-      if (evidence_.at(single).last_resort && weighing_.shows(effect) &&
-          left(single) < criteria_.last_resort_left * gap_ && left(single) < criteria_.last_resort_of_others * others) {
+      if (evidence_.at(single).last_resort && refuted_.count(single) == 0 &&
+          left(single) < criteria_.needs_another * gap_ && left(single) < left(others) &&
+          weighing_.errsLess(evidence_.at(single), evidence_.at(others))) {
         last_resort_ = true;
-        rank();
+        rank(Of::those_in_question);
         judgement_.confounded.clear();
         name(single);
+        return;
       }
     }
-  }
-
-  // Where parameters leave little, an effect has to leave much less, beyond chance.
-  void doubtSmallGains() {
-    const double rest = weighing_.left(evidence_.reEstimated().held_out);
-    const HypothesisEvidence& named = evidence_.at(judgement_.model);
-    if (judgement_.effects.empty() || weighing_.isBeyondNoise(rest, evidence_.noise_floor) ||
-        (weighing_.left(named.held_out) < criteria_.needs_another * rest &&
-         weighing_.chanceOfGain(named, evidence_.reEstimated()) < criteria_.chance)) {
-      return;
-    }
-    const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
-    judgement_.withdraw(rest < criteria_.needs_another * configured ? Verdict::parameter_error : Verdict::unknown,
-                        Evidence::kReEstimated);
   }
 
   // Where nothing but slow noise remains, there is no gap, or parameters close it.
@@ -218,7 +206,7 @@ class Naming {
     std::vector<double> rests;
     for (int other = 0; other < evidence_.effects(); ++other) {
       const std::optional<int> found = evidence_.inPlaceOf(hypothesis, effect, other);
-      rests.push_back(found && allowed(*found) ? left(*found) : kInfinity);
+      rests.push_back(found && inQuestion(*found) ? left(*found) : kInfinity);
     }
     return rests;
   }
@@ -258,7 +246,7 @@ class Naming {
   const Criteria& criteria_;
   Weighing weighing_;
   std::size_t most_effects_;
-  bool trends_;
+  const std::set<int>& refuted_;
   bool last_resort_ = false;
   double gap_;  // left by re-estimation
   Judgement judgement_;
@@ -266,8 +254,9 @@ class Naming {
 
 }  // namespace
 
-Judgement nameEffects(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, bool trends) {
-  return Naming(evidence, criteria, most_effects, trends).run();
+Judgement nameEffects(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects,
+                      const std::set<int>& refuted) {
+  return Naming(evidence, criteria, most_effects, refuted).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

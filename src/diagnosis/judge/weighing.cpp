@@ -18,22 +18,16 @@ double Weighing::left(double error) const {
 }
 
 double Weighing::left(const HypothesisEvidence& hypothesis) const {
-  const double penalised = std::hypot(left(hypothesis.held_out), hypothesis.penalty);
-  const double trend = criteria_.trend_penalty * left(evidence_.reEstimated().held_out);
-  return std::max(hypothesis.at_least, hypothesis.free_trends ? std::hypot(penalised, trend) : penalised);
+  return std::max(hypothesis.at_least, std::hypot(left(hypothesis.held_out), hypothesis.penalty));
 }
 
 double Weighing::insignificant() const {
-  return std::max({criteria_.within_noise * evidence_.noise_floor, criteria_.insignificant_gap,
-                   criteria_.discretisation * evidence_.discretisation});
+  return std::max(
+      {criteria_.within_noise * evidence_.noise_floor, criteria_.insignificant_gap, evidence_.discretisation});
 }
 
 double Weighing::tolerated() const {
-  const double configured = left(evidence_.at(Evidence::kAsConfigured).held_out);
-  const double little = std::min(criteria_.above_noise_by_parameters * evidence_.noise_floor,
-                                 criteria_.share_left_by_parameters * configured);
-  const double rest = closedByParameters() ? left(evidence_.reEstimated().held_out) : 0.0;
-  return std::max({insignificant(), little, rest});
+  return closedByParameters() ? std::max(insignificant(), left(evidence_.reEstimated())) : insignificant();
 }
 
 double Weighing::enough() const {
@@ -43,37 +37,38 @@ double Weighing::enough() const {
                   std::min(share, criteria_.beyondNoise(evidence_.noise_floor)));
 }
 
-std::optional<int> Weighing::bestSingle(bool trends) const {
+std::optional<int> Weighing::bestSingle() const {
   std::optional<int> best;
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
-    if ((!trends && single.free_trends) || single.last_resort || !mayBeACause(single)) {
+    if (single.last_resort || !mayBeACause(single)) {
       continue;
     }
-    if (shows(effect) && (!best || left(single) < left(evidence_.at(*best)))) {
+    if (!best || left(single) < left(evidence_.at(*best))) {
       best = Evidence::kFirstSingle + effect;
     }
   }
   return best;
 }
 
-bool Weighing::shows(int effect) const {
-  return evidence_.testable[static_cast<std::size_t>(effect)] ||
-         left(evidence_.single(effect)) < criteria_.shows * left(evidence_.reEstimated());
+std::optional<int> Weighing::bestWithoutTrends() const {
+  std::optional<int> best;
+  for (int effect = 0; effect < evidence_.effects(); ++effect) {
+    const HypothesisEvidence& single = evidence_.single(effect);
+    const bool counts = !single.free_trends && !single.like_parameters && !single.last_resort;
+    if (counts && (!best || left(single) < left(evidence_.at(*best)))) {
+      best = Evidence::kFirstSingle + effect;
+    }
+  }
+  return best;
 }
 
 bool Weighing::closedByParameters() const {
   const double configured = left(evidence_.at(Evidence::kAsConfigured).held_out);
   const double rest = left(evidence_.reEstimated().held_out);
-  if (rest < insignificant() || rest < std::min(criteria_.above_noise_by_parameters * evidence_.noise_floor,
-                                                criteria_.share_left_by_parameters * configured)) {
-    return true;
-  }
-  // Every element's own parameters: they explain the gap if they leave noise only, and if most of it was already
-  // closed by the values of the specification.
-  return left(evidence_.element_level) <
-             std::max(criteria_.within_noise * evidence_.noise_floor, criteria_.share_left_by_elements * rest) &&
-         rest < criteria_.share_left_before_elements * configured;
+  const bool by_elements =
+      left(evidence_.element_level) < insignificant() && rest < criteria_.share_left_before_elements * configured;
+  return rest < insignificant() || by_elements;
 }
 
 bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
@@ -144,6 +139,11 @@ PairedDifference Weighing::difference(const HypothesisEvidence& hypothesis, cons
   return compare(losses, 0, 1);
 }
 
+bool Weighing::errsLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  const PairedDifference gain = difference(hypothesis, over);
+  return -gain.mean > gain.standard_error;
+}
+
 // Of two tests, either of which is enough: on average over the logs, and in every single log by its blocks. Over few
 // logs the first sees nothing where one gains far more than the others, which a log does that was made to show it.
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
@@ -176,41 +176,31 @@ std::vector<gap::PartError> Weighing::partsOf(const HypothesisEvidence& hypothes
   return parts;
 }
 
-std::optional<int> Weighing::betterThanParameters() const {
-  const HypothesisEvidence& parameters = evidence_.reEstimated();
-  const double rest = left(parameters.held_out);
-  const bool refuted =
-      isBeyondNoise(rest, evidence_.noise_floor) || (parameters.unseen && isBeyondNoise(*parameters.unseen));
-  const std::optional<int> best = bestSingle();
-  if (!refuted || !best) {
-    return std::nullopt;
-  }
-  const HypothesisEvidence& effect = evidence_.at(*best);
-  const bool better_here = left(effect.held_out) < criteria_.needs_another * rest;
-  const bool better_unseen = parameters.unseen && effect.unseen &&
-                             leftUnseen(*effect.unseen) < criteria_.needs_another * leftUnseen(*parameters.unseen);
-  return better_here || better_unseen ? best : std::nullopt;
-}
-
-std::optional<int> Weighing::hiddenEffect() const {
-  const double re_estimated = left(evidence_.reEstimated());
+std::optional<int> Weighing::simplerThanParameters() const {
   std::optional<int> best;
-  if (evidence_.reEstimated().largest_change <= criteria_.changed_far) {
+  const double far = std::log1p(criteria_.values_err_by);
+  if (evidence_.reEstimated().largest_change <= far) {
     return best;
   }
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
-    const bool simple = !single.like_parameters && single.terms <= criteria_.few_terms && !single.free_trends;
-    const double change = single.largest_change;
-    const double may_leave = change < criteria_.changed_little ? criteria_.hides_as_specified
-                             : change < criteria_.changed_far  ? criteria_.hides
-                                                               : 0.0;
-    const double rest = left(single);
-    if (simple && rest < may_leave * re_estimated && (!best || rest < left(evidence_.at(*best)))) {
+    const bool simple = !single.like_parameters && single.terms <= criteria_.few_terms && !single.free_trends &&
+                        single.largest_change <= far;
+    if (simple && left(single) < criteria_.needs_another * left(evidence_.reEstimated()) &&
+        (!best || left(single) < left(evidence_.at(*best)))) {
       best = Evidence::kFirstSingle + effect;
     }
   }
   return best;
+}
+
+std::optional<int> Weighing::betterUnseen() const {
+  const std::optional<UnseenErrors>& parameters = evidence_.reEstimated().unseen;
+  const std::optional<int> best = bestSingle();
+  const std::optional<UnseenErrors> effect = best ? evidence_.at(*best).unseen : std::nullopt;
+  const bool better = parameters && effect && isBeyondNoise(*parameters) &&
+                      leftUnseen(*effect) < criteria_.needs_another * leftUnseen(*parameters);
+  return better ? best : std::nullopt;
 }
 
 bool needsFurtherEffects(const Evidence& evidence, const Criteria& criteria) {

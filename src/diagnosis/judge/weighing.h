@@ -30,15 +30,13 @@ class Weighing {
   /// Less above the floor calls for no further effect.
   double enough() const;
 
-  /// The hypothesis of the single effect that leaves least, among those without a free trend if `trends` is false;
-  /// none where no effect shows.
-  std::optional<int> bestSingle(bool trends = true) const;
+  /// The hypothesis of the single effect that leaves least, if any may be a cause.
+  std::optional<int> bestSingle() const;
 
-  /// True if the fits to these logs may be relied on to show an effect: a typical size of it would stand out, or what
-  /// was fitted does.
-  bool shows(int effect) const;
+  /// The same of those without a trend for each log.
+  std::optional<int> bestWithoutTrends() const;
 
-  /// True if re-estimated model parameters leave next to nothing of the gap.
+  /// True if re-estimated model parameters leave noise only.
   bool closedByParameters() const;
 
   /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be.
@@ -59,6 +57,10 @@ class Weighing {
   /// together where there are three logs or more. Without a standard error where errors of blocks are not known.
   PairedDifference difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
+  /// True if the first errs less by more than one standard error of the paired difference (Breiman et al.,
+  /// Classification and Regression Trees, 1984, section 3.4.3); by anything where errors of blocks are not known.
+  bool errsLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+
   /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
@@ -66,12 +68,14 @@ class Weighing {
   /// chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
   bool closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
-  /// The effect that leaves much less than re-estimated parameters where unseen logs, or the logs of the fit, refute
-  /// these, if any.
-  std::optional<int> betterThanParameters() const;
+  /// The hypothesis of the best effect of few numbers that leaves much less than re-estimated parameters once it counts
+  /// how far either moves the values of the specification, if any: one number more in place of values that are off by
+  /// more than a specification errs.
+  std::optional<int> simplerThanParameters() const;
 
-  /// The hypothesis of the effect that re-estimation may hide, if any.
-  std::optional<int> hiddenEffect() const;
+  /// The hypothesis of the best effect, if it leaves much less of unseen logs than re-estimated parameters, and these
+  /// are refuted there.
+  std::optional<int> betterUnseen() const;
 
  private:
   bool logsAreClusters() const;

@@ -11,6 +11,7 @@
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/judge/closed_interval.h"
+#include "diagnosis/recorded_gap.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/characteristics.h"
 #include "diagnosis/report/model_parameters_by_log.h"
@@ -28,7 +29,7 @@ namespace {
 
 class Describer {
  public:
-  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<log::Record>& recorded,
+  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
             std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
@@ -57,6 +58,7 @@ class Describer {
     describeParameters();
     describeJudgement();
     describeSurrogate();
+    measureRecorded();
     result_.workings = std::move(workings_);
     return std::move(result_);
   }
@@ -133,8 +135,6 @@ class Describer {
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();
-    result_.gap_as_recorded = {asRecorded(prepared_.component), asRecorded(result_.re_estimated),
-                               asRecorded(result_.augmented)};
     result_.closed = closed(result_.gap.augmented);
     result_.closed_interval = interval(after_);
   }
@@ -156,12 +156,21 @@ class Describer {
     });
   }
 
-  // Gap of the logs with all that the rig did to them.
-  double asRecorded(const io::ComponentDescription& description) const {
-    const auto elements = description.allElements();
-    const gap::Forces forces =
-        hasUnseenLogs() ? gap::simulateEach(elements, recorded_) : gap::simulate(elements, recorded_, gap::asRecorded);
-    return gap::gapOfParts(gap::partErrors(recorded_, forces));
+  // Gaps of the whole logs with all that the rig did to them.
+  void measureRecorded() {
+    std::vector<std::vector<element::ElementDescription>> models;
+    for (const auto& description : {prepared_.component, result_.re_estimated, result_.augmented}) {
+      models.push_back(description.allElements());
+    }
+    if (result_.surrogate) {
+      models.push_back(result_.surrogate->component.allElements());
+    }
+    const Recorded recorded = hasUnseenLogs() ? Recorded::each_on_a_new_one : Recorded::on_one_component;
+    const std::vector<double> gaps = recordedGaps(models, recorded_, recorded, options_.threads);
+    result_.gap_as_recorded = {gaps[0], gaps[1], gaps[2]};
+    if (result_.surrogate) {
+      result_.surrogate->gap = gaps[3];
+    }
   }
 
   double closed(double gap) const {
@@ -275,7 +284,6 @@ class Describer {
                                   w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
     Surrogate surrogate = makeSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
                                         result_.gap.noise_floor, options_.threads);
-    surrogate.gap = asRecorded(surrogate.component);
     w.force_surrogate = simulate(surrogate.component);
     result_.sentence += " " + describeRest(surrogate);
     result_.surrogate = std::move(surrogate);
@@ -290,7 +298,7 @@ class Describer {
   }
 
   const PreparedCase& prepared_;
-  const std::vector<log::Record>& recorded_;
+  const std::vector<LogSurvey>& recorded_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
@@ -306,7 +314,7 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<log::Record>& recorded, std::vector<measurement::RigFinding> findings,
+                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
                    const DiagnosisOptions& options) {
   return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
 }

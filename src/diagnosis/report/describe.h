@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "diagnosis/log_survey.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -12,7 +13,7 @@ namespace rubber_suspension::diagnosis {
 /// Fills in the records and forces of the workings, which have search and judgement. `recorded`: the logs that the gaps
 /// are of with all that the rig did to them; `findings`: what single samples of the logs told.
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<log::Record>& recorded, std::vector<measurement::RigFinding> findings,
+                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
                    const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

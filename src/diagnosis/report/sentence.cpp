@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/judge/criteria.h"
 #include "diagnosis/report/model_values.h"
 #include "diagnosis/report/text.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -104,6 +106,21 @@ std::string gainWouldDo(const Diagnosis& diagnosis) {
              : "";
 }
 
+// What of a gap without a cause is told: at the floor, or above it and small enough to be accepted.
+std::string agreementSentence(const Gap& gap) {
+  constexpr double kAt = 1.3;  // times the floor, which is known to this factor (docs/accuracy.md)
+  const double above = gap::residualAboveFloor(gap.as_configured, gap.noise_floor);
+  if (gap.as_configured <= kAt * gap.noise_floor) {
+    return fmt::format("The model agrees with the measurement: the gap of {} is at the noise floor of {}.",
+                       gapText(gap.as_configured), gapText(gap.noise_floor));
+  }
+  return fmt::format(
+      "The model agrees with the measurement within what is accepted: of the gap of {}, {} of the force are above the "
+      "noise floor of {}; up to {} count as none where no effect explains them.",
+      gapText(gap.as_configured), gapText(above), gapText(gap.noise_floor),
+      gapText(Criteria{}.beyondNoise(gap.noise_floor)));
+}
+
 }  // namespace
 
 std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
@@ -115,8 +132,7 @@ std::string sentence(const Judgement& judgement, const Diagnosis& diagnosis) {
                   gapText(gap.re_estimated), gapText(gap.augmented), gapText(gap.noise_floor));
   switch (judgement.verdict) {
     case Verdict::none:
-      return fmt::format("The model agrees with the measurement: the gap of {} is at the noise floor of {}.",
-                         gapText(gap.as_configured), gapText(gap.noise_floor));
+      return agreementSentence(gap);
     case Verdict::parameter_error:
       return fmt::format("{}: re-estimating reduces the gap from {} to {} (noise floor {}).{}",
                          ownValuesText(diagnosis), gapText(gap.as_configured), gapText(gap.re_estimated),
