@@ -159,33 +159,39 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
   return specification;
 }
 
+estimation::Specification ModelParameters::specification(const Eigen::VectorXd& logarithms) const {
+  Relaxation relaxation = relaxation_;
+  estimation::Specification result = description_.specification();
+  bool relaxes = false;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const Slot& slot = slots_[static_cast<std::size_t>(i)];
+    if (slot.where == Slot::relaxation) {
+      coordinate(relaxation, slot.key) *= std::exp(logarithms[i]);
+      relaxes = true;
+    } else if (slot.where == Slot::specification) {
+      result.set(slot.key, result.at(slot.key) * std::exp(logarithms[i]));
+    }
+  }
+  return relaxes ? specificationOf(relaxation) : result;
+}
+
 io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithms) const {
   if (logarithms.isZero(0.0)) {
     return description_;  // as configured, to the last bit
   }
-  Relaxation relaxation = relaxation_;
-  estimation::Specification specification = description_.specification();
   std::vector<element::ElementDescription> elements = description_.elements();
   std::vector<element::ElementDescription> added = description_.add;
-  bool relaxes = false;
   for (Eigen::Index i = 0; i < size(); ++i) {
     const Slot& slot = slots_[static_cast<std::size_t>(i)];
-    const double factor = std::exp(logarithms[i]);
-    if (slot.where == Slot::relaxation) {
-      coordinate(relaxation, slot.key) *= factor;
-      relaxes = true;
-    } else if (slot.where == Slot::specification) {
-      specification.set(slot.key, specification.at(slot.key) * factor);
-    } else {
+    if (slot.where == Slot::element || slot.where == Slot::added) {
       auto& entries = slot.where == Slot::element ? elements : added;
-      entries[slot.entry].values[slot.key] = {slot.configured * factor};
+      entries[slot.entry].values[slot.key] = {slot.configured * std::exp(logarithms[i])};
     }
   }
   io::ComponentDescription result =
       description_.model() == estimation::Model::elements
           ? io::ComponentDescription(description_.name, std::move(elements))
-          : io::ComponentDescription(description_.name, description_.model(),
-                                     relaxes ? specificationOf(relaxation) : std::move(specification));
+          : io::ComponentDescription(description_.name, description_.model(), specification(logarithms));
   result.add = std::move(added);
   result.temperature = description_.temperature;
   return result;
@@ -206,8 +212,9 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
 
 std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
   std::vector<std::pair<std::string, double>> result;
-  const io::ComponentDescription moved = apply(logarithms);
-  for (const auto& [key, value] : moved.specification().values()) {
+  const estimation::Specification moved =
+      logarithms.isZero(0.0) ? description_.specification() : specification(logarithms);
+  for (const auto& [key, value] : moved.values()) {
     if (description_.specification().has(key) && description_.specification().at(key) != value) {
       result.emplace_back(key, value / description_.specification().at(key));
     }

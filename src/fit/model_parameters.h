@@ -45,7 +45,8 @@ class ModelParameters {
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
   /// What the user would have to write: new over old value of every number of the specification, or of every parameter
-  /// of the elements, that is not equal.
+  /// of the elements, that is not equal. Of any point, also of one that no component has, as the values that a single
+  /// log asks for can be.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:
@@ -71,6 +72,8 @@ class ModelParameters {
   void addSpecification();
   void addElements(const std::vector<element::ElementDescription>& elements, Slot::Where where);
   void add(Slot slot, const std::string& name);
+  /// The specification with these logarithms of ratios, whether or not a component has it.
+  estimation::Specification specification(const Eigen::VectorXd& logarithms) const;
   estimation::Specification specificationOf(const Relaxation& relaxation) const;
   static double& coordinate(Relaxation& relaxation, const std::string& key);
 
