@@ -111,9 +111,8 @@ int main(int argc, char** argv) {
         app.add_option(
                "--work", options->work,
                "only time the library on this, once, and print JSON: simulate, the force of a log; fit, from the "
-               "component "
-               "as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is made as it is "
-               "read, with the memory that the process took")
+               "component as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is "
+               "made as it is read, with the memory that the process took")
             ->type_name("WORK")
             ->check(CLI::IsMember({"simulate", "fit", "diagnose"}));
         app.add_option("--config", options->config, "with --work simulate or fit: component file of one component")

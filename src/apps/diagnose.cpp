@@ -349,7 +349,6 @@ int run(const Options& options) {
   settings.limits = limits;
   settings.most_samples = options.most_samples;
   settings.threads = options.threads;
-  settings.progress = showStage;
   settings.evidence = options.evidence;
   showStage("reading the logs", 0.0);
   const OpenedLogs logs(options.logs, component, options);

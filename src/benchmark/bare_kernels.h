@@ -1,19 +1,6 @@
 // The bare loop over blocks for one kind of processor; included once for each by processor/instruction_sets.h. The laws
 // are repeated on purpose.
-using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
-using LaneMask = decltype(Lanes{} < Lanes{});
-
-inline Lanes load(const double* numbers) {
-  Lanes lanes;
-  std::memcpy(&lanes, numbers, sizeof lanes);
-  return lanes;
-}
-
-inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &lanes, sizeof lanes); }
-
-inline Lanes positive(const Lanes& lanes) {
-  return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(lanes) & INT64_MAX);
-}
+#include "processor/lanes.h"
 
 inline bool any(const LaneMask& mask) {
   auto seen = mask[0];
@@ -86,7 +73,7 @@ inline Lanes blockFriction(const BareBlock& work, BareFriction& friction, std::s
   }
   const double left = friction.direction * work.maximum_force - friction.reference_force;
   const double reach = work.friction_displacement / work.maximum_force * (left < 0.0 ? -left : left);
-  const Lanes way = positive(z - friction.reference_displacement);
+  const Lanes way = magnitude(z - friction.reference_displacement);
   const Lanes force = friction.reference_force + way * left / (reach + way);
   friction.last_displacement = work.displacement[first + kWidth - 1];
   friction.last_force = force[kWidth - 1];

@@ -54,18 +54,17 @@ double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
-// `count` of the windows by their place, ascending.
-std::vector<std::size_t> choose(const LogSurvey& log, const std::vector<Window>& windows, std::size_t count) {
-  const std::vector<double> motion = motionOf(log, windows);
+// `count` of the windows by their place, ascending, of which one has the largest motion.
+std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
   const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;
-  for (const std::size_t window : {std::size_t{0}, largestMotion(log, windows)}) {
+  for (const std::size_t window : {std::size_t{0}, largest}) {
     if (motion[window] >= least && chosen.size() < count && (chosen.empty() || chosen[0] != window)) {
       chosen.push_back(window);
     }
   }
   std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
+  for (std::size_t i = 0; i < motion.size(); ++i) {
     if (motion[i] >= least && std::find(chosen.begin(), chosen.end(), i) == chosen.end()) {
       others.push_back(i);
     }
@@ -196,8 +195,9 @@ void addExcerptsOfTheFit(const LogSurvey& log, std::size_t share, Excerpts& resu
   const std::vector<Window> windows = windowsOf(log, share);
   const std::size_t count = std::max(share / (windows[0].last - windows[0].first), std::size_t{1});
   const std::size_t coarse = (log.samples() - 1) / share + 1;
-  const double standstill = standstillOf(motionOf(log, windows));
-  ExcerptTaker taker(log, joined(windows, choose(log, windows, count)), coarse, standstill);
+  const std::vector<double> motion = motionOf(log, windows);
+  const std::vector<std::size_t> chosen = choose(motion, largestMotion(log, windows), count);
+  ExcerptTaker taker(log, joined(windows, chosen), coarse, standstillOf(motion));
   taker.take();
   for (log::Log& excerpt : taker.excerpts()) {
     result.logs.push_back(std::move(excerpt));

@@ -6,6 +6,7 @@
 
 #include "fit/parallel.h"
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -111,9 +112,7 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
       fit::parallelFor(driven.size(), threads, [&](std::size_t m) { driven[m].add(piece, steps.dt); });
     };
     readAgain(logs[l], [&](const log::Log& block, std::size_t) {
-      if (block.force.empty()) {
-        throw log::LogError(block.name + ": has no measured force; needed is a column force_<unit>");
-      }
+      log::requireForce(block);
       add(even.add(block));
       return true;
     });

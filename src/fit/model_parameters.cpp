@@ -160,6 +160,9 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
 }
 
 estimation::Specification ModelParameters::specification(const Eigen::VectorXd& logarithms) const {
+  if (logarithms.isZero(0.0)) {
+    return description_.specification();  // as configured, to the last bit
+  }
   Relaxation relaxation = relaxation_;
   estimation::Specification result = description_.specification();
   bool relaxes = false;
@@ -212,8 +215,7 @@ std::optional<std::vector<element::ElementDescription>> ModelParameters::element
 
 std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen::VectorXd& logarithms) const {
   std::vector<std::pair<std::string, double>> result;
-  const estimation::Specification moved =
-      logarithms.isZero(0.0) ? description_.specification() : specification(logarithms);
+  const estimation::Specification moved = specification(logarithms);
   for (const auto& [key, value] : moved.values()) {
     if (description_.specification().has(key) && description_.specification().at(key) != value) {
       result.emplace_back(key, value / description_.specification().at(key));

@@ -127,13 +127,11 @@ std::vector<std::string> blocksFromColumns(const std::vector<ColumnName>& names,
 
 Log logFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format,
                    const std::string& name) {
+  ColumnReader reader(names, file, format);
   Log log;
-  std::vector<std::string> notes =
-      blocksFromColumns(names, file, format, name, kAllSamples, [&](const Log& all, std::size_t) {
-        log = all;
-        return true;
-      });
-  log.notes = std::move(notes);
+  log.name = name;
+  reader.read(0, reader.samples(), log);
+  log.notes = reader.notes();
   return log;
 }
 

@@ -163,7 +163,6 @@ class CsvLogReader {
  private:
   // All rows are kept where nobody takes them.
   void readRows(const LogSource::Take* take) {
-    bounded_ = take == nullptr;
     readHeader();
     for (line_ = reader_->line() + 1; !ended_; ++line_) {
       const char* const line = reader_->next();
@@ -255,7 +254,7 @@ class CsvLogReader {
           fmt::format("a row after blank line {}; accepted: no blank line between rows", blank_line_));
     }
     blank_line_ = 0;
-    if (bounded_ && log_.size() == kMaximumLogRows) {
+    if (log_.size() == kMaximumLogRows) {  // never where they are handed out
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
     if (by_fields_ || !readPlainRow(line)) {
@@ -378,7 +377,6 @@ class CsvLogReader {
   std::size_t handed_out_ = 0;
   std::int64_t first_stamp_ = 0;
   std::int64_t last_stamp_ = 0;
-  bool bounded_ = true;
   bool ended_ = false;  // nobody takes any more
   std::size_t line_ = 1;
   std::size_t blank_line_ = 0;
@@ -389,10 +387,6 @@ class CsvLogReader {
   std::vector<Field> fields_;
   FieldParser parser_;
 };
-
-}  // namespace
-
-namespace {
 
 // What `read` makes of a reader of the file; errors with their line.
 template <class Read>

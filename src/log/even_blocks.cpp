@@ -5,17 +5,24 @@
 #include <cmath>
 #include <utility>
 
-#include "log/jitter.h"
 #include "log/samples.h"
 
 namespace rubber_suspension::log {
 namespace {
 
+constexpr double kJitterAllowed = 0.02;      // of the median step; more is resampled
 constexpr std::size_t kMostCounted = 16384;  // different steps
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
 }  // namespace
+
+EvenSteps evenStepsFor(double median, double largest_difference, double duration, std::size_t samples) {
+  if (largest_difference <= kJitterAllowed * median) {
+    return {duration / static_cast<double>(samples - 1), samples, true};
+  }
+  return {median, static_cast<std::size_t>(std::floor(duration / median)) + 1, false};
+}
 
 void TimeSteps::count(std::int64_t step) {
   ++counts_[step / width_];
@@ -65,10 +72,7 @@ EvenSteps TimeSteps::evenSteps() const {
   const double step = median();
   const double duration = seconds(last_ - first_);
   const double worst = std::max(std::abs(seconds(smallest_) - step), std::abs(seconds(largest_) - step));
-  if (worst <= kJitterAllowed * step) {
-    return {duration / static_cast<double>(samples_ - 1), samples_, true};
-  }
-  return {step, static_cast<std::size_t>(std::floor(duration / step)) + 1, false};
+  return evenStepsFor(step, worst, duration, samples_);
 }
 
 void EvenBlocks::keepLast(const Log& block) { last_ = samplesOf(block, block.size() - 1, 1); }

@@ -1,4 +1,4 @@
-// Even time steps of a log that is read block by block, by the rules of evenRecord().
+// Even time steps of a log that is read block by block, or as a whole.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,10 @@ struct EvenSteps {
   bool as_recorded = true;  ///< the log has them itself
 };
 
+/// Even steps for a log of so many samples over a duration: their mean step where none differs from the median by more
+/// than the jitter allowed, else the median. All times in s.
+EvenSteps evenStepsFor(double median, double largest_difference, double duration, std::size_t samples);
+
 /// The time steps of a log, counted as they come. Memory: some 16,000 different steps, whatever the length; where there
 /// are more, near ones count as one.
 class TimeSteps {
@@ -27,7 +31,7 @@ class TimeSteps {
   std::int64_t firstStamp() const { return first_; }  ///< [ns]
   std::int64_t lastStamp() const { return last_; }
 
-  /// Of two samples or more: their mean step where all are about the median, else the median.
+  /// Of two samples or more.
   EvenSteps evenSteps() const;
 
  private:

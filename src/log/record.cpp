@@ -10,7 +10,7 @@
 #include <random>
 #include <unsupported/Eigen/FFT>
 
-#include "log/jitter.h"
+#include "log/even_blocks.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::log {
@@ -42,46 +42,37 @@ double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array
 
 // Even time steps. A log that has them is taken as it is.
 void setTimeBase(const Log& log, Record& record) {
-  const auto count = static_cast<Eigen::Index>(log.size());
   std::vector<double> steps(log.size() - 1);
   for (std::size_t i = 0; i + 1 < log.size(); ++i) {
     steps[i] = static_cast<double>(log.stamp[i + 1] - log.stamp[i]) * 1e-9;
   }
-  record.dt = median(steps);
-  const double last = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
-  const auto worst = std::max_element(steps.begin(), steps.end(), [&](double a, double b) {
-    return std::abs(a - record.dt) < std::abs(b - record.dt);
-  });
-  const Eigen::Map<const Eigen::VectorXd> displacement(log.displacement.data(), count);
-  const Eigen::Map<const Eigen::VectorXd> force(log.force.data(), count);
-  const Eigen::Map<const Eigen::VectorXd> temperature(log.temperature.data(), log.temperature.empty() ? 0 : count);
-  if (std::abs(*worst - record.dt) <= kJitterAllowed * record.dt) {
-    record.dt = last / static_cast<double>(count - 1);
-    record.raw_displacement = displacement;
-    record.force = force;
-    record.temperature = temperature;
-    return;
+  const double step = median(steps);
+  const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
+  const auto worst = std::max_element(steps.begin(), steps.end(),
+                                      [&](double a, double b) { return std::abs(a - step) < std::abs(b - step); });
+  const EvenSteps even = evenStepsFor(step, std::abs(*worst - step), duration, log.size());
+  if (!even.as_recorded) {
+    record.notes.push_back(
+        fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", step, *worst));
   }
-  record.notes.push_back(
-      fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", record.dt, *worst));
-  const auto even = static_cast<Eigen::Index>(std::floor(last / record.dt)) + 1;
-  record.raw_displacement.resize(even);
-  record.force.resize(even);
-  record.temperature.resize(log.temperature.empty() ? 0 : even);
-  std::size_t left = 0;
-  for (Eigen::Index i = 0; i < even; ++i) {
-    const double time = static_cast<double>(i) * record.dt;
-    const auto at = [&](std::size_t k) { return static_cast<double>(log.stamp[k] - log.stamp.front()) * 1e-9; };
-    while (left + 2 < log.size() && at(left + 1) < time) {
-      ++left;
+  record.dt = even.dt;
+  const auto samples = static_cast<Eigen::Index>(even.samples);
+  record.raw_displacement.resize(samples);
+  record.force.resize(samples);
+  record.temperature.resize(log.temperature.empty() ? 0 : samples);
+  Eigen::Index done = 0;
+  const auto append = [&](const EvenBlocks::Piece& piece) {
+    const auto count = static_cast<Eigen::Index>(piece.samples);
+    record.raw_displacement.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.displacement, count);
+    record.force.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.force, count);
+    if (piece.temperature != nullptr) {
+      record.temperature.segment(done, count) = Eigen::Map<const Eigen::VectorXd>(piece.temperature, count);
     }
-    const double share = std::clamp((time - at(left)) / (at(left + 1) - at(left)), 0.0, 1.0);
-    record.raw_displacement[i] = (1.0 - share) * log.displacement[left] + share * log.displacement[left + 1];
-    record.force[i] = (1.0 - share) * log.force[left] + share * log.force[left + 1];
-    if (!log.temperature.empty()) {
-      record.temperature[i] = (1.0 - share) * log.temperature[left] + share * log.temperature[left + 1];
-    }
-  }
+    done += count;
+  };
+  EvenBlocks blocks(even);
+  append(blocks.add(log));
+  append(blocks.finish());
 }
 
 // Weights of a low-pass filter of zero phase: passes `frequency` and stops kStop times that, by a sinc in a Kaiser
@@ -270,10 +261,14 @@ double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequenc
   return std::sqrt(median(lines) / medianToMean(segments) * 0.5 / dt);
 }
 
-Record evenRecord(const Log& log) {
+void requireForce(const Log& log) {
   if (log.force.empty()) {
     throw LogError(log.name + ": has no measured force; needed is a column force_<unit>");
   }
+}
+
+Record evenRecord(const Log& log) {
+  requireForce(log);
   if (static_cast<Eigen::Index>(log.size()) < kFewestSamples) {
     throw LogError(
         fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(), kFewestSamples));

@@ -54,6 +54,9 @@ struct Record {
 /// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
 Record makeRecord(const Log& log);
 
+/// Throws LogError where a log has no measured force.
+void requireForce(const Log& log);
+
 /// Even time steps and nothing else: the displacement as recorded, no noise nor frequencies known.
 /// Throws LogError as makeRecord() does.
 Record evenRecord(const Log& log);

@@ -49,7 +49,7 @@ class Judge {
         return;
       }
       refuted.insert(judgement_.model);
-      most = std::max(std::min(most, judgement_.effects.size()), std::size_t{2}) - 1;  // fewer than the false positives
+      most = std::max(std::min(most, judgement_.effects.size()) - 1, std::size_t{1});  // fewer than the false positives
     }
   }
 

@@ -37,30 +37,25 @@ double Weighing::enough() const {
                   std::min(share, criteria_.beyondNoise(evidence_.noise_floor)));
 }
 
-std::optional<int> Weighing::bestSingle() const {
+std::optional<int> Weighing::bestOf(const std::function<bool(const HypothesisEvidence& single)>& counts) const {
   std::optional<int> best;
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
-    if (single.last_resort || !mayBeACause(single)) {
-      continue;
-    }
-    if (!best || left(single) < left(evidence_.at(*best))) {
+    if (counts(single) && (!best || left(single) < left(evidence_.at(*best)))) {
       best = Evidence::kFirstSingle + effect;
     }
   }
   return best;
 }
 
+std::optional<int> Weighing::bestSingle() const {
+  return bestOf([this](const HypothesisEvidence& single) { return !single.last_resort && mayBeACause(single); });
+}
+
 std::optional<int> Weighing::bestWithoutTrends() const {
-  std::optional<int> best;
-  for (int effect = 0; effect < evidence_.effects(); ++effect) {
-    const HypothesisEvidence& single = evidence_.single(effect);
-    const bool counts = !single.free_trends && !single.like_parameters && !single.last_resort;
-    if (counts && (!best || left(single) < left(evidence_.at(*best)))) {
-      best = Evidence::kFirstSingle + effect;
-    }
-  }
-  return best;
+  return bestOf([](const HypothesisEvidence& single) {
+    return !single.free_trends && !single.like_parameters && !single.last_resort;
+  });
 }
 
 bool Weighing::closedByParameters() const {
@@ -177,21 +172,15 @@ std::vector<gap::PartError> Weighing::partsOf(const HypothesisEvidence& hypothes
 }
 
 std::optional<int> Weighing::simplerThanParameters() const {
-  std::optional<int> best;
   const double far = std::log1p(criteria_.values_err_by);
   if (evidence_.reEstimated().largest_change <= far) {
-    return best;
+    return std::nullopt;
   }
-  for (int effect = 0; effect < evidence_.effects(); ++effect) {
-    const HypothesisEvidence& single = evidence_.single(effect);
+  return bestOf([&](const HypothesisEvidence& single) {
     const bool simple = !single.like_parameters && single.terms <= criteria_.few_terms && !single.free_trends &&
                         single.largest_change <= far;
-    if (simple && left(single) < criteria_.needs_another * left(evidence_.reEstimated()) &&
-        (!best || left(single) < left(evidence_.at(*best)))) {
-      best = Evidence::kFirstSingle + effect;
-    }
-  }
-  return best;
+    return simple && left(single) < criteria_.needs_another * left(evidence_.reEstimated());
+  });
 }
 
 std::optional<int> Weighing::betterUnseen() const {

@@ -1,6 +1,7 @@
 // What hypotheses leave above the noise floor, and what that says of them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -78,6 +79,8 @@ class Weighing {
   std::optional<int> betterUnseen() const;
 
  private:
+  /// The hypothesis of the single effect that leaves least, of those that count, if any.
+  std::optional<int> bestOf(const std::function<bool(const HypothesisEvidence& single)>& counts) const;
   bool logsAreClusters() const;
   Losses lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
