@@ -39,6 +39,7 @@
 #include "rubber_suspension/element/time_delay.h"
 #include "rubber_suspension/element/variable_friction.h"
 #include "rubber_suspension/element/vertical_shift.h"
+#include "rubber_suspension/element/viscoplastic_friction.h"
 #include "rubber_suspension/element/wlf_shift.h"
 
 namespace rubber_suspension::element {
@@ -97,6 +98,7 @@ const std::vector<ElementType>& elementTypes() {
       iwanType(),
       iwanTableType(),
       variableFrictionType(),
+      viscoplasticFrictionType(),
       frictionBehindPlayType(),
       firstLoadingType(),
       stressSofteningType(),

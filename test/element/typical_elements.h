@@ -77,6 +77,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"variable_friction", {{"stiffness", {1e6}}, {"yield_displacement", {6e-4}}, {"travel", {0.05}}}},
       {"variable_friction",
        {{"stiffness", {1e6}}, {"yield_displacement", {6e-4}}, {"travel", {0.02}}, {"build_up_time", {0.3}}}},
+      {"viscoplastic_friction", {{"stiffness", {1e6}}, {"yield_displacement", {4e-4}}, {"half_rate", {5e-3}}}},
       {"friction_behind_play", {{"stiffness", {1e6}}, {"yield_displacement", {4e-4}}, {"gap", {2e-4}}}},
       {"first_loading", {{"stiffness", {1e6}}, {"yield_share", {0.5}}}},
       {"first_loading", {{"stiffness", {1e6}}, {"yield_share", {0.1}}, {"side", {-1.0}}}},
@@ -151,7 +152,7 @@ inline bool isElastic(const element::ElementDescription& description) {
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
-                            "nonlinear_maxwell", "variable_friction", "residual"});
+                            "nonlinear_maxwell", "variable_friction", "viscoplastic_friction", "residual"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;

@@ -109,6 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
         element::ElementDescription{
             "variable_friction",
             {{"stiffness", {1e6}}, {"yield_displacement", {2e-4}}, {"growth_displacement", {1e-3}}}},
+        element::ElementDescription{"viscoplastic_friction",
+                                    {{"stiffness", {1e6}}, {"yield_displacement", {2e-4}}, {"half_rate", {1e-2}}}},
         element::ElementDescription{"sliding_maxwell",
                                     {{"stiffness", {1e6}}, {"break_frequency", {2.0}}, {"yield_displacement", {4e-4}}}},
         element::ElementDescription{

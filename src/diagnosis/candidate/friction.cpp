@@ -1,4 +1,4 @@
-// Candidate effect: rate-independent friction of any smoothness, the same at any displacement or not.
+// Candidate effect: friction of any smoothness, the same at any displacement or not, of any rate or reached with it.
 #include "diagnosis/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis {
@@ -15,7 +15,7 @@ fit::BasisTerm sliderTerm(double yield, double typical) {
 
 fit::Candidate friction(const fit::Excitation& excitation) {
   fit::Candidate candidate{
-      "friction", "rate-independent friction: stiffness falls with amplitude at any frequency", false, {}, false};
+      "friction", "friction, a force with a limit: stiffness falls with amplitude at any frequency", false, {}, false};
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
   // Stop operators over the range of amplitudes: with stiffnesses of 0 or more they compose any friction that obeys
@@ -34,6 +34,14 @@ fit::Candidate friction(const fit::Excitation& excitation) {
     candidate.terms.push_back(
         fit::additiveTerm("variable_friction", "stiffness", typical,
                           {{"yield_displacement", {share * largest}}, {"travel", {40.0 * largest}}}));
+  }
+  // Friction that comes to its limit with the rate, well below the largest: what rises up to it is viscous damping.
+  for (const double rate_share : {0.06, 0.2}) {
+    for (const double share : {0.006, 0.035}) {
+      candidate.terms.push_back(fit::additiveTerm(
+          "viscoplastic_friction", "stiffness", typical,
+          {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
+    }
   }
   return candidate;
 }
