@@ -1,4 +1,4 @@
-// Even time steps of a log that is read block by block.
+// Even time steps of a log that is read block by block, or as a whole.
 #include "log/even_blocks.h"
 
 #include <algorithm>

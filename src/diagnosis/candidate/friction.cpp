@@ -35,7 +35,8 @@ fit::Candidate friction(const fit::Excitation& excitation) {
         fit::additiveTerm("variable_friction", "stiffness", typical,
                           {{"yield_displacement", {share * largest}}, {"travel", {40.0 * largest}}}));
   }
-  // Friction that comes to its limit with the rate, well below the largest: what rises up to it is viscous damping.
+  // Friction that comes to its limit with the rate: half of it at a rate well below the largest, since a force that
+  // rises all the way to the largest rate is viscous damping.
   for (const double rate_share : {0.06, 0.2}) {
     for (const double share : {0.006, 0.035}) {
       candidate.terms.push_back(fit::additiveTerm(
