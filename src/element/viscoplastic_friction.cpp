@@ -11,12 +11,13 @@ double ViscoplasticFriction::initialise(double /*displacement*/, double* memory)
 }
 
 // f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y, r = f before + dz/y. f has the sign of r, and |f| is the
-// smaller root of f^2 - (1 + a + |r|) f + |r| = 0, here in the form without cancellation.
+// smaller root of f^2 - (1 + a + |r|) f + |r| = 0; both root and discriminant (|r| - 1 + a)^2 + 4 a without
+// cancellation.
 double ViscoplasticFriction::step(const Motion& motion, double* memory) const {
+  const double flow = half_rate_ * motion.dt / yield_displacement_;
   const double target = memory[0] + motion.increment / yield_displacement_;
-  const double size = std::abs(target);
-  const double sum = 1.0 + half_rate_ * motion.dt / yield_displacement_ + size;
-  memory[0] = 2.0 * target / (sum + std::sqrt(sum * sum - 4.0 * size));
+  const double excess = std::abs(target) - 1.0 + flow;
+  memory[0] = 2.0 * target / (2.0 + excess + std::sqrt(excess * excess + 4.0 * flow));
   return stiffness_ * yield_displacement_ * memory[0];
 }
 
