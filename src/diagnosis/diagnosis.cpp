@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "diagnosis/augmented.h"
@@ -124,6 +125,43 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
   return judged;
 }
 
+// The hypothesis that leaves least, of those that say nothing of zeros and trends.
+const FittedHypothesis& bestButZeros(const Search& search) {
+  const auto tells = [&](const FittedHypothesis& fitted) {
+    return fitted.hypothesis.free_trends ||
+           std::any_of(fitted.hypothesis.members.begin(), fitted.hypothesis.members.end(), [&](int member) {
+             return search.candidates[static_cast<std::size_t>(member)].effect == "force_offset";
+           });
+  };
+  const FittedHypothesis* best = &search.re_estimated;
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (const FittedHypothesis& fitted : *list) {
+      const bool counts = fitted.hypothesis.competes() && !tells(fitted);
+      best = counts && fitted.fit.score() < best->fit.score() ? &fitted : best;
+    }
+  }
+  return *best;
+}
+
+// Zeros are free in the first search, so that no effect is weighed by them and what they are is told by the best law. If
+// they have a cause, they count in a second search.
+void considerZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
+                   const DiagnosisOptions& options, Judged& judged) {
+  const Search& search = judged.workings->search;
+  const Criteria criteria;
+  const double least = std::max(criteria.insignificant_gap, criteria.within_noise * search.noise);
+  const auto elements = augmentedDescription(judged.prepared->model, bestButZeros(search)).allElements();
+  const std::optional<double> zero = zeroWithCause(elements, least, tolerances, judged.prepared->training);
+  if (!zero) {
+    return;
+  }
+  std::vector<log::Record> training = judged.prepared->training;
+  std::vector<log::Record> held_out = judged.prepared->held_out;
+  countZeros(elements, *zero, tolerances, training, held_out);
+  judged = {};  // two searches are not in memory at once
+  judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+}
+
 // The model that is judged, the one without an effect, and the best with effects: zeros of the displacement keep a law
 // that is not linear from its best fit, so that the right one need not be the best yet.
 std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
@@ -236,6 +274,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
   freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
   Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
+  considerZeros(component, tolerances, options, judged);
   takeOutRig(component, tolerances, options, judged, findings);
   return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
 }

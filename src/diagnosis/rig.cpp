@@ -16,7 +16,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr int kIterations = 8;    // of the fit whose zeros are compared
+constexpr int kIterations = 8;    // of the fit by which a start in motion is told
 constexpr double kChance = 1e-3;  // that zeros which are new in each log look common
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
@@ -51,6 +51,10 @@ std::vector<double> meansLeft(const std::vector<log::Record>& records, const gap
                                                   : left.dot(records[r].counts) / records[r].counts.sum());
   }
   return means;
+}
+
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 // Of zeros with a cause, what is new in each log is the rig's.
@@ -106,16 +110,30 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
   const fit::Fitter fitter(training, model);
   const fit::Hypothesis alone;
   const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), kIterations).parameters;
-  const std::vector<double> zeros = meansLeft(training, *fitter.forces().at(alone, parameters));
-  const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
   const auto elements = model.apply(parameters.model).allElements();
-  if (cause) {
-    const double common = std::accumulate(zeros.begin(), zeros.end(), 0.0) / static_cast<double>(zeros.size());
-    takeOutZeros(zeros, common, training);
-    takeOutZeros(meansLeft(held_out, gap::simulate(elements, held_out)), common, held_out);
+  setNuisances(elements, tolerances, false, training);
+  setNuisances(elements, tolerances, false, held_out);
+}
+
+std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
+                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training) {
+  const std::vector<double> zeros = meansLeft(training, gap::simulate(elements, training));
+  const double common = meanOf(zeros);
+  double squares = 0.0;
+  for (const log::Record& record : training) {
+    squares += std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
   }
-  setNuisances(elements, tolerances, cause, training);
-  setNuisances(elements, tolerances, cause, held_out);
+  const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
+  return cause && std::sqrt(squares) > least ? std::optional(common) : std::nullopt;
+}
+
+void countZeros(const std::vector<element::ElementDescription>& elements, double common,
+                const io::RigTolerances& tolerances, std::vector<log::Record>& training,
+                std::vector<log::Record>& held_out) {
+  takeOutZeros(meansLeft(training, gap::simulate(elements, training)), common, training);
+  takeOutZeros(meansLeft(held_out, gap::simulateEach(elements, held_out)), common, held_out);
+  setNuisances(elements, tolerances, true, training);
+  setNuisances(elements, tolerances, true, held_out);
 }
 
 double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
@@ -168,8 +186,7 @@ std::vector<RigPart> rigParts(const std::vector<element::ElementDescription>& el
 double commonDelay(const std::vector<RigPart>& parts) {
   std::vector<double> delays(parts.size());
   std::transform(parts.begin(), parts.end(), delays.begin(), [](const RigPart& part) { return part.delay; });
-  return areCommon(delays) ? std::accumulate(delays.begin(), delays.end(), 0.0) / static_cast<double>(delays.size())
-                           : 0.0;
+  return areCommon(delays) ? meanOf(delays) : 0.0;
 }
 
 bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector<log::Record>& records) {

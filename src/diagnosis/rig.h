@@ -1,6 +1,7 @@
 // The rig's part in the logs of a diagnosis: what is taken out before any effect is weighed, and what is told of it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fit/model_parameters.h"
@@ -11,11 +12,21 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Free the nuisances of each record (Record::nuisances). The zero of the force is one of them unless it is a cause:
-/// beyond the rig's tolerance in all logs, or common to them, which a zero that nobody set is not. The model is
-/// re-estimated for that, and for what a motion before a log left in the component.
+/// Free the nuisances of each record (Record::nuisances), the zero of the force among them. The model is re-estimated
+/// for what a motion before a log left in the component.
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
+
+/// Mean of the zeros of the force that a model leaves [N], where they are a cause: beyond the rig's tolerance in all
+/// logs, or common to them, which zeros that nobody set are not; and more than `least` as a gap.
+std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
+                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training);
+
+/// Let the zero of the force count: it is no nuisance any more. Of the zeros that a model leaves, what is not common to
+/// all logs is the rig's, and taken out.
+void countZeros(const std::vector<element::ElementDescription>& elements, double common,
+                const io::RigTolerances& tolerances, std::vector<log::Record>& training,
+                std::vector<log::Record>& held_out);
 
 /// What a model leaves of records once both zeros of each log are free, in units of the force's standard deviation.
 double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,

@@ -69,15 +69,15 @@ Screened Screening::screen(std::vector<int> members) const {
   return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
 }
 
-bool Screening::mayJoin(int candidate) const {
+bool Screening::mayJoin(int candidate, Joining joining) const {
   const fit::Candidate& other = candidates_[static_cast<std::size_t>(candidate)];
-  return other.applies() && !other.last_resort && !other.like_parameters;
+  return other.applies() && other.last_resort == (joining == Joining::last_resorts) && !other.like_parameters;
 }
 
-std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
+std::vector<Screened> Screening::additions(const std::vector<int>& members, Joining joining) const {
   std::vector<std::vector<int>> sets;
   for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-    if (mayJoin(c) && std::find(members.begin(), members.end(), c) == members.end()) {
+    if (mayJoin(c, joining) && std::find(members.begin(), members.end(), c) == members.end()) {
       sets.push_back(members);
       sets.back().push_back(c);
     }

@@ -15,6 +15,9 @@ struct Screened {
   double error;
 };
 
+/// What may be added to a hypothesis: effects that can look like several others, or all but these.
+enum class Joining { others, last_resorts };
+
 /// One set of normal equations with the basis terms of all candidates, from which any hypothesis about the same model
 /// follows as if it were linear. Fitter and candidates have to outlive it.
 class Screening {
@@ -25,8 +28,8 @@ class Screening {
 
   Screened screen(std::vector<int> members) const;
 
-  /// Each other candidate added to these, best first; no last resorts.
-  std::vector<Screened> additions(const std::vector<int>& members) const;
+  /// Each other candidate that may join added to these, best first.
+  std::vector<Screened> additions(const std::vector<int>& members, Joining joining = Joining::others) const;
 
   /// All pairs, best first; no last resorts.
   std::vector<Screened> pairs() const;
@@ -44,7 +47,7 @@ class Screening {
 
  private:
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
-  bool mayJoin(int candidate) const;
+  bool mayJoin(int candidate, Joining joining = Joining::others) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 
   const std::vector<fit::Candidate>& candidates_;

@@ -22,6 +22,7 @@ constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
+constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 constexpr double kFar =
     0.2;  // a logarithm of a model parameter: far enough for a second start from the configured ones
@@ -200,10 +201,11 @@ class Searcher {
 
   void fitPairs(const std::vector<Screened>& screened) {
     choose(result_.candidates, screened, kPairsFitted, result_.pairs);
-    for (const FittedHypothesis* single : {&ranked_[0], &ranked_[1]}) {
-      const Screening screening(fitter_, result_.candidates, *single, threads_);
-      choose(result_.candidates, screening.additions(single->hypothesis.members), kAdditionsFitted, result_.pairs);
+    for (const FittedHypothesis& single : {ranked_[0], ranked_[1]}) {
+      addPairs(single, Joining::others, kAdditionsFitted);
     }
+    addPairs(ranked_[0], Joining::last_resorts, kLastResortsFitted);
+    addPairs(bestLastResort(), Joining::others, kAdditionsFitted);
     fit::parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
       FittedHypothesis& pair = result_.pairs[i];
       fitFurther(fitter_, result_.candidates, bestMember(result_, pair.hypothesis.members), pair);
@@ -211,10 +213,30 @@ class Searcher {
     sortByScore(result_.pairs);
   }
 
+  // Pairs of a single effect and what goes best with it.
+  void addPairs(const FittedHypothesis& single, Joining joining, std::size_t most) {
+    if (single.hypothesis.competes()) {
+      const Screening screening(fitter_, result_.candidates, single, threads_);
+      choose(result_.candidates, screening.additions(single.hypothesis.members, joining), most, result_.pairs);
+    }
+  }
+
+  const FittedHypothesis& bestLastResort() const {
+    return *std::min_element(result_.singles.begin(), result_.singles.end(),
+                             [](const FittedHypothesis& x, const FittedHypothesis& y) {
+                               return x.hypothesis.last_resort != y.hypothesis.last_resort
+                                          ? x.hypothesis.last_resort
+                                          : x.fit.score() < y.fit.score();
+                             });
+  }
+
   void fitTriples() {
-    const FittedHypothesis& pair = result_.pairs.front();
+    const FittedHypothesis& pair =
+        *std::find_if(result_.pairs.begin(), result_.pairs.end(),
+                      [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; });
     const Screening screening(fitter_, result_.candidates, pair, threads_);
-    choose(result_.candidates, screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
+    choose(result_.candidates, screening.additions(pair.hypothesis.members, Joining::others), kAdditionsFitted,
+           result_.triples);
     fit::parallelFor(result_.triples.size(), threads_,
                      [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
     sortByScore(result_.triples);

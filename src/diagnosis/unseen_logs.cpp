@@ -33,7 +33,8 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
   const auto elements = augmentedDescription(model, fitted).allElements();
   const gap::Forces replayed = gap::simulateEach(elements, records);
   UnseenErrors errors;
-  errors.predicted = gap::gapOfParts(gap::partErrors(records, predict(model, fitted, records)));
+  errors.predicted_parts = gap::partErrors(records, predict(model, fitted, records));
+  errors.predicted = gap::gapOfParts(errors.predicted_parts);
   errors.parts = gap::partErrors(records, replayed);
   errors.replayed = gap::gapOfParts(errors.parts);
   errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, limit));
@@ -44,10 +45,15 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
                                 const std::vector<log::Record>& records, const NoiseLimit& limit) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = measurement::relativeFloor(records[r], records[r].force - simulated[r]);
-    floors[r] = std::max(std::min(left, limit.of(records[r])), floors[r]);
+    const Eigen::VectorXd residual = records[r].force - simulated[r];
+    const double left = measurement::relativeFloor(records[r], residual);
+    floors[r] = std::max(std::min(left, limit.of(records[r])), std::min(floors[r], gapOf(records[r], residual)));
   }
   return floors;
+}
+
+double gapOf(const log::Record& record, const Eigen::VectorXd& residual) {
+  return std::sqrt(record.withoutRig(residual).squaredNorm() / record.counted()) / record.force_deviation;
 }
 
 double commonFloor(const std::vector<double>& floors) {

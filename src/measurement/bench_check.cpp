@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <unsupported/Eigen/FFT>
@@ -369,10 +370,11 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   const auto [delay, late] = bestDelay(measured, expected, e.period);
   // As stiff as configured, and not with the columns exchanged: nothing but a delay. What the effect time_delay reaches
   // is found among the effects.
-  constexpr double kMostBehind = 15.0;  // samples
-  constexpr double kMostAhead = 4.0;
+  constexpr double kMostBehind = 15.0;      // samples, or
+  constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
+  constexpr double kMostAhead = 4.0;       // samples
   const bool only_delay = e.isElastic() && plausible(e.ratio) && !looksSwapped(component, record, e);
-  if (only_delay && delay <= kMostBehind && delay >= -kMostAhead) {
+  if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / record.dt) && delay >= -kMostAhead) {
     return std::nullopt;
   }
   // A delay has a free number; it has to be better than both by half a right angle's worth (1 - cos 45 deg).
@@ -450,27 +452,45 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-std::optional<RigFinding> checkRecord(const component::Component& component, const log::Record& record) {
+// What a record cannot be, and whether nothing but the phase says so: as stiff as configured, it gives energy.
+struct Checked {
+  std::optional<RigFinding> finding;
+  bool by_phase = false;
+};
+
+Checked checkRecord(const component::Component& component, const log::Record& record) {
   if (auto too_short = lengthFinding(record)) {
-    return too_short;
+    return {too_short};
   }
   const VectorXd simulated = simulate(component, record.displacement, record);
   if (!simulated.allFinite()) {
-    return std::nullopt;
+    return {};
   }
   const Evidence e = evidenceOf(record, simulated);
   const bool falls = e.measured.stiffness < 0.0 && e.measured.correlation * e.measured.correlation > kElastic;
   if (falls && e.configured.correlation > 0.0) {
-    return signFinding(record, e);
+    return {signFinding(record, e)};
   }
   // Columns of exchanged size first: their loops give energy, too.
   if (auto stiffness = stiffnessFinding(component, record, e)) {
-    return stiffness;
+    return {stiffness};
   }
   if (e.givesEnergy()) {
-    return energyFinding(component, record, simulated, e);
+    return {energyFinding(component, record, simulated, e), e.isElastic() && plausible(e.ratio)};
   }
-  return forceFinding(record, e);
+  return {forceFinding(record, e)};
+}
+
+// A sign that is reversed or columns that are exchanged are so in all logs of a bench. Where fewer than half of them give
+// energy, a delay or a mass has turned the phase of the fastest ones: that is found among the effects.
+void leavePhaseToEffects(std::vector<Checked>& checked) {
+  const auto by_phase = std::count_if(checked.begin(), checked.end(),
+                                      [](const Checked& one) { return one.finding && one.by_phase; });
+  for (Checked& one : checked) {
+    if (one.by_phase && 2 * by_phase < static_cast<std::ptrdiff_t>(checked.size())) {
+      one.finding.reset();
+    }
+  }
 }
 
 // The force brought forward by some samples; the ends that have no partner go.
@@ -537,10 +557,14 @@ std::optional<RigFinding> checkStiffness(const std::string& table, double measur
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records) {
   const component::Component component(elements);
+  std::vector<Checked> checked;
+  std::transform(records.begin(), records.end(), std::back_inserter(checked),
+                 [&](const log::Record& record) { return checkRecord(component, record); });
+  leavePhaseToEffects(checked);
   std::vector<RigFinding> findings;
-  for (const log::Record& record : records) {
-    if (auto finding = checkRecord(component, record)) {
-      findings.push_back(*finding);
+  for (const Checked& one : checked) {
+    if (one.finding) {
+      findings.push_back(*one.finding);
     }
   }
   return findings;

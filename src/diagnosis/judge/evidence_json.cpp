@@ -29,7 +29,16 @@ ordered_json unseenJson(const UnseenErrors& unseen) {
   return {{"predicted", unseen.predicted},
           {"replayed", unseen.replayed},
           {"noise_floor", unseen.noise_floor},
-          {"parts", partsJson(unseen.parts)}};
+          {"parts", partsJson(unseen.parts)},
+          {"predicted_parts", partsJson(unseen.predicted_parts)}};
+}
+
+std::vector<gap::PartError> partsOf(const ordered_json& list) {
+  std::vector<gap::PartError> parts;
+  for (const ordered_json& part : list) {
+    parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
+  }
+  return parts;
 }
 
 UnseenErrors unseenOf(const ordered_json& value) {
@@ -37,9 +46,8 @@ UnseenErrors unseenOf(const ordered_json& value) {
   unseen.predicted = numberOf(value.at("predicted"));
   unseen.replayed = numberOf(value.at("replayed"));
   unseen.noise_floor = numberOf(value.at("noise_floor"));
-  for (const ordered_json& part : value.at("parts")) {
-    unseen.parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
-  }
+  unseen.parts = partsOf(value.at("parts"));
+  unseen.predicted_parts = partsOf(value.value("predicted_parts", ordered_json::array()));
   return unseen;
 }
 

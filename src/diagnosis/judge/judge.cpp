@@ -36,12 +36,11 @@ class Judge {
   }
 
  private:
-  // Fewer effects, then the next best one, until those that are named hold on data that took no part in the fit.
+  // The next best hypothesis, until what is named holds on data that took no part in the fit.
   void nameWhatHolds() {
     std::set<int> refuted;
-    std::size_t most = criteria_.most_effects;
     while (true) {
-      judgement_ = nameEffects(evidence_, criteria_, most, refuted);
+      judgement_ = nameEffects(evidence_, criteria_, refuted);
       if (judgement_.effects.empty()) {
         return;
       }
@@ -49,7 +48,6 @@ class Judge {
         return;
       }
       refuted.insert(judgement_.model);
-      most = std::max(std::min(most, judgement_.effects.size()) - 1, std::size_t{1});  // fewer than the false positives
     }
   }
 
@@ -82,7 +80,8 @@ class Judge {
     return 1.0 - Weighing::leftUnseen(unseen(judgement_.model)) / gap < criteria_.unknown;
   }
 
-  // Of several effects, each closes part of what the others leave of unseen logs.
+  // Of several effects, each closes part of what the others leave of unseen logs, where these show that they leave
+  // anything: what an unseen log does not excite it says nothing of.
   bool eachCloses() {
     if (!evidence_.has_unseen_logs || judgement_.effects.size() < 2) {
       return true;
@@ -95,7 +94,8 @@ class Judge {
       if (lacks({*others})) {
         return true;
       }
-      if (!weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
+      const bool shown = !showsNothing(unseen(*others)) || weighing_.isBeyondNoise(unseen(judgement_.model));
+      if (shown && !weighing_.predictsForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
         return false;
       }
     }
@@ -107,6 +107,11 @@ class Judge {
     return weighing_.closedByParameters() ||
            (evidence_.has_unseen_logs &&
             unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * unseen(judgement_.model).noise_floor);
+  }
+
+  // What a hypothesis leaves of unseen logs is no more than their noise.
+  bool showsNothing(const UnseenErrors& errors) const {
+    return std::min(errors.predicted, errors.replayed) < criteria_.shows_nothing * errors.noise_floor;
   }
 
   bool unseenLogsRefuteValues() const {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "diagnosis/judge/weighing.h"
 #include "rubber_suspension/gap/gap.h"
@@ -17,11 +18,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Naming {
  public:
-  Naming(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects, const std::set<int>& refuted)
+  Naming(const Evidence& evidence, const Criteria& criteria, const std::set<int>& refuted)
       : evidence_(evidence),
         criteria_(criteria),
         weighing_(evidence, criteria),
-        most_effects_(most_effects),
         refuted_(refuted),
         gap_(left(Evidence::kReEstimated)) {
     judgement_.probabilities.assign(evidence.testable.size(), 0.0);
@@ -36,7 +36,7 @@ class Naming {
       const std::optional<int> simpler = weighing_.simplerThanParameters();
       const std::optional<int> effect = simpler ? simpler : weighing_.betterUnseen();
       judgement_.verdict = Verdict::parameter_error;
-      if (most_effects_ > 0 && effect && refuted_.count(*effect) == 0) {
+      if (effect && refuted_.count(*effect) == 0) {
         name(*effect);
       }
     } else {
@@ -108,24 +108,32 @@ class Naming {
     return found;
   }
 
+  // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance: over
+  // the best hypothesis of fewer effects, even where that gained too little itself.
+  int withFurtherEffects(int single) const {
+    int chosen = single;
+    int fewer = single;
+    for (std::size_t effects = 2; effects <= criteria_.most_effects; ++effects) {
+      const std::optional<int> further = best(effects);
+      if (!further || (left(chosen) < weighing_.enough() && !evidence_.at(chosen).free_trends)) {
+        break;
+      }
+      if (left(*further) < criteria_.needs_another * left(fewer) &&
+          weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(fewer)) < criteria_.chance) {
+        chosen = *further;
+      }
+      fewer = left(*further) < left(fewer) ? *further : fewer;
+    }
+    return chosen;
+  }
+
   void nameBest() {
     judgement_.verdict = Verdict::unknown;
     const std::optional<int> single = best(1);
-    if (most_effects_ == 0 || !single) {
+    if (!single) {
       return;
     }
-    int chosen = *single;
-    for (const std::size_t effects : {std::size_t{2}, std::size_t{3}}) {
-      const bool more = evidence_.at(chosen).members.size() < most_effects_;
-      const std::optional<int> further = more ? best(effects) : std::nullopt;
-      if (!further || (left(chosen) < weighing_.enough() && !evidence_.at(chosen).free_trends)) {
-        continue;
-      }
-      if (left(*further) < criteria_.needs_another * left(chosen) &&
-          weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(chosen)) < criteria_.chance) {
-        chosen = *further;
-      }
-    }
+    const int chosen = withFurtherEffects(*single);
     if (1.0 - left(chosen) / gap_ >= criteria_.unknown) {
       name(chosen);
     }
@@ -157,22 +165,31 @@ class Naming {
   // An effect that can look like several others stands where it leaves little of the gap, and errs less than the best
   // of the others, pairs and triples among them.
   void considerLastResort() {
-    if (most_effects_ == 0) {
-      return;
-    }
     const int others = bestOfOthers();
-    for (int effect = 0; effect < evidence_.effects(); ++effect) {
-      const int single = Evidence::kFirstSingle + effect;
-      if (evidence_.at(single).last_resort && refuted_.count(single) == 0 &&
-          left(single) < criteria_.needs_another * gap_ && left(single) < left(others) &&
-          weighing_.errsLess(evidence_.at(single), evidence_.at(others))) {
+    const std::optional<int> single = bestLastResort(1);
+    const std::optional<int> pair = bestLastResort(2);
+    const double beside = std::min(single ? left(*single) : kInfinity, left(best(1).value_or(Evidence::kReEstimated)));
+    for (const auto& [chosen, before] : {std::pair(pair, beside), std::pair(single, gap_)}) {
+      if (chosen && left(*chosen) < criteria_.needs_another * before && left(*chosen) < left(others) &&
+          weighing_.errsLess(evidence_.at(*chosen), evidence_.at(others))) {
         last_resort_ = true;
         rank(Of::those_in_question);
         judgement_.confounded.clear();
-        name(single);
+        name(*chosen);
         return;
       }
     }
+  }
+
+  // The best hypothesis of so many effects, one of which can look like several others.
+  std::optional<int> bestLastResort(std::size_t effects) const {
+    std::optional<int> found;
+    for (int h = 0; h < hypotheses(); ++h) {
+      const HypothesisEvidence& hypothesis = evidence_.at(h);
+      const bool counts = hypothesis.last_resort && hypothesis.members.size() == effects && refuted_.count(h) == 0;
+      found = counts && weighing_.mayBeACause(hypothesis) && (!found || left(h) < left(*found)) ? h : found;
+    }
+    return found;
   }
 
   // Where nothing but slow noise remains, there is no gap, or parameters close it.
@@ -245,7 +262,6 @@ class Naming {
   const Evidence& evidence_;
   const Criteria& criteria_;
   Weighing weighing_;
-  std::size_t most_effects_;
   const std::set<int>& refuted_;
   bool last_resort_ = false;
   double gap_;  // left by re-estimation
@@ -254,9 +270,8 @@ class Naming {
 
 }  // namespace
 
-Judgement nameEffects(const Evidence& evidence, const Criteria& criteria, std::size_t most_effects,
-                      const std::set<int>& refuted) {
-  return Naming(evidence, criteria, most_effects, refuted).run();
+Judgement nameEffects(const Evidence& evidence, const Criteria& criteria, const std::set<int>& refuted) {
+  return Naming(evidence, criteria, refuted).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

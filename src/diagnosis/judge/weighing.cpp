@@ -70,12 +70,27 @@ bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
   if (hypothesis.like_parameters || !hypothesis.free_trends) {
     return !hypothesis.like_parameters;
   }
+  return explainedByTrends(hypothesis) > evidence_.slow_noise;
+}
+
+double Weighing::explainedByTrends(const HypothesisEvidence& hypothesis) const {
   double without = evidence_.reEstimated().held_out;
+  std::vector<int> others;
+  std::vector<int> simpler;
   for (const int member : hypothesis.members) {
-    const HypothesisEvidence& single = evidence_.single(member);
-    without = single.free_trends ? without : std::min(without, single.held_out);
+    const bool trend = evidence_.single(member).free_trends;
+    if (!trend) {
+      without = std::min(without, evidence_.single(member).held_out);
+      others.push_back(member);
+    }
+    const int contained = evidence_.contains.empty() ? -1 : evidence_.contains[static_cast<std::size_t>(member)];
+    simpler.push_back(trend && contained >= 0 ? contained : member);
   }
-  return gap::residualAboveFloor(without, hypothesis.held_out) > evidence_.slow_noise;
+  for (const std::vector<int>& members : {others, simpler}) {
+    const std::optional<int> fitted = evidence_.find(members);
+    without = fitted ? std::min(without, evidence_.at(*fitted).held_out) : without;
+  }
+  return gap::residualAboveFloor(without, hypothesis.held_out);
 }
 
 double Weighing::slowNoise() const {
@@ -83,7 +98,7 @@ double Weighing::slowNoise() const {
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
     const HypothesisEvidence& single = evidence_.single(effect);
     if (single.free_trends && !mayBeACause(single)) {
-      most = std::max(most, gap::residualAboveFloor(evidence_.reEstimated().held_out, single.held_out));
+      most = std::max(most, explainedByTrends(single));
     }
   }
   return most;
@@ -152,8 +167,16 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  const std::vector<gap::PartError> before = partsOf(over);
-  const std::vector<gap::PartError> after = partsOf(hypothesis);
+  return closesForSure(partsOf(over), partsOf(hypothesis));
+}
+
+bool Weighing::predictsForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  return closesForSure(hypothesis, over) || (hypothesis.unseen && over.unseen && !over.unseen->predicted_parts.empty() &&
+                                             closesForSure(over.unseen->predicted_parts, hypothesis.unseen->predicted_parts));
+}
+
+bool Weighing::closesForSure(const std::vector<gap::PartError>& before,
+                             const std::vector<gap::PartError>& after) const {
   if (before.empty() || before.size() != after.size()) {
     return true;
   }

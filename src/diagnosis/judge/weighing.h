@@ -43,6 +43,10 @@ class Weighing {
   /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be.
   bool mayBeACause(const HypothesisEvidence& hypothesis) const;
 
+  /// What only the trends of a hypothesis explain, as a gap: not the model, nor its other effects, nor the same ones with
+  /// the simpler effect that a trend contains.
+  double explainedByTrends(const HypothesisEvidence& hypothesis) const;
+
   /// What only trends explain, and little enough to be slow noise of the rig, as a gap.
   double slowNoise() const;
 
@@ -69,6 +73,9 @@ class Weighing {
   /// chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
   bool closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
+  /// The same of unseen logs, by the prediction or by the component: the latter makes more of a sensor's noise.
+  bool predictsForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+
   /// The hypothesis of the best effect of few numbers that leaves much less than re-estimated parameters once it counts
   /// how far either moves the values of the specification, if any: one number more in place of values that are off by
   /// more than a specification errs.
@@ -84,6 +91,7 @@ class Weighing {
   bool logsAreClusters() const;
   Losses lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+  bool closesForSure(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 
   const Evidence& evidence_;
