@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/friction_noise.h"
 #include "fit/hypothesis_forces.h"
+#include "fit/trends.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
@@ -33,12 +35,22 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
   const auto elements = augmentedDescription(model, fitted).allElements();
   const gap::Forces replayed = gap::simulateEach(elements, records);
   UnseenErrors errors;
-  errors.predicted_parts = gap::partErrors(records, predict(model, fitted, records));
+  errors.predicted_parts = partErrorsOf(fitted.hypothesis, records, predict(model, fitted, records));
   errors.predicted = gap::gapOfParts(errors.predicted_parts);
-  errors.parts = gap::partErrors(records, replayed);
+  errors.parts = partErrorsOf(fitted.hypothesis, records, replayed);
   errors.replayed = gap::gapOfParts(errors.parts);
   errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, limit));
   return errors;
+}
+
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                                         const gap::Forces& simulated) {
+  if (!hypothesis.free_trends) {
+    return gap::partErrors(records, simulated);
+  }
+  std::vector<log::Record> with_trends;
+  std::transform(records.begin(), records.end(), std::back_inserter(with_trends), fit::withFreeTrend);
+  return gap::partErrors(with_trends, simulated);
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,

@@ -16,6 +16,11 @@ namespace rubber_suspension::diagnosis {
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);
 
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: with a slow trend of each log that it has free
+/// taken out, which is what such a hypothesis says of a log and no simulation predicts.
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                                         const gap::Forces& simulated);
+
 /// Noise floor of each record, by what a component leaves of its force, up to a limit.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
                                 const std::vector<log::Record>& records, const NoiseLimit& limit);

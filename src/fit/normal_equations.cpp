@@ -7,12 +7,11 @@
 
 #include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
-#include "rubber_suspension/element/constants.h"
+#include "fit/trends.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr int kTrendsPerLog = 10;        // the zero, a ramp and eight half cosines
 constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than what a residual remembers
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
@@ -28,18 +27,6 @@ struct Rows {
   Eigen::Index first;
   Eigen::Index last;  // the one after them
 };
-
-// A log's zero, ramp and half cosines.
-void fillTrends(const log::Record& record, const Rows& rows, double weight, Eigen::Ref<Eigen::MatrixXd> columns) {
-  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(rows.last - rows.first, static_cast<double>(rows.first),
-                                                        static_cast<double>(rows.last - 1)) /
-                              static_cast<double>(record.size() - 1);
-  columns.col(0).setConstant(weight);
-  columns.col(1) = weight * (time - 0.5);
-  for (int k = 2; k < kTrendsPerLog; ++k) {
-    columns.col(k) = weight * (time * element::kPi * static_cast<double>(k - 1)).cos();
-  }
-}
 
 std::vector<Rows> cut(const std::vector<log::Record>& records) {
   std::vector<Rows> blocks;
@@ -93,7 +80,7 @@ struct Columns {
       local.col(j) = weight * column[rows.record].segment(rows.first, size);
     }
     if (trends) {
-      fillTrends(record, rows, weight * record.force_deviation, local.middleCols(from_model, own_trends));
+      fillTrends(record, rows.first, weight * record.force_deviation, local.middleCols(from_model, own_trends));
     }
     local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
     if (record.counts.size() > 0) {

@@ -63,7 +63,6 @@ const std::vector<Criterion> kCriteria = {
     {"floor_margin", &Criteria::floor_margin},
     {"insignificant_gap", &Criteria::insignificant_gap},
     {"within_noise", &Criteria::within_noise},
-    {"share_of_gap_enough", &Criteria::share_of_gap_enough},
     {"share_left_before_elements", &Criteria::share_left_before_elements},
     {"changed_little", &Criteria::changed_little},
     {"chance", &Criteria::chance},

@@ -15,7 +15,6 @@ struct Criteria {
   double floor_margin = 1.03;         ///< the floor is known to some percent only
   double insignificant_gap = 0.006;   ///< of the force: smaller gaps are within the accuracy of discretisation
   double within_noise = 0.5;          ///< times the floor: less above the floor is noise
-  double share_of_gap_enough = 0.16;  ///< what may remain of the gap without a search for one more effect, within noise
 
   // Whether an effect shows in these logs.
   double visible_share = 0.05;  ///< of a typical effect's force that re-estimation does not hide

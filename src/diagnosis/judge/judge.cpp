@@ -131,8 +131,6 @@ class Judge {
 
   const UnseenErrors& unseen(int hypothesis) const { return *evidence_.at(hypothesis).unseen; }
 
-  bool isDriftAlone() const { return judgement_.effects.size() == 1 && evidence_.at(judgement_.model).free_trends; }
-
   // A rest that no effect explains is not worth a warning where an engineer accepts it, nor where it is not beyond the
   // noise and values gain as much as an effect would have to; both on all logs.
   void acceptLittle() {
@@ -161,7 +159,7 @@ class Judge {
 
   // A rest beyond the noise is told; one that the logs of the fit do not show is something that only these lack.
   void sayWhatRemainsOfUnseenLogs() {
-    if (judgement_.verdict == Verdict::unknown || judgement_.verdict == Verdict::partly || isDriftAlone() ||
+    if (judgement_.verdict == Verdict::unknown || judgement_.verdict == Verdict::partly ||
         lacks({judgement_.model})) {
       return;
     }

@@ -115,7 +115,7 @@ class Naming {
     int fewer = single;
     for (std::size_t effects = 2; effects <= criteria_.most_effects; ++effects) {
       const std::optional<int> further = best(effects);
-      if (!further || (left(chosen) < weighing_.enough() && !evidence_.at(chosen).free_trends)) {
+      if (!further || (left(chosen) < weighing_.insignificant() && !evidence_.at(chosen).free_trends)) {
         break;
       }
       if (left(*further) < criteria_.needs_another * left(fewer) &&
@@ -146,7 +146,7 @@ class Naming {
     // What is left of the force: what moved parameters cost weighs on the choice, not on this.
     const double rest_left = weighing_.left(evidence_.at(chosen).held_out);
     const double closed = 1.0 - rest_left / weighing_.left(evidence_.reEstimated().held_out);
-    const bool rest = (rest_left > weighing_.enough() && closed < criteria_.partly) ||
+    const bool rest = (rest_left > weighing_.insignificant() && closed < criteria_.partly) ||
                       weighing_.isBeyondNoise(rest_left, evidence_.noise_floor);
     const bool ambiguous = std::any_of(judgement_.confounded.begin(), judgement_.confounded.end(),
                                        [](const std::vector<int>& set) { return set.size() > 1; });

@@ -30,13 +30,6 @@ double Weighing::tolerated() const {
   return closedByParameters() ? std::max(insignificant(), left(evidence_.reEstimated())) : insignificant();
 }
 
-double Weighing::enough() const {
-  // However large the gap is: one large trivial effect, such as an offset, must not hide the rest.
-  const double share = criteria_.share_of_gap_enough * left(evidence_.reEstimated());
-  return std::max(criteria_.within_noise * evidence_.noise_floor,
-                  std::min(share, criteria_.beyondNoise(evidence_.noise_floor)));
-}
-
 std::optional<int> Weighing::bestOf(const std::function<bool(const HypothesisEvidence& single)>& counts) const {
   std::optional<int> best;
   for (int effect = 0; effect < evidence_.effects(); ++effect) {
@@ -222,7 +215,7 @@ bool needsFurtherEffects(const Evidence& evidence, const Criteria& criteria) {
   }
   const std::optional<int> single = weighing.bestSingle();
   // A trend follows whatever is slow: it may stand for two effects that are.
-  return !single || weighing.left(evidence.at(*single)) > weighing.enough() || evidence.at(*single).free_trends;
+  return !single || weighing.left(evidence.at(*single)) > weighing.insignificant() || evidence.at(*single).free_trends;
 }
 
 }  // namespace rubber_suspension::diagnosis

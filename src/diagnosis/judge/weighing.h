@@ -22,14 +22,12 @@ class Weighing {
   /// What a fitted hypothesis leaves above the noise floor, its penalties included.
   double left(const HypothesisEvidence& hypothesis) const;
 
-  /// Less above the floor cannot be told from noise and discretisation.
+  /// Less above the floor cannot be told from noise and discretisation, and calls for no further effect, however large the
+  /// gap was: one large effect must not hide another.
   double insignificant() const;
 
   /// Less above the floor, left by re-estimated parameters, calls for no effect.
   double tolerated() const;
-
-  /// Less above the floor calls for no further effect.
-  double enough() const;
 
   /// The hypothesis of the single effect that leaves least, if any may be a cause.
   std::optional<int> bestSingle() const;

@@ -101,7 +101,8 @@ class Describer {
       of_candidates_[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
         const auto elements = augmentedDescription(prepared_.model, single).allElements();
-        of_candidates_[c] = gap::partErrors(prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
+        of_candidates_[c] =
+            partErrorsOf(single.hypothesis, prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
       }
     });
   }
@@ -122,7 +123,7 @@ class Describer {
       const Workings& w = *workings_;
       const std::vector<log::Record>& held_out = prepared_.held_out;
       before_ = gap::partErrors(held_out, unseen(w.force_re_estimated));
-      after_ = gap::partErrors(held_out, unseen(w.force_augmented));
+      after_ = partErrorsOf(judged_.hypothesis, held_out, unseen(w.force_augmented));
       const std::vector<double> floors = noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented),
                                                      held_out, noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
