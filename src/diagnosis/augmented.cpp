@@ -35,20 +35,28 @@ void writeCommonCompliance(std::vector<element::ElementDescription>& entries) {
   }
 }
 
-// Force and displacement at half force of sliders in parallel that start at rest: F(z) = sum k_i min(z, y_i).
+// Laws of a spring that yields at a displacement: the terms of one friction.
+bool yields(const element::ElementDescription& entry) {
+  return entry.type == "iwan_table" || entry.type == "variable_friction" || entry.type == "viscoplastic_friction";
+}
+
+// Force and displacement at half force of springs in parallel that yield, from rest: F(z) = sum k_i min(z, y_i). Limits
+// that grow or wear count as they begin, those that a rate brings up as they end.
 struct SliderFriction {
   double maximum_force = 0.0;
   double displacement = 0.0;
 };
 
-SliderFriction frictionOf(const element::ElementDescription& table) {
+SliderFriction frictionOf(const std::vector<element::ElementDescription>& entries) {
   std::vector<std::pair<double, double>> sliders;  // yield displacement, stiffness
   SliderFriction friction;
   double slope = 0.0;
-  for (std::size_t i = 0; i < table.list("stiffness").size(); ++i) {
-    sliders.emplace_back(table.list("yield_displacement")[i], table.list("stiffness")[i]);
-    friction.maximum_force += sliders.back().first * sliders.back().second;
-    slope += sliders.back().second;
+  for (const element::ElementDescription& entry : entries) {
+    for (std::size_t i = 0; yields(entry) && i < entry.list("stiffness").size(); ++i) {
+      sliders.emplace_back(entry.list("yield_displacement")[i], entry.list("stiffness")[i]);
+      friction.maximum_force += sliders.back().first * sliders.back().second;
+      slope += sliders.back().second;
+    }
   }
   std::sort(sliders.begin(), sliders.end());
   double force = 0.0;
@@ -105,11 +113,13 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
     }
     result.push_back({key, parameter.unit, value, parameter.role == element::Role::scale});
   };
+  if (std::any_of(entries.begin(), entries.end(), yields)) {
+    const SliderFriction friction = frictionOf(entries);
+    result.push_back({"maximum_force", "N", friction.maximum_force, true});
+    result.push_back({"displacement", "m", friction.displacement, false});
+  }
   for (const element::ElementDescription& entry : entries) {
     if (entry.type == "iwan_table") {
-      const SliderFriction friction = frictionOf(entry);
-      result.push_back({"maximum_force", "N", friction.maximum_force, true});
-      result.push_back({"displacement", "m", friction.displacement, false});
       continue;
     }
     for (const element::ParameterInfo& parameter : element::findElementType(entry.type)->parameters) {
@@ -124,12 +134,17 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
 
 std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries) {
   std::map<std::string, std::vector<element::ElementDescription>> by_type;
-  for (const element::ElementDescription& entry : entries) {
-    by_type[entry.type].push_back(entry);
-  }
   std::vector<HeadlineValue> result;
+  for (const element::ElementDescription& entry : entries) {
+    if (!yields(entry)) {
+      by_type[entry.type].push_back(entry);
+    } else if (result.empty()) {
+      const SliderFriction friction = frictionOf(entries);
+      result = {{"maximum_force", "N", friction.maximum_force, true}, {"displacement", "m", friction.displacement, false}};
+    }
+  }
   for (const auto& [type, group] : by_type) {
-    if (type == "iwan_table" || type == "series_compliance") {  // stiffnesses in series do not add up
+    if (type == "series_compliance") {  // stiffnesses in series do not add up
       const auto values = headlineValuesOf(group);
       result.insert(result.end(), values.begin(), values.end());
       continue;

@@ -22,8 +22,8 @@ struct HeadlineValue {
   bool is_scale = false;  ///< the effect is gone at 0
 };
 
-/// Headline numbers of an effect: the parameters of its entries; of the sliders of a friction its maximum force and the
-/// displacement at which half of it is reached from rest, as of the element `friction`.
+/// Headline numbers of an effect: the parameters of its entries; of all that yields in a friction together its maximum
+/// force and the displacement at which half of it is reached from rest, as of the element `friction`.
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
 /// The same in few numbers, for people: what a fit moved, without choices and references; entries of one type together

@@ -28,13 +28,17 @@ struct Rows {
   Eigen::Index last;  // the one after them
 };
 
+// Blocks of the logs; none where no sample counts, as where a sensor gave nothing for some cycles.
 std::vector<Rows> cut(const std::vector<log::Record>& records) {
   std::vector<Rows> blocks;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::Index size = records[r].size();
     const int count = blocksOf(records[r]);
     for (int b = 0; b < count; ++b) {
-      blocks.push_back({r, size * b / count, size * (b + 1) / count});
+      const Rows rows{r, size * b / count, size * (b + 1) / count};
+      if (records[r].counted(rows.first, rows.last - rows.first) > 0.0) {
+        blocks.push_back(rows);
+      }
     }
   }
   return blocks;
@@ -165,7 +169,8 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   int place = 0;  // among the blocks of its log
   for (const Rows& rows : blocks) {
     const log::Record& record = records[rows.record];
-    place = rows.first == 0 ? 0 : place + 1;
+    const bool first = result.record.empty() || result.record.back() != static_cast<int>(rows.record);
+    place = first ? 0 : place + 1;
     result.fold.push_back((place + static_cast<int>(rows.record)) % kFolds);
     result.record.push_back(static_cast<int>(rows.record));
     result.weight.push_back(record.counted(rows.first, rows.last - rows.first) /

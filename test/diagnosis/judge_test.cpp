@@ -121,6 +121,21 @@ void scatter(HypothesisEvidence& hypothesis, const std::vector<double>& factors)
 
 const std::vector<double> kEven(10, 1.0);
 
+// The same of what it predicts.
+void predict(HypothesisEvidence& hypothesis, const std::vector<double>& factors) {
+  for (const double factor : factors) {
+    hypothesis.unseen->predicted_parts.push_back({std::pow(factor * hypothesis.unseen->predicted, 2), 0.1});
+  }
+}
+
+// A drift for each log, or the zero that it contains, beside an effect that leaves half of the gap.
+void driftBesideAnother(Evidence& evidence) {
+  evidence.contains = {-1, -1, kSimple, -1, -1};
+  single(evidence, kMany).held_out = 0.1;
+  evidence.hypotheses.push_back(fitted({kMany, kSimple}, 0.0300));
+  evidence.hypotheses.push_back(fitted({kMany, kDrift}, 0.0102));
+}
+
 struct Row {
   std::string rule;
   std::function<void(Evidence&, Criteria&)> change;  // of the unexplained gap
@@ -306,6 +321,21 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kMany, kOther, kSimple}},
+    {"a second effect is named beside one that closes nine tenths, where more than noise is left",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.022;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.0105));
+     },
+     Verdict::named,
+     {kMany, kOther}},
+    {"a third effect has to gain over the best two, even where these are not named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.06;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.045));
+       e.hypotheses.push_back(fitted({kMany, kSimple, kOther}, 0.03));
+     },
+     Verdict::partly,
+     {kMany}},
     {"no more effects are named than may be",
      [](Evidence& e, Criteria& c) {
        c.most_effects = 1;
@@ -358,6 +388,37 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kLastResort}},
+    {"a last resort beside an effect is named where all others fail",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       single(e, kLastResort).held_out = 0.12;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.09));
+       e.hypotheses.push_back(fitted({kMany, kLastResort}, 0.02));
+     },
+     Verdict::named,
+     {kMany, kLastResort}},
+    {"but not where two others explain as much",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.02));
+       e.hypotheses.push_back(fitted({kMany, kLastResort}, 0.02));
+     },
+     Verdict::named,
+     {kMany, kOther}},
+    {"a zero goes before a drift beside another effect that gains no more than slow noise may",
+     [](Evidence& e, Criteria&) {
+       driftBesideAnother(e);
+       e.slow_noise = 0.05;
+     },
+     Verdict::named,
+     {kMany, kSimple}},
+    {"a drift that gains more is one",
+     [](Evidence& e, Criteria&) {
+       driftBesideAnother(e);
+       e.slow_noise = 0.01;
+     },
+     Verdict::named,
+     {kMany, kDrift}},
     // unseen logs
     {"an effect that unseen logs confirm is named",
      [](Evidence& e, Criteria&) {
@@ -455,6 +516,48 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kMany}},
+    {"a second effect is named that unseen logs do not excite",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.04;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+       addUnseenLogs(e);
+       single(e, kMany).unseen = UnseenErrors{0.0105, 0.0105, 0.01, {}};
+       e.hypotheses.back().unseen = single(e, kMany).unseen;
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kMany), kEven);
+       scatter(e.hypotheses.back(), kEven);
+     },
+     Verdict::named,
+     {kMany, kOther}},
+    {"a second effect is named that predicts unseen logs, whatever the sensor's noise does through the model",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.04;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
+       addUnseenLogs(e);
+       e.hypotheses.back().unseen->replayed = 0.05;
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kMany), kEven);
+       scatter(e.hypotheses.back(), kEven);
+       predict(single(e, kMany), kEven);
+       predict(e.hypotheses.back(), kEven);
+     },
+     Verdict::named,
+     {kMany, kOther}},
+    {"the next best two are named where unseen logs refute the best two",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.0105));
+       e.hypotheses.push_back(fitted({kMany, kSimple}, 0.011));
+       addUnseenLogs(e);
+       e.hypotheses[e.hypotheses.size() - 2].unseen = UnseenErrors{0.21, 0.21, 0.01, {}};
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kMany), kEven);
+       scatter(single(e, kSimple), kEven);
+       scatter(e.hypotheses[e.hypotheses.size() - 2], kEven);
+       scatter(e.hypotheses.back(), kEven);
+     },
+     Verdict::named,
+     {kMany, kSimple}},
     {"an effect that gains in all parts of unseen logs does not",
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = 0.011;

@@ -196,6 +196,21 @@ TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
 }
 
+// What a rate brings to its limit, or what grows, is part of the same friction: the limits add up.
+TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
+  const std::vector<element::ElementDescription> friction = {
+      {"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}},
+      {"variable_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"growth_displacement", {0.01}}}},
+      {"viscoplastic_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"half_rate", {0.1}}}}};
+  const auto values = diagnosis::shortHeadlineOf(friction);
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_DOUBLE_EQ(named(values, "maximum_force"), 4000.0);
+  EXPECT_DOUBLE_EQ(named(values, "displacement"), 1e-3);
+  EXPECT_DOUBLE_EQ(named(diagnosis::headlineValuesOf(friction), "maximum_force"), 4000.0);
+  const auto alone = diagnosis::shortHeadlineOf({friction.back()});
+  EXPECT_DOUBLE_EQ(named(alone, "maximum_force"), 1000.0);
+}
+
 // What people read is few numbers: seven terms of one effect are one, and what no fit moves is left out.
 TEST(Headline, IsShortForPeople) {
   const auto softening =

@@ -90,6 +90,28 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   }
 }
 
+// A sign is reversed, and columns are exchanged, in all logs of a bench: loops that give energy in one of three are those
+// of an effect.
+TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
+  Perturbation late;
+  late.delay = 20.0;  // samples of the force: more than the effect reaches
+  const auto record = [](const VirtualRig& rig, const Perturbation& p) {
+    const log::Log log = runRig(rig, p).log;
+    return log::makeRecord(repaired(log, findFaults(log)));
+  };
+  int by_phase = 0;
+  for (const VirtualRig& rig : allRigs(2)) {
+    const log::Record right = record(rig, {});
+    const log::Record wrong = record(rig, late);
+    if (checkBench(elementsOf(rig), {wrong}).size() == 1) {
+      ++by_phase;
+      EXPECT_EQ(checkBench(elementsOf(rig), {wrong, wrong, right}).size(), 2U);
+      EXPECT_TRUE(checkBench(elementsOf(rig), {wrong, right, right}).empty());
+    }
+  }
+  EXPECT_GT(by_phase, 0);
+}
+
 TEST(BenchCheck, NamesUnitFactors) {
   for (const double factor :
        {1e3, 1e-3, 1e6, 1e-6, 9.81, 1.0 / 9.81, 10.0, 0.1, 25.4, 1.0 / 25.4, 4.448, 1.0 / 4.448}) {

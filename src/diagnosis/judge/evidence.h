@@ -14,8 +14,8 @@ struct UnseenErrors {
   double predicted = 0.0;             ///< gap of its prediction, from the displacement smoothed as for the fits
   double replayed = 0.0;              ///< gap of its component, replayed from the displacement as recorded
   double noise_floor = 0.0;           ///< by what this component leaves
-  std::vector<gap::PartError> parts;            ///< of `replayed`; may be empty
-  std::vector<gap::PartError> predicted_parts;  ///< of `predicted`; may be empty
+  std::vector<gap::PartError> parts = {};            ///< of `replayed`; may be empty
+  std::vector<gap::PartError> predicted_parts = {};  ///< of `predicted`; may be empty
 };
 
 /// A fitted hypothesis. Errors are gaps: RMS residuals in units of the standard deviation of the force.

@@ -13,10 +13,10 @@ namespace {
 constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
 
 // The hypothesis with a simpler law in the place of one of its laws. A trend for each log follows whatever is slow:
-// any law is simpler, the best one counts.
+// any laws are simpler, the best ones count.
 std::optional<int> simplerOf(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
-  if (evidence.at(hypothesis).free_trends && evidence.at(hypothesis).members.size() == 1) {
-    return weighing.bestWithoutTrends();
+  if (evidence.single(member).free_trends) {
+    return weighing.bestWithoutTrends(evidence.at(hypothesis).members.size());
   }
   const int contained = evidence.contains.empty() ? -1 : evidence.contains[static_cast<std::size_t>(member)];
   return contained < 0 ? std::nullopt : evidence.inPlaceOf(hypothesis, member, contained);

@@ -43,6 +43,33 @@ PairedDifference compare(const Losses& losses, Eigen::Index one, Eigen::Index ot
   return result;
 }
 
+double pValueBySigns(const Losses& losses, Eigen::Index one, Eigen::Index other) {
+  std::map<int, double> sums;  // by cluster
+  for (Eigen::Index b = 0; b < losses.weight.size(); ++b) {
+    sums[losses.cluster[static_cast<std::size_t>(b)]] +=
+        losses.weight[b] * (losses.loss(one, b) - losses.loss(other, b));
+  }
+  const auto clusters = static_cast<int>(sums.size());
+  if (clusters < kFewestSigns || clusters > kMostSigns) {
+    return 0.5;
+  }
+  double observed = 0.0;
+  for (const auto& [cluster, sum] : sums) {
+    observed += sum;
+  }
+  const unsigned choices = 1U << static_cast<unsigned>(clusters);
+  unsigned as_good = 0;
+  for (unsigned choice = 0; choice < choices; ++choice) {
+    double total = 0.0;
+    unsigned place = 0;
+    for (const auto& [cluster, sum] : sums) {
+      total += (choice >> place++ & 1U) != 0 ? -sum : sum;
+    }
+    as_good += total <= observed + 1e-12 * std::abs(observed) ? 1 : 0;
+  }
+  return static_cast<double>(as_good) / static_cast<double>(choices);
+}
+
 double pValueOfSomeLog(const Losses& losses, Eigen::Index one, Eigen::Index other) {
   const std::set<int> logs(losses.cluster.begin(), losses.cluster.end());
   double largest = 0.0;

@@ -45,10 +45,15 @@ std::optional<int> Weighing::bestSingle() const {
   return bestOf([this](const HypothesisEvidence& single) { return !single.last_resort && mayBeACause(single); });
 }
 
-std::optional<int> Weighing::bestWithoutTrends() const {
-  return bestOf([](const HypothesisEvidence& single) {
-    return !single.free_trends && !single.like_parameters && !single.last_resort;
-  });
+std::optional<int> Weighing::bestWithoutTrends(std::size_t effects) const {
+  std::optional<int> best;
+  for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence_.hypotheses.size()); ++h) {
+    const HypothesisEvidence& hypothesis = evidence_.at(h);
+    const bool counts = hypothesis.members.size() == effects && !hypothesis.free_trends &&
+                        !hypothesis.like_parameters && !hypothesis.last_resort;
+    best = counts && (!best || left(hypothesis) < left(evidence_.at(*best))) ? h : best;
+  }
+  return best;
 }
 
 bool Weighing::closedByParameters() const {
@@ -69,16 +74,16 @@ bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
 double Weighing::explainedByTrends(const HypothesisEvidence& hypothesis) const {
   double without = evidence_.reEstimated().held_out;
   std::vector<int> others;
-  std::vector<int> simpler;
+  std::vector<int> simpler;  // in the place of trends
   for (const int member : hypothesis.members) {
-    const bool trend = evidence_.single(member).free_trends;
-    if (!trend) {
+    if (!evidence_.single(member).free_trends) {
       without = std::min(without, evidence_.single(member).held_out);
       others.push_back(member);
+    } else if (!evidence_.contains.empty() && evidence_.contains[static_cast<std::size_t>(member)] >= 0) {
+      simpler.push_back(evidence_.contains[static_cast<std::size_t>(member)]);
     }
-    const int contained = evidence_.contains.empty() ? -1 : evidence_.contains[static_cast<std::size_t>(member)];
-    simpler.push_back(trend && contained >= 0 ? contained : member);
   }
+  simpler.insert(simpler.end(), others.begin(), others.end());
   for (const std::vector<int>& members : {others, simpler}) {
     const std::optional<int> fitted = evidence_.find(members);
     without = fitted ? std::min(without, evidence_.at(*fitted).held_out) : without;
@@ -147,16 +152,19 @@ bool Weighing::errsLess(const HypothesisEvidence& hypothesis, const HypothesisEv
   return -gain.mean > gain.standard_error;
 }
 
-// Of two tests, either of which is enough: on average over the logs, and in every single log by its blocks. Over few
-// logs the first sees nothing where one gains far more than the others, which a log does that was made to show it.
+// Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in every single log
+// by its blocks. Over few logs the first sees nothing where one gains far more than the others, which a log does that was
+// made to show it.
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   if (!knowsBlocks(hypothesis, over)) {
     return 0.0;
   }
   const double on_average = difference(hypothesis, over).pValueOfNoGain();
-  return logsAreClusters()
-             ? std::min(1.0, 2.0 * std::min(on_average, pValueOfSomeLog(lossesOf(hypothesis, over), 0, 1)))
-             : on_average;
+  if (!logsAreClusters()) {
+    return on_average;
+  }
+  const Losses losses = lossesOf(hypothesis, over);
+  return std::min(1.0, 3.0 * std::min({on_average, pValueBySigns(losses, 0, 1), pValueOfSomeLog(losses, 0, 1)}));
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {

@@ -32,8 +32,8 @@ class Weighing {
   /// The hypothesis of the single effect that leaves least, if any may be a cause.
   std::optional<int> bestSingle() const;
 
-  /// The same of those without a trend for each log.
-  std::optional<int> bestWithoutTrends() const;
+  /// The best hypothesis of so many effects without a trend for each log.
+  std::optional<int> bestWithoutTrends(std::size_t effects) const;
 
   /// True if re-estimated model parameters leave noise only.
   bool closedByParameters() const;
