@@ -14,9 +14,7 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
-namespace {
 
-// From the displacement smoothed as for the fits.
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records) {
   gap::Forces forces;
@@ -28,18 +26,14 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
   return forces;
 }
 
-}  // namespace
-
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit) {
-  const auto elements = augmentedDescription(model, fitted).allElements();
-  const gap::Forces replayed = gap::simulateEach(elements, records);
+  const gap::Forces predicted = predict(model, fitted, records);
   UnseenErrors errors;
-  errors.predicted_parts = partErrorsOf(fitted.hypothesis, records, predict(model, fitted, records));
-  errors.predicted = gap::gapOfParts(errors.predicted_parts);
-  errors.parts = partErrorsOf(fitted.hypothesis, records, replayed);
-  errors.replayed = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(elements, replayed, records, limit));
+  errors.parts = partErrorsOf(fitted.hypothesis, records, predicted);
+  errors.gap = gap::gapOfParts(errors.parts);
+  errors.noise_floor =
+      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, records, limit));
   return errors;
 }
 

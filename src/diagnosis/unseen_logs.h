@@ -12,6 +12,11 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement smoothed
+/// as for the fits: the noise of its sensor is the rig's.
+gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                    const std::vector<log::Record>& records);
+
 /// Gaps of a fitted hypothesis over records, each of them recorded on a new component.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);

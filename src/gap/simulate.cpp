@@ -95,10 +95,11 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
 
 Eigen::VectorXd asRecorded(const log::Record& record) { return record.raw_displacement; }
 
-Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records) {
+Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+                    const Drive& drive) {
   Forces forces;
   for (const log::Record& record : records) {
-    forces.push_back(simulate(elements, {record}, asRecorded).front());
+    forces.push_back(simulate(elements, {record}, drive).front());
   }
   return forces;
 }

@@ -24,7 +24,8 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
 /// The displacement as recorded, which drives `replay` and the node.
 Eigen::VectorXd asRecorded(const log::Record& record);
 
-/// Each record on a new component at rest, from the displacement as recorded: what `replay` and the node compute.
-Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records);
+/// Each record on a new component at rest; from the displacement as recorded it is what `replay` and the node compute.
+Forces simulateEach(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& records,
+                    const Drive& drive = asRecorded);
 
 }  // namespace rubber_suspension::gap

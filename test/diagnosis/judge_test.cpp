@@ -59,7 +59,7 @@ HypothesisEvidence& reEstimated(Evidence& evidence) { return evidence.hypotheses
 void addUnseenLogs(Evidence& evidence) {
   evidence.has_unseen_logs = true;
   for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
-    hypothesis.unseen = UnseenErrors{hypothesis.held_out, hypothesis.held_out, evidence.noise_floor, {}};
+    hypothesis.unseen = UnseenErrors{hypothesis.held_out, evidence.noise_floor, {}};
   }
 }
 
@@ -115,18 +115,11 @@ void gainInLogs(Evidence& evidence, const std::vector<double>& errors) {
 void scatter(HypothesisEvidence& hypothesis, const std::vector<double>& factors) {
   hypothesis.unseen->parts.clear();
   for (const double factor : factors) {
-    hypothesis.unseen->parts.push_back({std::pow(factor * hypothesis.unseen->replayed, 2), 0.1});
+    hypothesis.unseen->parts.push_back({std::pow(factor * hypothesis.unseen->gap, 2), 0.1});
   }
 }
 
 const std::vector<double> kEven(10, 1.0);
-
-// The same of what it predicts.
-void predict(HypothesisEvidence& hypothesis, const std::vector<double>& factors) {
-  for (const double factor : factors) {
-    hypothesis.unseen->predicted_parts.push_back({std::pow(factor * hypothesis.unseen->predicted, 2), 0.1});
-  }
-}
 
 // A drift for each log, or the zero that it contains, beside an effect that leaves half of the gap.
 void driftBesideAnother(Evidence& evidence) {
@@ -431,7 +424,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = 0.011;
        addUnseenLogs(e);
-       single(e, kMany).unseen->predicted = single(e, kMany).unseen->replayed = 0.21;
+       single(e, kMany).unseen->gap = 0.21;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
      },
@@ -442,7 +435,7 @@ const std::vector<Row> kRows = {
        single(e, kMany).held_out = 0.011;
        single(e, kOther).held_out = 0.05;
        addUnseenLogs(e);
-       single(e, kMany).unseen->predicted = single(e, kMany).unseen->replayed = 0.21;
+       single(e, kMany).unseen->gap = 0.21;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
        scatter(single(e, kOther), kEven);
@@ -454,8 +447,8 @@ const std::vector<Row> kRows = {
        single(e, kMany).held_out = 0.011;
        single(e, kOther).held_out = 0.05;
        addUnseenLogs(e);
-       single(e, kMany).unseen->predicted = single(e, kMany).unseen->replayed = 0.21;
-       single(e, kOther).unseen->predicted = single(e, kOther).unseen->replayed = 0.15;
+       single(e, kMany).unseen->gap = 0.21;
+       single(e, kOther).unseen->gap = 0.15;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
        scatter(single(e, kOther), kEven);
@@ -467,7 +460,7 @@ const std::vector<Row> kRows = {
        single(e, kMany).held_out = 0.05;
        e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
        addUnseenLogs(e);
-       e.hypotheses.back().unseen->predicted = e.hypotheses.back().unseen->replayed = 0.25;
+       e.hypotheses.back().unseen->gap = 0.25;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
        scatter(e.hypotheses.back(), kEven);
@@ -478,8 +471,8 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = 0.011;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.0105, 0.0105, 0.01, {}};
-       single(e, kMany).unseen = UnseenErrors{0.03, 0.03, 0.01, {}};
+       reEstimated(e).unseen = UnseenErrors{0.0105, 0.01, {}};
+       single(e, kMany).unseen = UnseenErrors{0.03, 0.01, {}};
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
      },
@@ -489,7 +482,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        single(e, kDrift).held_out = 0.011;
        addUnseenLogs(e);
-       single(e, kDrift).unseen->predicted = single(e, kDrift).unseen->replayed = 0.21;
+       single(e, kDrift).unseen->gap = 0.21;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kDrift), kEven);
      },
@@ -521,25 +514,11 @@ const std::vector<Row> kRows = {
        single(e, kMany).held_out = 0.04;
        e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
        addUnseenLogs(e);
-       single(e, kMany).unseen = UnseenErrors{0.0105, 0.0105, 0.01, {}};
+       single(e, kMany).unseen = UnseenErrors{0.0105, 0.01, {}};
        e.hypotheses.back().unseen = single(e, kMany).unseen;
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
        scatter(e.hypotheses.back(), kEven);
-     },
-     Verdict::named,
-     {kMany, kOther}},
-    {"a second effect is named that predicts unseen logs, whatever the sensor's noise does through the model",
-     [](Evidence& e, Criteria&) {
-       single(e, kMany).held_out = 0.04;
-       e.hypotheses.push_back(fitted({kMany, kOther}, 0.011));
-       addUnseenLogs(e);
-       e.hypotheses.back().unseen->replayed = 0.05;
-       scatter(reEstimated(e), kEven);
-       scatter(single(e, kMany), kEven);
-       scatter(e.hypotheses.back(), kEven);
-       predict(single(e, kMany), kEven);
-       predict(e.hypotheses.back(), kEven);
      },
      Verdict::named,
      {kMany, kOther}},
@@ -549,7 +528,7 @@ const std::vector<Row> kRows = {
        e.hypotheses.push_back(fitted({kMany, kOther}, 0.0105));
        e.hypotheses.push_back(fitted({kMany, kSimple}, 0.011));
        addUnseenLogs(e);
-       e.hypotheses[e.hypotheses.size() - 2].unseen = UnseenErrors{0.21, 0.21, 0.01, {}};
+       e.hypotheses[e.hypotheses.size() - 2].unseen = UnseenErrors{0.21, 0.01, {}};
        scatter(reEstimated(e), kEven);
        scatter(single(e, kMany), kEven);
        scatter(single(e, kSimple), kEven);
@@ -581,15 +560,15 @@ const std::vector<Row> kRows = {
        reEstimated(e).held_out = 0.0105;
        single(e, kOther).held_out = 0.0104;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
-       single(e, kOther).unseen = UnseenErrors{0.03, 0.03, 0.01, {}};
+       reEstimated(e).unseen = UnseenErrors{0.2, 0.01, {}};
+       single(e, kOther).unseen = UnseenErrors{0.03, 0.01, {}};
      },
      Verdict::named,
      {kOther}},
     {"a small residual that unseen logs show as configured only is a parameter error",
      [](Evidence& e, Criteria&) {
        leaveResidualNearNoise(e);
-       reEstimated(e).unseen->replayed = 0.0105;
+       reEstimated(e).unseen->gap = 0.0105;
      },
      Verdict::parameter_error,
      {}},
@@ -626,14 +605,14 @@ const std::vector<Row> kRows = {
     {"a residual of 2 % that is beyond the noise on unseen logs stays unknown",
      [](Evidence& e, Criteria&) {
        leaveResidualNearNoise(e);
-       reEstimated(e).unseen->replayed = reEstimated(e).unseen->predicted = 0.06;
+       reEstimated(e).unseen->gap = 0.06;
      },
      Verdict::unknown,
      {}},
     {"a large residual is no noise, whatever unseen logs show",
      [](Evidence& e, Criteria&) {
        addUnseenLogs(e);
-       configured(e).unseen->replayed = reEstimated(e).unseen->replayed = 0.0105;
+       configured(e).unseen->gap = reEstimated(e).unseen->gap = 0.0105;
      },
      Verdict::unknown,
      {}},
@@ -641,7 +620,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.0105;
        addUnseenLogs(e);
-       configured(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
+       configured(e).unseen = UnseenErrors{0.2, 0.01, {}};
      },
      Verdict::unknown,
      {}},
@@ -649,7 +628,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        reEstimated(e).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
+       reEstimated(e).unseen = UnseenErrors{0.2, 0.01, {}};
      },
      Verdict::unknown,
      {}},
@@ -657,19 +636,10 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.0105;
        addUnseenLogs(e);
-       configured(e).unseen = UnseenErrors{0.08, 0.08, 0.02, {}};
+       configured(e).unseen = UnseenErrors{0.08, 0.02, {}};
      },
      Verdict::none,
      {}},
-    {"what the sensor's noise does through the model alone denies nothing",
-     [](Evidence& e, Criteria&) {
-       configured(e).held_out = 0.0105;
-       addUnseenLogs(e);
-       configured(e).unseen->replayed = 0.2;
-     },
-     Verdict::none,
-     {}},
-    // slow noise of the rig
     {"a trend that the rig's slow noise may be is no gap",
      [](Evidence& e, Criteria&) {
        configured(e).held_out = 0.2;
@@ -706,7 +676,7 @@ const std::vector<Row> kRows = {
        reEstimated(e).held_out = 0.02;
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
+       reEstimated(e).unseen = UnseenErrors{0.08, 0.01, {}};
      },
      Verdict::named,
      {kOther}},
@@ -715,8 +685,8 @@ const std::vector<Row> kRows = {
        reEstimated(e).held_out = 0.02;
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       reEstimated(e).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
-       single(e, kOther).unseen->predicted = single(e, kOther).unseen->replayed = 0.075;
+       reEstimated(e).unseen = UnseenErrors{0.08, 0.01, {}};
+       single(e, kOther).unseen->gap = 0.075;
      },
      Verdict::unknown,
      {}},
@@ -755,7 +725,7 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) {
        single(e, kOther).held_out = 0.0105;
        addUnseenLogs(e);
-       single(e, kOther).unseen = UnseenErrors{0.08, 0.08, 0.01, {}};
+       single(e, kOther).unseen = UnseenErrors{0.08, 0.01, {}};
      },
      Verdict::partly,
      {kOther}},
@@ -815,7 +785,7 @@ TEST(Judgement, SaysWhereOnlyUnseenLogsDiffer) {
   configured(evidence).held_out = 0.0105;
   addUnseenLogs(evidence);
   EXPECT_FALSE(judge(evidence).only_unseen_logs_differ);
-  configured(evidence).unseen = UnseenErrors{0.2, 0.2, 0.01, {}};
+  configured(evidence).unseen = UnseenErrors{0.2, 0.01, {}};
   EXPECT_TRUE(judge(evidence).only_unseen_logs_differ);
 }
 

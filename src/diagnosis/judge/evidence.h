@@ -9,13 +9,12 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A fitted hypothesis on logs that took no part in the fit. Gaps are over all of them.
+/// A fitted hypothesis on logs that took no part in the fit: what it predicts from the displacement smoothed as for the
+/// fits, since the noise of that sensor is the rig's. Gaps are over all of them.
 struct UnseenErrors {
-  double predicted = 0.0;             ///< gap of its prediction, from the displacement smoothed as for the fits
-  double replayed = 0.0;              ///< gap of its component, replayed from the displacement as recorded
-  double noise_floor = 0.0;           ///< by what this component leaves
-  std::vector<gap::PartError> parts = {};            ///< of `replayed`; may be empty
-  std::vector<gap::PartError> predicted_parts = {};  ///< of `predicted`; may be empty
+  double gap = 0.0;
+  double noise_floor = 0.0;                ///< by what this hypothesis leaves
+  std::vector<gap::PartError> parts = {};  ///< of the gap; may be empty
 };
 
 /// A fitted hypothesis. Errors are gaps: RMS residuals in units of the standard deviation of the force.

@@ -26,28 +26,16 @@ ordered_json partsJson(const std::vector<gap::PartError>& parts) {
 }
 
 ordered_json unseenJson(const UnseenErrors& unseen) {
-  return {{"predicted", unseen.predicted},
-          {"replayed", unseen.replayed},
-          {"noise_floor", unseen.noise_floor},
-          {"parts", partsJson(unseen.parts)},
-          {"predicted_parts", partsJson(unseen.predicted_parts)}};
-}
-
-std::vector<gap::PartError> partsOf(const ordered_json& list) {
-  std::vector<gap::PartError> parts;
-  for (const ordered_json& part : list) {
-    parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
-  }
-  return parts;
+  return {{"gap", unseen.gap}, {"noise_floor", unseen.noise_floor}, {"parts", partsJson(unseen.parts)}};
 }
 
 UnseenErrors unseenOf(const ordered_json& value) {
   UnseenErrors unseen;
-  unseen.predicted = numberOf(value.at("predicted"));
-  unseen.replayed = numberOf(value.at("replayed"));
+  unseen.gap = numberOf(value.at("gap"));
   unseen.noise_floor = numberOf(value.at("noise_floor"));
-  unseen.parts = partsOf(value.at("parts"));
-  unseen.predicted_parts = partsOf(value.value("predicted_parts", ordered_json::array()));
+  for (const ordered_json& part : value.at("parts")) {
+    unseen.parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
+  }
   return unseen;
 }
 

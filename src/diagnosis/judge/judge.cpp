@@ -95,7 +95,7 @@ class Judge {
         return true;
       }
       const bool shown = !showsNothing(unseen(*others)) || weighing_.isBeyondNoise(unseen(judgement_.model));
-      if (shown && !weighing_.predictsForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
+      if (shown && !weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
         return false;
       }
     }
@@ -106,12 +106,12 @@ class Judge {
   bool valuesWouldDo() const {
     return weighing_.closedByParameters() ||
            (evidence_.has_unseen_logs &&
-            unseen(Evidence::kReEstimated).predicted < criteria_.shows_nothing * unseen(judgement_.model).noise_floor);
+            unseen(Evidence::kReEstimated).gap < criteria_.shows_nothing * unseen(judgement_.model).noise_floor);
   }
 
   // What a hypothesis leaves of unseen logs is no more than their noise.
   bool showsNothing(const UnseenErrors& errors) const {
-    return std::min(errors.predicted, errors.replayed) < criteria_.shows_nothing * errors.noise_floor;
+    return errors.gap < criteria_.shows_nothing * errors.noise_floor;
   }
 
   bool unseenLogsRefuteValues() const {

@@ -103,7 +103,7 @@ double Weighing::slowNoise() const {
 }
 
 double Weighing::leftUnseen(const UnseenErrors& errors) {
-  return gap::residualAboveFloor(std::min(errors.replayed, errors.predicted), errors.noise_floor);
+  return gap::residualAboveFloor(errors.gap, errors.noise_floor);
 }
 
 bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
@@ -168,16 +168,8 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  return closesForSure(partsOf(over), partsOf(hypothesis));
-}
-
-bool Weighing::predictsForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  return closesForSure(hypothesis, over) || (hypothesis.unseen && over.unseen && !over.unseen->predicted_parts.empty() &&
-                                             closesForSure(over.unseen->predicted_parts, hypothesis.unseen->predicted_parts));
-}
-
-bool Weighing::closesForSure(const std::vector<gap::PartError>& before,
-                             const std::vector<gap::PartError>& after) const {
+  const std::vector<gap::PartError> before = partsOf(over);
+  const std::vector<gap::PartError> after = partsOf(hypothesis);
   if (before.empty() || before.size() != after.size()) {
     return true;
   }

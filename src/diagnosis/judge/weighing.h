@@ -48,12 +48,11 @@ class Weighing {
   /// What only trends explain, and little enough to be slow noise of the rig, as a gap.
   double slowNoise() const;
 
-  /// True if so much is left that it counts as not explained; of unseen logs, if both the prediction and the component
-  /// leave it, since the latter makes more noise of a sensor's noise.
+  /// True if so much is left that it counts as not explained.
   bool isBeyondNoise(double rest, double floor) const { return rest > criteria_.beyondNoise(floor); }
   bool isBeyondNoise(const UnseenErrors& errors) const;
 
-  /// What is left of unseen logs above their floor, by the better of prediction and component.
+  /// What is left of unseen logs above their floor.
   static double leftUnseen(const UnseenErrors& errors);
 
   /// Of the logarithms of errors, paired by blocks: negative where the first errs less. Of one log, blocks hang
@@ -71,9 +70,6 @@ class Weighing {
   /// chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
   bool closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
-  /// The same of unseen logs, by the prediction or by the component: the latter makes more of a sensor's noise.
-  bool predictsForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
-
   /// The hypothesis of the best effect of few numbers that leaves much less than re-estimated parameters once it counts
   /// how far either moves the values of the specification, if any: one number more in place of values that are off by
   /// more than a specification errs.
@@ -89,7 +85,6 @@ class Weighing {
   bool logsAreClusters() const;
   Losses lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
-  bool closesForSure(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
 
   const Evidence& evidence_;

@@ -93,6 +93,11 @@ class Describer {
     return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
   }
 
+  // Errors of a hypothesis on the logs that took no part in the fit.
+  std::vector<gap::PartError> unseenParts(const FittedHypothesis& fitted) const {
+    return partErrorsOf(fitted.hypothesis, prepared_.held_out, predict(prepared_.model, fitted, prepared_.held_out));
+  }
+
   // Errors with each effect alone, on the data that the gap is of.
   void measureCandidates() {
     of_candidates_.resize(search_.singles.size());
@@ -100,9 +105,7 @@ class Describer {
       const FittedHypothesis& single = search_.singles[c];
       of_candidates_[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
-        const auto elements = augmentedDescription(prepared_.model, single).allElements();
-        of_candidates_[c] =
-            partErrorsOf(single.hypothesis, prepared_.held_out, gap::simulateEach(elements, prepared_.held_out));
+        of_candidates_[c] = unseenParts(single);
       }
     });
   }
@@ -120,16 +123,14 @@ class Describer {
     noise_ = search_.record_noise;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
-      const Workings& w = *workings_;
-      const std::vector<log::Record>& held_out = prepared_.held_out;
-      before_ = gap::partErrors(held_out, unseen(w.force_re_estimated));
-      after_ = partErrorsOf(judged_.hypothesis, held_out, unseen(w.force_augmented));
-      const std::vector<double> floors = noiseFloors(result_.augmented.allElements(), unseen(w.force_augmented),
-                                                     held_out, noiseLimit(search_.record_noise, prepared_.training));
+      before_ = unseenParts(search_.re_estimated);
+      after_ = unseenParts(judged_);
+      const std::vector<double> floors =
+          noiseFloors(result_.augmented.allElements(), predict(prepared_.model, judged_, prepared_.held_out),
+                      prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
-      const auto configured = gap::partErrors(held_out, unseen(w.force_configured));
-      result_.gap = {gap::gapOfParts(configured), gap::gapOfParts(before_), gap::gapOfParts(after_),
-                     commonFloor(floors)};
+      result_.gap = {gap::gapOfParts(unseenParts(search_.as_configured)), gap::gapOfParts(before_),
+                     gap::gapOfParts(after_), commonFloor(floors)};
     } else {
       before_ = search_.re_estimated.fit.blocks;
       after_ = judged_.fit.blocks;
@@ -152,8 +153,9 @@ class Describer {
     fit::parallelFor(parts.size(), options_.threads, [&](std::size_t i) {
       const auto elements = parts[i].first->allElements();
       const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+      const auto smoothed = [](const log::Record& record) { return record.displacement; };
       *parts[i].second = gap::gapOfParts(gap::partErrors(
-          records, hasUnseenLogs() ? gap::simulateEach(elements, records) : gap::simulate(elements, records)));
+          records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed) : gap::simulate(elements, records)));
     });
   }
 
