@@ -20,8 +20,8 @@ def one(job):
     """Build and write case number `number`; returns its name."""
     case_set, seed, number, (kind, effects, small), output, labels, *rest = job
     faults, size = rest[0] if rest else ((), 1.0)
-    case.DURATION = rest[1] if len(rest) > 1 else 1.0
-    built = case.build(case_set, seed, number, kind, effects, small)
+    layout = case.Layout(duration=rest[1] if len(rest) > 1 else 1.0)
+    built = case.build(case_set, seed, number, kind, effects, small, layout)
     if faults:
         rng = np.random.default_rng([seed, number, len(faults)])
         built["logs"], built["label"]["bench"] = bench.apply(built["logs"], faults, size, rng)
