@@ -12,10 +12,10 @@ from .effect import Effect
 LAWS = {}
 
 
-def law(effect, name, test_only=False):
+def law(effect, name, test_only=False, registry=LAWS):
     """Register a maker of an effect's law."""
     def register(maker):
-        LAWS.setdefault(effect, []).append((name, lambda rng, scale: maker(rng, scale, effect, name), test_only))
+        registry.setdefault(effect, []).append((name, lambda rng, scale: maker(rng, scale, effect, name), test_only))
         return maker
     return register
 
