@@ -338,7 +338,8 @@ def noise_floor(case, logs):
 def finish(case, case_set, seed, number):
     """What a diagnosis sees, and the label."""
     rng, layout = case["rng"], case["layout"]
-    everything, held = list(range(layout.seen)), list(range(layout.training, layout.seen))
+    everything = list(range(layout.seen))
+    held = everything[layout.training:] or everything
     reference = case["file_base"].force(case["coarse"][:layout.seen], layout.rate)
     configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"][:layout.seen])
     order = sorted(case["single"], key=lambda name: -case["single"][name][1])
@@ -378,12 +379,14 @@ def write(case, folder, label_folder):
     z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
     # A thermometer in the room; where the specimen heats itself it would have to show that, so there is none.
     warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 and "self_heating" not in label["effects"] else None
+    ambient = label["parameters"].get("temperature")  # where it is the effect
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
         prefix, before = ("log", 0) if i < layout.training else ("hold_out", layout.training)
         files.append(f"{prefix}_{i + 1 - before}_{kind}.csv")
+        course = warm if ambient is None else ambient["start"][i] + ambient["rise"][i] * np.linspace(0.0, 1.0, len(z))
         write_log(os.path.join(folder, files[-1]), layout.rate, z, f, z_unit, f_unit,
-                  None if warm is None else warm + 0.05 * rng.standard_normal(len(z)))
+                  None if course is None else course + 0.05 * rng.standard_normal(len(z)))
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as out:
         if case["elements"]:
             out.write(elements_yaml(name, case["elements"]))

@@ -156,3 +156,22 @@ def heating_wlf(rng, scale, name, law_name):
     """The same layer; stiffness by the shift of Williams, Landel and Ferry 1955 (JACS 77) at a weak slope."""
     c = rng.uniform(1.0, 3.0)
     return heating_effect(rng, scale, name, law_name, lambda s, w: np.exp(-s * w * c / (c + w)), {"c": c})
+
+
+@law("temperature", "transition_tail")
+def transition_tail(rng, scale, name, law_name):
+    """Another temperature in each log, drifting within it: the tail of the glass transition, in losses most of all.
+
+    The thermometer's column shows it: `start` and `rise` [degC] of each log.
+    """
+    start = rng.uniform(5.0, 40.0, len(scale.lengths))
+    rise = rng.uniform(-6.0, 6.0, len(scale.lengths))
+
+    def run(z, elastic, rest, rate, strength):
+        out = []
+        for i, (a, b) in enumerate(zip(elastic, rest)):
+            warm = 0.05 * (start[i] + rise[i] * np.linspace(0.0, 1.0, len(a)) - 20.0)
+            glassy = 0.5 * np.expm1(-2.0 * warm)
+            out.append(a * (1.0 + strength * glassy) + b * np.exp(-2.5 * strength * warm))
+        return out
+    return Effect(name, law_name, "factor", run, 0.4, {"start": start.tolist(), "rise": rise.tolist()})

@@ -99,3 +99,17 @@ def creeping_bridge(rng, scale, name, law_name):
             out += rng.choice([-1.0, 1.0]) * rng.uniform(0.5, 1.0) * np.sqrt(np.maximum(t - start, 0.0))
         return unit(lfilter([0.01], [1.0, -0.99], out))
     return added_logs(rng, name, law_name, maker, scale, {"count": count})
+
+
+@law("sensor_gain", "two_ranges")
+def two_ranges(rng, scale, name, law_name):
+    """The amplifier's ranges do not agree: the logs in the upper one read too much, or too little.
+
+    Only a difference between logs shows: a gain common to all is a stiffness.
+    """
+    upper = rng.permutation(len(scale.lengths)) % 2
+    sign = rng.choice([-1.0, 1.0])
+
+    def run(force, rate, s):
+        return [x * (1.0 + sign * s * high) for x, high in zip(force, upper)]
+    return Effect(name, law_name, "transducer", run, 0.6, {"upper": upper.tolist(), "sign": sign})
