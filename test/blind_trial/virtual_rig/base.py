@@ -141,9 +141,9 @@ def from_specification(model, s):
 
 
 def kelvin_voigt(s):
-    """Real and imaginary part of K at f_n."""
+    """Storage stiffness K_n and loss angle at f_n (Polach Eq. 11)."""
     k, delta = s["dynamic_stiffness"], s["loss_angle"]
-    return Base(k * math.cos(delta), [], [], c0=k * math.sin(delta) / (2.0 * math.pi * s["nominal_frequency"]))
+    return Base(k, [], [], c0=k * math.tan(delta) / (2.0 * math.pi * s["nominal_frequency"]))
 
 
 def multi_maxwell(s):
@@ -222,10 +222,11 @@ def friction(s):
 
 
 def friction_dashpot(s):
-    """Berg friction and a dashpot that share the loss energy at (f_n, A_n)."""
+    """Berg friction and a dashpot that share the loss energy at (f_n, A_n); K_n from turning point to turning point,
+    where the dashpot has no force."""
     mid_k, share = s["dynamic_stiffness"], s.get("viscous_share", 0.2)
     loss = mid_k * math.sin(s["loss_angle"])
-    stiffness = math.sqrt(mid_k**2 - (share * loss) ** 2) - s["static_stiffness"]
+    stiffness = mid_k - s["static_stiffness"]
     force, z2 = settled_friction(stiffness, (1.0 - share) * math.pi * loss / stiffness, s["nominal_amplitude"])
     return Base(s["static_stiffness"], [], [], c0=share * loss / (2.0 * math.pi * s["nominal_frequency"]),
                 friction_force=force, friction_z2=z2)
