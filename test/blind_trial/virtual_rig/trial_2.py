@@ -124,6 +124,8 @@ def build(seed, number, planned, duration=1.0):
         "bench": "as benches are" if planned.benched else "clean", "logs": planned.logs, "hold_out": planned.hold_out,
         "sampling_rate": planned.rate, "samples": sum(len(z) for _, z, _ in built["logs"]),
         "base_model": "elements" if drawn["as_elements"] else planned.model, "kind": planned.kind}
+    built["label"]["file"] = ({"elements": built["elements"]} if drawn["as_elements"] else
+                              {"model": built["model"], "specification": built["specification"]})
     return built
 
 
