@@ -109,6 +109,21 @@ def write_further(case, folder):
     return out
 
 
+# What a rig may do to a log by default (docs/parameters.md, keys of `rig`), as standard deviations: zero of the force, of
+# its range; gain; delay in samples. Residuals have about so many values that do not depend on each other.
+ZERO, GAIN, DELAY, INDEPENDENT = 0.10, 0.005, 0.5, 50
+
+
+def after_rig(difference, force, zero=True):
+    """What a log differs by once a zero, a gain and a delay of the force within a rig's tolerances are taken out of it:
+    the gaps of a report are measured like that. Where an offset or drift is named, the zero stays."""
+    columns = [GAIN * force, DELAY * np.gradient(force)] + [np.full_like(force, ZERO * np.ptp(force))] * zero
+    matrix = np.stack(columns, axis=1)
+    variance = np.mean(difference**2) * len(force) / INDEPENDENT
+    normal = matrix.T @ matrix / variance + np.eye(len(columns))
+    return difference - matrix @ np.linalg.solve(normal, matrix.T @ difference / variance)
+
+
 def further_gaps(binary, case, cases_folder):
     """Gaps on the further logs of {re_estimated, augmented, surrogate} as far as the report has them; and whether the
     re-estimated component is the report's: `replay` of it finds the gap that the report gives on the hold-out logs."""
@@ -122,8 +137,8 @@ def further_gaps(binary, case, cases_folder):
         for what in ("augmented", "surrogate"):
             if case.file(what + ".yaml"):
                 configs[what] = case.file(what + ".yaml")
-        logs = write_further(case, scratch)
-        gaps = {what: gap_of([(force - replay(binary, config, info["component"], path), force)
+        logs, zero = write_further(case, scratch), not {"force_offset", "force_drift"} & set(case.named)
+        gaps = {what: gap_of([(after_rig(force - replay(binary, config, info["component"], path), force, zero), force)
                               for path, force in logs]) for what, config in configs.items()}
         gaps["same_re_estimated"] = None
         if info["hold_out"]:

@@ -12,6 +12,8 @@ BENCHES = ("clean", "as benches are")
 REACHED = 0.7           # a case has the gap that it was drawn for if so much of it is left by re-estimation
 LEFT_ALONE = ("none", "parameter_error")
 FACTORS = ("kind", "base_model", "logs", "hold_out", "sampling_rate")
+# Effects of the rig that a report may tell as what the rig did to each log, within its tolerances, instead.
+TOLD_AS = {"force_offset": ("force_zero", "displacement_zero"), "time_delay": ("delay",), "sensor_gain": ("sensor_gain",)}
 TRUTHS = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these"}  # all others: effects
 
 
@@ -27,6 +29,15 @@ def right(case):
     if case.kind == "unknown":
         return case.verdict == "unknown"
     return case.verdict in LEFT_ALONE
+
+
+def told(case):
+    """Right, or what the rig does is told of half of the logs or more, and nothing wrong is named."""
+    if right(case):
+        return True
+    logs = {f["log"] for f in case.findings if f["finding"] in TOLD_AS.get(case.truth[0], ())}
+    count = case.label["factors"]["logs"] + case.label["factors"]["hold_out"]
+    return not case.named and len(logs) >= 0.5 * count
 
 
 def too_many(case):
@@ -94,9 +105,11 @@ def goal_rows(cases):
         ("right first, gap 10 %", share(large), 0.97, 0.92),
         ("right first, gap 10 % that re-estimation leaves", share(filter(reaches, large)), 0.97, 0.92),
         ("right first, gap 10 %, observable", share(c for c in large if c.observable), 0.97, 0.92),
+        ("right first, gap 10 %, or told as what the rig did", rate(map(told, large)), None, None),
         ("right first, gap 3 %", share(small), 0.92, 0.80),
         ("right first, gap 3 % that re-estimation leaves", share(filter(reaches, small)), 0.92, 0.80),
         ("right first, gap 3 %, observable", share(c for c in small if c.observable), 0.92, 0.80),
+        ("right first, gap 3 %, or told as what the rig did", rate(map(told, small)), None, None),
         ("an effect too many", rate(map(too_many, judged)), (0.0, 0.02), (0.0, 0.05)),
         ("gap-free or wrong values left alone", share(alone), 0.99, 0.97),
         ("gap-free left alone", share(by_kind["none"]), None, None),

@@ -36,6 +36,7 @@ class Case:
         self.candidates = report.get("candidates") or []
         self.closed = report.get("closed") or {}
         self.gaps = report.get("gap") or {}
+        self.findings = report.get("rig_findings") or []
         self.gaps_as_recorded = report.get("gap_as_recorded") or self.gaps
 
     def file(self, name):
