@@ -1,5 +1,5 @@
-# What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and probabilities
-# agree. Only what report.json shows; how the reports look to a reader is tested elsewhere.
+# What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and
+# probabilities agree. Only what report.json shows; how the reports look to a reader is tested elsewhere.
 """Invariants of a report."""
 REST = (5.0, 0.02)      # a rest is beyond the noise if it is more than so many floors, and more than this of the force
 SLACK = 1e-3            # of sums, fractions and gaps, which are rounded

@@ -99,7 +99,8 @@ def write_further(case, folder):
     count = sum(name.startswith("further_") and name.endswith("_force") for name in stored.files)
     for i in range(count):
         z, force = (stored[f"further_{i + 1}_{what}"].astype(float) for what in ("displacement", "force"))
-        columns, header = [np.arange(len(z)) / label["factors"]["sampling_rate"], z, force], "time_s,displacement_m,force_N"
+        columns = [np.arange(len(z)) / label["factors"]["sampling_rate"], z, force]
+        header = "time_s,displacement_m,force_N"
         if ambient:
             columns.append(ambient["start"][before + i] + ambient["rise"][before + i] * np.linspace(0.0, 1.0, len(z)))
             header += ",temperature_degC"
@@ -109,8 +110,8 @@ def write_further(case, folder):
     return out
 
 
-# What a rig may do to a log by default (docs/parameters.md, keys of `rig`), as standard deviations: zero of the force, of
-# its range; gain; delay in samples. Residuals have about so many values that do not depend on each other.
+# What a rig may do to a log by default (docs/parameters.md, keys of `rig`), as standard deviations: zero of the force,
+# of its range; gain; delay in samples. Residuals have about so many values that do not depend on each other.
 ZERO, GAIN, DELAY, INDEPENDENT = 0.10, 0.005, 0.5, 50
 
 

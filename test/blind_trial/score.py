@@ -224,8 +224,8 @@ def main():
     parser.add_argument("--labels", help="folder of the sealed labels (default: CASES_labels)")
     parser.add_argument("--json", help="write the figures there as well")
     parser.add_argument("--markdown", help="write the tables there as well")
-    parser.add_argument("--replay", help="path of `replay`: also check augmented.yaml on the hold-out logs, and in trial 2 on "
-                        "further logs")
+    parser.add_argument("--replay", help="path of `replay`: also check augmented.yaml on the hold-out logs, and in trial 2 "
+                        "on further logs")
     arguments = parser.parse_args()
     arguments.labels = arguments.labels or arguments.cases.rstrip("/") + "_labels"
     if not os.path.isdir(arguments.labels):

@@ -47,7 +47,8 @@ def rates(rows, key):
 def markdown(result):
     out = [f"Implants in measured logs: {len(result['implants'])} of {result['cases']} cases, {result['missing']} "
            f"without a report; in {result['named_before']} the effect is named without the implant, too, which are "
-           "left out of the rates.", "", "| the implant is among what is named beyond the control | found |", "|---|---|"]
+           "left out of the rates.", "",
+           "| the implant is among what is named beyond the control | found |", "|---|---|"]
     for title in ("found", "by_machine", "by_implant", "by_gap"):
         out += [f"| {name} | {text(figure)} |" for name, figure in result[title].items()]
     out += ["", "| machine | verdict without implant | named |", "|---|---|---|"]

@@ -67,6 +67,7 @@ class CaseTest(unittest.TestCase):
                 for _, z, f in built["logs"] + built["further"]:
                     self.assertTrue(np.all(np.isfinite(z)) and np.all(np.isfinite(f)))
                     self.assertLessEqual(len(z), 60 * case.RATE * SHORT + 1)
+                self.assertAlmostEqual(sum(built["label"]["where"].values()), 1.0 if built["label"]["where"] else 0.0)
                 self.assertEqual(built["label"]["factors"]["base_model"] == "elements", "elements" in
                                  built["label"]["file"])
 
@@ -225,12 +226,22 @@ class ScoreTest(unittest.TestCase):
                  case_of("mixed", report_of("named", ["creep"]), ["creep"], "hum"), case_of("pair", None, ["a", "b"])]
         rows = self.goals(cases)
         self.assertEqual(rows["right first, gap 10 %"]["clean"]["rate"], 1.0)
-        self.assertEqual(rows["an effect too many"]["clean"]["hits"], 1)
+        # The one too many, and the report that is missing.
+        self.assertEqual(rows["an effect too many"]["clean"]["hits"], 2)
         self.assertEqual(rows["listed and unlisted: the name, whatever the verdict"]["clean"]["rate"], 1.0)
         for name in ("gap-free or wrong values left alone", "unlisted refused", "pairs both",
-                     "listed and unlisted: `partly` with the name", "intervals that cover what is closed on further logs"):
+                     "listed and unlisted: `partly` with the name",
+                     "intervals that cover what is closed on further logs"):
             self.assertEqual(rows[name]["clean"]["rate"], 0.0, name)
-        self.assertAlmostEqual(rows["the same on further logs"]["clean"]["of"], 0)
+        self.assertAlmostEqual(rows["closed on further logs, median of the same"]["clean"]["value"], 0.5)
+
+    def test_where_is_compared_log_by_log(self):
+        report = report_of("named", ["creep"], where=[{"log": "a", "share": 0.5}, {"log": "b", "share": 0.3},
+                                                      {"log": "a", "share": 0.2}])
+        one = case_of("single", report, ["creep"])
+        self.assertIsNone(score_trial_2.where_overlap(one))
+        one.label["where"] = {"a": 0.4, "b": 0.6}
+        self.assertAlmostEqual(score_trial_2.where_overlap(one), 0.7)
 
     def test_contradictions_are_found(self):
         self.assertTrue(all(holds is not False for r in (report_of("named", ["creep"]), report_of("unknown"))
@@ -259,7 +270,8 @@ class FurtherTest(unittest.TestCase):
         self.assertEqual(content["specification"], {"static_stiffness": 3.0, "dynamic_stiffness": 3.0})
         file = {"elements": [["spring", {"stiffness": 2.0}], ["dashpot", {"damping": 4.0}]]}
         content = json.loads(replayed.re_estimated({"file": file}, "a", {"dashpot[1].damping": 0.5}))["components"]["a"]
-        self.assertEqual(content["elements"], [{"type": "spring", "stiffness": 2.0}, {"type": "dashpot", "damping": 2.0}])
+        self.assertEqual(content["elements"],
+                         [{"type": "spring", "stiffness": 2.0}, {"type": "dashpot", "damping": 2.0}])
         with self.assertRaises(ValueError):
             replayed.re_estimated({"file": file}, "a", {"spring[1].stiffness": 2.0})
 

@@ -360,7 +360,8 @@ def finish(case, case_set, seed, number):
     }
     logs = list(zip(case["kinds"], case["displacement"], case["force"]))
     return {"label": label, "layout": layout, "logs": logs[:layout.seen], "further": logs[layout.seen:],
-            "true": case["true"][:layout.seen], "rng": rng, "model": case["model"], "specification": case["file_specification"],
+            "true": case["true"][:layout.seen], "rng": rng, "model": case["model"],
+            "specification": case["file_specification"],
             "elements": element_entries(case["file_base"], case["dead_band"]) if case["as_elements"] else None}
 
 
@@ -393,7 +394,8 @@ def write(case, folder, label_folder):
         else:
             out.write(component_yaml(rng, name, case["model"], case["specification"]))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as out:
-        json.dump({"component": name, "logs": files[:layout.training], "hold_out": files[layout.training:]}, out, indent=1)
+        json.dump({"component": name, "logs": files[:layout.training], "hold_out": files[layout.training:]}, out,
+                  indent=1)
     with open(os.path.join(label_folder, label["case"] + ".json"), "w", encoding="utf-8") as out:
         json.dump(label, out, indent=1)
     sealed = {f"hold_out_{i + 1}": x for i, x in enumerate(case["true"][layout.training:])}

@@ -189,7 +189,8 @@ def write(seed, number, planned, output, labels):
         z, force = ([a + b for a, b in zip(x, measured.at_stamps(dx))] for x, dx in zip((z, force), changes))
         alike = measured.one_sided and effect_name in ALIKE_ON_ONE_SIDE
         label.update(law=effect.law, strength=strength, parameters=effect.parameters,
-                     visible=measured.visible_gap(changes), accepted=list(ALIKE_ON_ONE_SIDE if alike else [effect_name]))
+                     visible=measured.visible_gap(changes),
+                     accepted=list(ALIKE_ON_ONE_SIDE if alike else [effect_name]))
     write_files(os.path.join(output, name), machine_name, measured, len(machine.logs), z, force)
     os.makedirs(labels, exist_ok=True)
     with open(os.path.join(labels, name + ".json"), "w", encoding="utf-8") as file:

@@ -124,6 +124,7 @@ def build(seed, number, planned, duration=1.0):
         "bench": "as benches are" if planned.benched else "clean", "logs": planned.logs, "hold_out": planned.hold_out,
         "sampling_rate": planned.rate, "samples": sum(len(z) for _, z, _ in built["logs"]),
         "base_model": "elements" if drawn["as_elements"] else planned.model, "kind": planned.kind}
+    built["label"]["where"] = where_by_log(drawn)
     built["label"]["file"] = ({"elements": built["elements"]} if drawn["as_elements"] else
                               {"model": built["model"], "specification": built["specification"]})
     return built
@@ -171,11 +172,21 @@ def draw_elements(rng, effects, pace):
     return "elements", {}, component, amplitude
 
 
+def where_by_log(drawn):
+    """Share of each log in the squared gap of the file's component, without zeros; empty where there is no gap."""
+    layout, kinds = drawn["layout"], drawn["kinds"]
+    true = drawn["true"][:layout.training]
+    reference = drawn["file_base"].force(drawn["coarse"][:layout.training], layout.rate)
+    sizes = [float(np.var(a - b) / np.var(a)) for a, b in zip(true, reference)]
+    names = [f"log_{i + 1}_{kinds[i]}" for i in range(layout.training)]
+    return {n: s / sum(sizes) for n, s in zip(names, sizes)} if sum(sizes) > 1e-6 * layout.training else {}
+
+
 # ---- the bench, and what noise it leaves -----------------------------------------------------------------------------
 
 
 def as_benches_are(built, planned, rng):
-    """What a bench does to the logs; further logs have its noise alone, since what else it does is taken out of gaps."""
+    """What a bench does to the logs; further logs have its noise alone: what else it does is taken out of gaps."""
     if not planned.benched:
         return
     size = float(rng.choice([0.7, 1.0, 1.3]))

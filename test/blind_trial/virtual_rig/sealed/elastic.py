@@ -10,7 +10,7 @@ from .registry import law
 
 @law("progressive_stiffness", "knowles")
 def knowles(rng, scale, name, law_name):
-    """Generalised neo-Hookean shear (Knowles 1977, Int. J. Fracture 13): x (1 + b x^2 / n)^(n - 1), less its tangent."""
+    """Generalised neo-Hookean shear (Knowles 1977, Int. J. Fracture 13): x (1 + b x^2 / n)^(n - 1) - x."""
     n, b = rng.uniform(1.4, 2.6), rng.uniform(0.5, 3.0)
     return elastic_effect(name, law_name, lambda x: x * (1.0 + b * x**2 / n) ** (n - 1.0) - x, scale, {"n": n, "b": b})
 

@@ -31,7 +31,7 @@ def endochronic(rng, scale, name, law_name):
 
 @law("friction", "coleman_hodgdon")
 def coleman_hodgdon(rng, scale, name, law_name):
-    """dF = (h(z) dz - F |dz|) / length, stiffer away from the centre (Coleman and Hodgdon 1986, Int. J. Eng. Sci. 24)."""
+    """dF = (h(z) dz - F |dz|) / length, stiffer off the centre (Coleman and Hodgdon 1986, Int. J. Eng. Sci. 24)."""
     length, dip = scale.amplitude * log_uniform(rng, 0.05, 0.3), rng.uniform(0.2, 0.6)
     width = scale.amplitude * rng.uniform(0.2, 0.6)
 

@@ -69,7 +69,8 @@ def squeeze_film(rng, scale, name, law_name):
     b = rng.uniform(0.05, 0.2) * rng.choice([-1.0, 1.0])
     strongest = 1.2 * scale.stiffness / (0.5 * angular(scale))
     return Effect(name, law_name, "parallel",
-                  each(lambda z, rate: np.gradient(z) * rate / (1.0 - b * z / scale.amplitude) ** 3), strongest, {"b": b})
+                  each(lambda z, rate: np.gradient(z) * rate / (1.0 - b * z / scale.amplitude) ** 3), strongest,
+                  {"b": b})
 
 
 # ---- softening by past motion, heating -------------------------------------------------------------------------------
@@ -94,7 +95,7 @@ def fading_peaks(z, rate, tau, training):
 
 @law("stress_softening", "healing")
 def healing(rng, scale, name, law_name):
-    """Softer inside what the motion has reached, which heals within minutes (after Diani, Fayolle and Gilormini 2009)."""
+    """Softer inside what the motion has reached, which heals in time (after Diani, Fayolle and Gilormini 2009)."""
     tau, power = span(scale) * log_uniform(rng, 0.7, 5.0), rng.uniform(0.7, 1.6)
 
     def factors(z, elastic, rest, rate):
