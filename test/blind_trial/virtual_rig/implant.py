@@ -129,13 +129,14 @@ class Measured:
             return [before_play(effect, z, strength) - z for z in self.smooth], nothing
         raise ValueError(f"{effect.law} cannot be implanted at the stage {effect.stage}")
 
-    def visible_gap(self, changes):
+    def visible_gap(self, changes, effect_name):
         """What the changes add that no spring, dashpot or zero can hide, over the force's standard deviation."""
         left = []
         for z, f, dz, df in zip(self.smooth, self.force, *changes):
             acting = df - self.base.k0 * dz - self.base.c0 * np.gradient(dz) * self.rate
-            # Without the zero, which is an effect itself.
-            matrix = self._columns(z, self.base.c0 > 0.0)[:, :-1]
+            matrix = self._columns(z, self.base.c0 > 0.0)
+            if effect_name == "force_offset":  # which is a zero
+                matrix = matrix[:, :-1]
             rest = acting - matrix @ np.linalg.lstsq(matrix, acting, rcond=None)[0]
             left.append(np.mean(rest**2) / np.var(f))
         return float(np.sqrt(np.mean(left)))
@@ -164,12 +165,12 @@ def choose(rng, measured, name, wanted):
     for _ in range(20):
         effect = draw(rng, measured.scale, name, True, sealed.LAWS)
         low, high = 1e-6 * effect.strongest, 20.0 * effect.strongest
-        if measured.visible_gap(measured.with_effect(effect, high)) < wanted:
+        if measured.visible_gap(measured.with_effect(effect, high), name) < wanted:
             continue
         for _ in range(40):
             strength = float(np.sqrt(low * high))
             changes = measured.with_effect(effect, strength)
-            low, high = (strength, high) if measured.visible_gap(changes) < wanted else (low, strength)
+            low, high = (strength, high) if measured.visible_gap(changes, name) < wanted else (low, strength)
         return effect, strength, changes
     raise ValueError(f"{name} cannot be implanted with a gap of {wanted}")
 
@@ -189,7 +190,7 @@ def write(seed, number, planned, output, labels):
         z, force = ([a + b for a, b in zip(x, measured.at_stamps(dx))] for x, dx in zip((z, force), changes))
         alike = measured.one_sided and effect_name in ALIKE_ON_ONE_SIDE
         label.update(law=effect.law, strength=strength, parameters=effect.parameters,
-                     visible=measured.visible_gap(changes),
+                     visible=measured.visible_gap(changes, effect_name),
                      accepted=list(ALIKE_ON_ONE_SIDE if alike else [effect_name]))
     write_files(os.path.join(output, name), machine_name, measured, len(machine.logs), z, force)
     os.makedirs(labels, exist_ok=True)
