@@ -45,7 +45,7 @@ class PlanTest(unittest.TestCase):
 
     def test_no_model_has_what_it_is_to_lack_and_no_set_is_hopeless(self):
         for plan in trial_2.plan(400, 4):
-            self.assertFalse(any(plan.model in trial_2.HAS.get(e, ()) for e in plan.effects))
+            self.assertFalse(any(plan.model in trial_2.UNSUITED.get(e, ()) for e in plan.effects))
             self.assertFalse(any(h <= set(plan.effects) for h in trial_2.HOPELESS))
 
     def test_sealed_laws_are_others(self):
