@@ -6,7 +6,7 @@ import math
 import numpy as np
 from scipy.signal import lfilter
 
-from ..laws import Effect, added_logs, each, filtered, log_uniform, unit
+from ..laws import Effect, added_logs, each, filtered, unit
 from .registry import angular, law, span
 
 
