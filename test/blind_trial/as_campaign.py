@@ -9,16 +9,22 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+from virtual_rig import implant  # noqa: E402
+
 BENCH = "running_start,zeros,spikes,pink,gain"
 
-# Cases of each set: `bank` and `bench` (the bank as benches are) to calibrate on, `test` to be judged by. Logs last 30
-# to 60 s, or the share of it that is given.
+# Cases of each set: `bank` and `bench` (the bank as benches are) to calibrate on, the others to be judged by; of the
+# implants without their controls. Logs last 30 to 60 s, or the share of it that is given.
 SIZES = {
-    "tiny": {"bank": 2, "bench": 1, "test": 2, "duration": 0.15},
-    "five-minutes": {"bank": 12, "bench": 8, "test": 16, "duration": 1.0},
-    "night": {"bank": 400, "bench": 400, "test": 400, "duration": 1.0},
+    "tiny": {"bank": 2, "bench": 1, "test": 2, "trial_2": 2, "implants": 1, "duration": 0.15},
+    "five-minutes": {"bank": 12, "bench": 8, "test": 16, "trial_2": 16, "implants": 3, "duration": 1.0},
+    "night": {"bank": 400, "bench": 400, "test": 400, "trial_2": 400, "implants": 60, "duration": 1.0},
 }
-SETS = ("bank", "bench", "test")
+CALIBRATED_ON = ("bank", "bench")
+# By trial: the set that judges it, with the name of its figures, and those that need measured logs.
+JUDGED_BY = {1: {"test": "score"}, 2: {"trial_2": "score", "implants": "implants"}}
 
 
 def call(*command, output=None):
@@ -49,6 +55,8 @@ def entry(cases, name):
             "component": case["component"], "type": group, "log": case["logs"]}
     if case["hold_out"]:
         keys["hold_out"] = case["hold_out"]
+    if os.path.basename(cases) == "trial_2":
+        keys["reports"] = "full"  # with surrogate.yaml, which is scored on further logs
     return f"  {group}: {json.dumps(keys)}\n"  # what is JSON is YAML
 
 
@@ -60,16 +68,26 @@ def write_jobs(folders, path):
     print(f"{len(entries)} cases: {path}")
 
 
-def generate(size, seed, threads, folder):
+def sets_of(trial):
+    """The sets of a trial: to calibrate on, then to be judged by; without measured logs there are no implants."""
+    sets = [*CALIBRATED_ON, *JUDGED_BY[trial]]
+    if "implants" in sets and not implant.available():
+        print(f"as_campaign.py: no measured logs below {implant.data_folder()} (RUBBER_SUSPENSION_DATA names their "
+              "folder): the implants are left out")
+        sets.remove("implants")
+    return sets
+
+
+def generate(size, seed, threads, folder, sets):
     """All sets that are not there yet."""
-    for name in SETS:
+    for name in sets:
         cases = os.path.join(folder, name)
         if not os.path.isdir(cases):
             unfinished = cases + ".unfinished"
-            call(sys.executable, os.path.join(HERE, "generate.py"), "--set", "test" if name == "test" else "bank",
-                 "--cases", SIZES[size][name], "--seed", seed + SETS.index(name), "--duration", SIZES[size]["duration"],
-                 "--bench", BENCH if name == "bench" else "", "--jobs", threads, "--output", unfinished, "--labels",
-                 cases + "_labels", output=os.devnull)
+            call(sys.executable, os.path.join(HERE, "generate.py"), "--set", "bank" if name == "bench" else name,
+                 "--cases", SIZES[size][name], "--seed", seed + sets.index(name), "--duration",
+                 SIZES[size]["duration"], "--bench", BENCH if name == "bench" else "", "--jobs", threads, "--output",
+                 unfinished, "--labels", cases + "_labels", output=os.devnull)
             os.rename(unfinished, cases)
 
 
@@ -77,9 +95,10 @@ def whole_trial(arguments):
     folder, programs = arguments.output, arguments.programs
     campaign, tool = os.path.join(folder, "campaign"), os.path.join(programs, "campaign")
     os.makedirs(folder, exist_ok=True)
-    generate(arguments.size, arguments.seed, arguments.threads, folder)
+    sets = sets_of(arguments.trial)
+    generate(arguments.size, arguments.seed, arguments.threads, folder, sets)
     if not os.path.exists(os.path.join(campaign, "manifest.jsonl")):
-        write_jobs([os.path.join(folder, name) for name in SETS], os.path.join(folder, "jobs.yaml"))
+        write_jobs([os.path.join(folder, name) for name in sets], os.path.join(folder, "jobs.yaml"))
         call(tool, "make", "--jobs", os.path.join(folder, "jobs.yaml"), "--output", campaign, "--threads",
              arguments.threads)
     if arguments.until == "make":
@@ -87,16 +106,19 @@ def whole_trial(arguments):
         return
     call(tool, "run", campaign, "--threads", arguments.threads)
     call(tool, "collect", campaign)
-    score_all(folder, campaign, os.path.join(programs, "judge_again"))
+    score_all(arguments.trial, folder, campaign, programs, sets)
 
 
-def score_all(folder, campaign, judge_again):
-    """score.md and score.json of the trial; calibration.md of both banks."""
-    call(sys.executable, os.path.join(HERE, "score.py"), "--cases", os.path.join(folder, "test"), "--campaign",
-         campaign, "--json", os.path.join(folder, "score.json"), "--markdown", os.path.join(folder, "score.md"))
-    labels = [word for name in SETS[:2] for word in ("--labels", os.path.join(folder, name + "_labels"))]
+def score_all(trial, folder, campaign, programs, sets):
+    """score.md and score.json of the trial, in trial 2 implants.md and .json, too; calibration.md of both banks."""
+    for name in sets[len(CALIBRATED_ON):]:
+        figures = os.path.join(folder, JUDGED_BY[trial][name])
+        further = ["--replay", os.path.join(programs, "replay")] if name == "trial_2" else []
+        call(sys.executable, os.path.join(HERE, "score.py"), "--cases", os.path.join(folder, name), "--campaign",
+             campaign, "--json", figures + ".json", "--markdown", figures + ".md", *further)
+    labels = [word for name in CALIBRATED_ON for word in ("--labels", os.path.join(folder, name + "_labels"))]
     page = os.path.join(folder, "calibration.md")
-    call(judge_again, "--campaign", campaign, *labels, "--calibrate", output=page)
+    call(os.path.join(programs, "judge_again"), "--campaign", campaign, *labels, "--calibrate", output=page)
     with open(page, encoding="utf-8") as file:
         print("\nCalibration on the bank, nothing of which enters the trial:\n\n" + file.read(), end="")
 
@@ -104,8 +126,10 @@ def score_all(folder, campaign, judge_again):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--size", choices=list(SIZES), help="from nothing to figures, of this size")
+    parser.add_argument("--trial", type=int, choices=list(JUDGED_BY), default=1,
+                        help="2: sealed laws, every base model, further logs, implants in measured logs")
     parser.add_argument("--seed", type=int, help="of the first set; the others take the next ones")
-    parser.add_argument("--programs", help="folder of the commands `campaign` and `judge_again`")
+    parser.add_argument("--programs", help="folder of the commands `campaign`, `judge_again` and `replay`")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--until", choices=["make"], help="stop there, to run the campaign on a cluster")
     parser.add_argument("--output", help="folder of all that is made; what is there already stays")

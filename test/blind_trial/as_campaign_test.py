@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
@@ -15,7 +16,15 @@ sys.path.insert(0, HERE)
 import as_campaign  # noqa: E402
 
 SIZE = as_campaign.SIZES["tiny"]
-CASES = sum(SIZE[name] for name in as_campaign.SETS)
+SETS = (*as_campaign.CALIBRATED_ON, *as_campaign.JUDGED_BY[1])
+CASES = sum(SIZE[name] for name in SETS)
+
+
+def trial(programs, folder, *more):
+    """What `as_campaign.py` prints of a whole trial in that folder."""
+    return subprocess.run([sys.executable, os.path.join(HERE, "as_campaign.py"), "--size", "tiny", "--seed", "3",
+                           "--programs", programs, "--output", folder, *more], check=True, capture_output=True,
+                          text=True).stdout
 
 
 class TrialTest(unittest.TestCase):
@@ -36,9 +45,7 @@ class TrialTest(unittest.TestCase):
 
     @classmethod
     def trial(cls):
-        return subprocess.run([sys.executable, os.path.join(HERE, "as_campaign.py"), "--size", "tiny", "--seed", "3",
-                               "--programs", cls.programs, "--output", cls.folder], check=True, capture_output=True,
-                              text=True).stdout
+        return trial(TrialTest.programs, cls.folder)
 
     def read(self, name):
         with open(os.path.join(self.folder, name), encoding="utf-8") as file:
@@ -47,7 +54,7 @@ class TrialTest(unittest.TestCase):
     def test_every_case_is_a_job(self):
         self.assertEqual(len(self.rows), CASES)
         self.assertEqual({row["status"] for row in self.rows.values()}, {"done"})
-        self.assertEqual({name.split("_")[0] for name in self.rows}, set(as_campaign.SETS))
+        self.assertEqual({name.split("_")[0] for name in self.rows}, set(SETS))
 
     def test_the_trial_alone_is_scored(self):
         result = json.loads(self.read("score.json"))
@@ -93,6 +100,22 @@ class TrialTest(unittest.TestCase):
             os.rename(record + ".away", record)
         self.assertNotEqual(said.returncode, 0)
         self.assertIn("test_case_000 is not done", said.stderr)
+
+
+class Trial2Test(unittest.TestCase):
+    """The same with trial 2: without measured logs, and so without implants, which is said."""
+
+    def test_it_is_scored_on_further_logs(self):
+        with tempfile.TemporaryDirectory(prefix="rubber_suspension_trial_") as scratch:
+            with mock.patch.dict(os.environ, RUBBER_SUSPENSION_DATA=os.path.join(scratch, "nothing")):
+                said = trial(TrialTest.programs, os.path.join(scratch, "trial"), "--trial", "2")
+            with open(os.path.join(scratch, "trial", "score.json"), encoding="utf-8") as file:
+                result = json.load(file)
+        self.assertRegex(said, "no measured logs below .*: the implants are left out")
+        self.assertEqual((result["cases"], result["missing"]), (SIZE["trial_2"], 0))
+        for case in result["by_case"]:
+            self.assertGreater(case["further"]["re_estimated"], 0.0)
+            self.assertIsNot(case["further"]["same_re_estimated"], False)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ import numpy as np  # noqa: E402
 
 import generate  # noqa: E402
 import score  # noqa: E402
-from virtual_rig import base, case, effect, excitation, laws, rig  # noqa: E402
+from virtual_rig import base, case, effect, excitation, laws, rig, sealed  # noqa: E402
 
 EXAMPLE = {"static_stiffness": 3.0, "dynamic_stiffness": 4.2, "nominal_frequency": 4.0}
 
@@ -70,9 +70,20 @@ class BaseTest(unittest.TestCase):
         b = base.maxwell(dict(EXAMPLE, maximum_stiffness=4.9))
         r = 1j * 2 * np.pi * 4.0 * b.tau[0]
         self.assertAlmostEqual(abs(b.k0 + b.k[0] * r / (1 + r)), 4.2, places=9)
+        b = base.kelvin_voigt(dict(EXAMPLE, loss_angle=0.1))
+        self.assertAlmostEqual(b.c0 * 2 * np.pi * 4.0 / b.k0, math.tan(0.1))
         b = base.berg(dict(EXAMPLE, nominal_amplitude=2.0, loss_angle=math.atan(0.1), break_frequency=1.45))
         # The reference rounds differently where friction and Maxwell force are added: 0.05 % is their distance.
         np.testing.assert_allclose([b.friction_force, b.friction_z2, b.k[0]], [4.9209, 2.2109, 0.26087], rtol=5e-4)
+
+    def test_friction_has_the_loss_energy_that_the_dashpot_leaves(self):
+        for share, model in ((0.0, base.friction), (0.3, base.friction_dashpot)):
+            b = model(dict(EXAMPLE, nominal_amplitude=2.0, loss_angle=0.12, viscous_share=share))
+            peak, energy = base.berg_steady_state(2.0, b.friction_z2)
+            loss = math.pi * 4.2 * math.sin(0.12) * 2.0**2
+            self.assertAlmostEqual(b.k0 * 2.0 + b.friction_force * peak, 4.2 * 2.0)
+            self.assertAlmostEqual(b.friction_force * energy, (1.0 - share) * loss)
+            self.assertAlmostEqual(math.pi * b.c0 * 2 * np.pi * 4.0 * 2.0**2, share * loss)
 
     def test_specification_without_solution_is_refused(self):
         with self.assertRaises(base.Unsolvable):
@@ -84,7 +95,7 @@ class LawTest(unittest.TestCase):
 
     def test_every_law_reaches_a_gap_and_stays_finite(self):
         component, z, rate, scale = small_rig()
-        for name, makers in laws.LAWS.items():
+        for name, makers in [*laws.LAWS.items(), *sealed.LAWS.items()]:
             for law_name, maker, _ in makers:
                 with self.subTest(effect=name, law=law_name):
                     one = maker(np.random.default_rng(1), scale)
@@ -105,10 +116,10 @@ class LawTest(unittest.TestCase):
         t = np.arange(8000) / 1000.0
         z = 1e-3 * np.sin(2 * np.pi * t)
         _, _, _, scale = small_rig()
-        for law_name, maker, _ in laws.LAWS["friction"]:
+        for law_name, maker, _ in laws.LAWS["friction"] + sealed.LAWS["friction"]:
             with self.subTest(law=law_name):
                 h = maker(np.random.default_rng(2), scale).function([z], 1000.0)[0]
-                self.assertEqual(h[0], 0.0)
+                self.assertAlmostEqual(h[0], 0.0, places=12)
                 last = slice(-1001, None)
                 self.assertGreater(np.sum(0.5 * (h[last][1:] + h[last][:-1]) * np.diff(z[last])), 0.0)
 

@@ -13,27 +13,59 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import numpy as np  # noqa: E402
 
-from virtual_rig import bench, case  # noqa: E402
+from virtual_rig import bench, case, implant, trial_2  # noqa: E402
+
+OWN_BENCH = ("trial_2", "implants")  # sets whose cases say themselves what the bench does
 
 
 def one(job):
     """Build and write case number `number`; returns its name."""
+    if job[0] == "trial_2":
+        _, seed, number, planned, output, labels, duration = job
+        return write(trial_2.build(seed, number, planned, duration), output, labels)
+    if job[0] == "implants":
+        return implant.write(*job[1:])
     case_set, seed, number, (kind, effects, small), output, labels, *rest = job
     faults, size = rest[0] if rest else ((), 1.0)
-    case.DURATION = rest[1] if len(rest) > 1 else 1.0
-    built = case.build(case_set, seed, number, kind, effects, small)
+    layout = case.Layout(duration=rest[1] if len(rest) > 1 else 1.0)
+    built = case.build(case_set, seed, number, kind, effects, small, layout)
     if faults:
         rng = np.random.default_rng([seed, number, len(faults)])
         built["logs"], built["label"]["bench"] = bench.apply(built["logs"], faults, size, rng)
+    return write(built, output, labels)
+
+
+def write(built, output, labels):
     name = built["label"]["case"]
     case.write(built, os.path.join(output, name), labels)
     return name
 
 
+def jobs_of(arguments, labels):
+    """What `one` takes, for each case."""
+    if arguments.set == "implants":
+        plans = implant.plan(arguments.cases, arguments.seed)
+    elif arguments.set == "trial_2":
+        plans = trial_2.plan(arguments.cases, arguments.seed)
+    else:
+        plans = case.plan(arguments.set, arguments.cases, arguments.seed)
+    numbers = range(len(plans)) if arguments.only is None else arguments.only
+    head, output = (arguments.set, arguments.seed), (arguments.output, labels)
+    if arguments.set == "implants":
+        return [(*head, i, plans[i], *output) for i in numbers]
+    if arguments.set == "trial_2":
+        numbers = [i for i in numbers if arguments.kind in (None, plans[i].kind)]
+        return [(*head, i, plans[i], *output, arguments.duration) for i in numbers]
+    numbers = [i for i in numbers if arguments.kind in (None, plans[i][0])]
+    faults = tuple(name for name in arguments.bench.split(",") if name)
+    return [(*head, i, plans[i], *output, (faults, arguments.size), arguments.duration) for i in numbers]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--set", choices=sorted(case.SETS), required=True,
-                        help="bank: to calibrate on; test: sealed, with laws that the bank does not have")
+    parser.add_argument("--set", choices=[*sorted(case.SETS), *OWN_BENCH], required=True,
+                        help="bank: to calibrate on; test: sealed, with laws that the bank does not have; trial_2: "
+                        "sealed laws alone; implants: known effects in measured logs")
     parser.add_argument("--cases", type=int, required=True)
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--output", required=True, help="folder of the cases")
@@ -42,7 +74,8 @@ def main():
     parser.add_argument("--bench", default="", metavar="FAULT,...",
                         help="what the bench does to each log: " + ", ".join([*bench.NUISANCES, *bench.FAULTS]))
     parser.add_argument("--size", type=float, default=1.0, help="of these nuisances; 1 is usual")
-    parser.add_argument("--kind", help="cases of this kind only: single, pair, none, parameter_error, unknown")
+    parser.add_argument("--kind", help="cases of this kind only: single, pair, none, parameter_error, unknown; in "
+                        "trial_2 small, triple and mixed, too")
     parser.add_argument("--duration", type=float, default=1.0, help="of the logs, as a share of the usual 30 to 60 s")
     parser.add_argument("--jobs", type=int, default=1)
     arguments = parser.parse_args()
@@ -51,13 +84,12 @@ def main():
     if arguments.cases < 1 or arguments.jobs < 1:
         parser.error("--cases and --jobs take a number of at least 1")
     labels = arguments.labels or arguments.output.rstrip("/") + "_labels"
-    plan = case.plan(arguments.set, arguments.cases, arguments.seed)
-    numbers = range(arguments.cases) if arguments.only is None else arguments.only
-    numbers = [i for i in numbers if arguments.kind in (None, plan[i][0])]
-    faults = tuple(name for name in arguments.bench.split(",") if name)
-    jobs = [(arguments.set, arguments.seed, i, plan[i], arguments.output, labels, (faults, arguments.size),
-             arguments.duration)
-            for i in numbers]
+    if arguments.set in OWN_BENCH and arguments.bench:
+        parser.error(f"--bench: the cases of --set {arguments.set} say themselves what the bench does")
+    jobs = jobs_of(arguments, labels)
+    if not jobs:
+        sys.exit("generate.py: no cases" + (f", because no measured log is below {implant.data_folder()}"
+                                            if arguments.set == "implants" else ""))
     with multiprocessing.Pool(arguments.jobs) as pool:
         for done, name in enumerate(pool.imap(one, jobs), 1):
             print(f"{done}/{len(jobs)} {name}", flush=True)

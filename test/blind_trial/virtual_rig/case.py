@@ -5,6 +5,7 @@ import dataclasses
 import json
 import math
 import os
+from typing import Callable
 
 import numpy as np
 
@@ -16,8 +17,34 @@ from .rig import Rig, Ruler, gap
 RATE = 500.0          # of the logs [Hz]
 FINE = 4              # samples of the rig's own grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
-DURATION = 1.0        # of the logs, as a share of 30 to 60 s
 SETS = {"bank": 11, "test": 23}
+
+
+@dataclasses.dataclass
+class Layout:
+    """How many logs, how long and how dense."""
+
+    rate: float = RATE        # of the logs [Hz]
+    pace: float = 1.0         # how much faster than usual everything on this rig happens
+    training: int = TRAINING
+    hold_out: int = HOLD_OUT
+    further: int = 0          # logs of the same rig that no diagnosis sees
+    duration: float = 1.0     # of the logs, as a share of 30 to 60 s at the usual pace
+
+    @property
+    def seen(self):
+        return self.training + self.hold_out
+
+
+@dataclasses.dataclass
+class Recipe:
+    """What a case is made of: `draw_component(rng, effects, pace)` and `draw_effect(rng, scale, name)` draw the rig."""
+
+    draw_component: Callable
+    draw_effect: Callable
+    wanted: float             # gap
+    by_visible: bool          # whether that is the visible gap
+
 
 NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
          "primary_spring", "torsion_bush", "yaw_damper_mount", "strut_mount", "conical_spring")
@@ -70,26 +97,36 @@ def draw_pair(rng):
 # ---- the component ---------------------------------------------------------------------------------------------------
 
 
-def draw_specification(rng, effects):
+def draw_specification(rng, effects, pace=1.0):
     """(model, specification, base, amplitude): a component that its model describes exactly."""
-    model, extra = draw_model(rng, effects)
+    return specified(rng, pace, *draw_model(rng, effects))
+
+
+# What a model's specification does not have of what `specified` draws.
+UNUSED = {"kelvin_voigt": ("static_stiffness", "break_frequency"), "friction": ("break_frequency",),
+          "friction_dashpot": ("break_frequency",)}
+
+
+def specified(rng, pace, model, extra):
+    """The same for a given model, with `extra` in its specification."""
     for _ in range(1000):
         family = FAMILIES[int(rng.integers(len(FAMILIES)))]
         static = laws.log_uniform(rng, *family[0])
         amplitude = laws.log_uniform(rng, *family[1])
         s = {"static_stiffness": static, "dynamic_stiffness": static * rng.uniform(1.12, 1.6),
-             "nominal_frequency": float(rng.uniform(2.0, 10.0))}
+             "nominal_frequency": pace * float(rng.uniform(2.0, 10.0))}
         s["maximum_stiffness"] = s["dynamic_stiffness"] * rng.uniform(1.06, 1.35)
         s.update(extra)
         if model == "multi_maxwell":
-            s["high_frequency"] = float(rng.uniform(18.0, 45.0))
+            s["high_frequency"] = pace * float(rng.uniform(18.0, 45.0))
         elif model != "maxwell":
             del s["maximum_stiffness"]
             s["loss_angle"] = float(rng.uniform(0.06, 0.16))
             s["break_frequency"] = s["nominal_frequency"] * laws.log_uniform(rng, 0.12, 1.0)
-        if model == "berg":
+        if model in ("berg", "friction", "friction_dashpot"):
             s["nominal_amplitude"] = amplitude * rng.uniform(0.3, 0.8)
-        s = {k: v if k == "maxwell_elements" else float(f"{v:.5g}") for k, v in s.items()}
+        s = {k: v if k == "maxwell_elements" else float(f"{v:.5g}") for k, v in s.items()
+             if k not in UNUSED.get(model, ())}
         try:
             return model, s, bases.from_specification(model, s), amplitude
         except bases.Unsolvable:
@@ -130,12 +167,12 @@ def wrong_specification(rng, model, s, spread):
 # ---- the programme ---------------------------------------------------------------------------------------------------
 
 
-def draw_logs(rng, amplitude):
-    """Displacements on the fine grid, their kinds and the actuator."""
-    rate = RATE * FINE
-    rig = excitation.Actuator(rng, amplitude, rate)
-    kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT)
-    z = [excitation.make(rng, rig, k, DURATION * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
+def draw_logs(rng, amplitude, layout):
+    """Displacements on the fine grid, their kinds and the actuator, whose clock is that of a usual pace."""
+    rig = excitation.Actuator(rng, amplitude, layout.rate * FINE / layout.pace)
+    kinds, held, programme, repeat = excitation.draw_programme(rng, rig, layout.training,
+                                                               layout.hold_out + layout.further)
+    z = [excitation.make(rng, rig, k, layout.duration * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
     if repeat is not None:
         z[repeat[1]] = z[repeat[0]].copy()
     return z, kinds, held, programme, repeat, rig
@@ -144,21 +181,14 @@ def draw_logs(rng, amplitude):
 # ---- the whole case --------------------------------------------------------------------------------------------------
 
 
-def build(case_set, seed, number, kind, effect_names, small):
+def build(case_set, seed, number, kind, effect_names, small, layout=Layout()):
     """Everything about a case in memory: a dict with logs, component file and label."""
     rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, number]))
     test_set = case_set == "test"
     wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
-    by_visible = bool(rng.random() < 0.7)
-    best = None
-    for _ in range(4):
-        attempt = arrange(rng, effect_names, wanted, by_visible, test_set)
-        reached = attempt["visible"] / wanted if effect_names else 1.0
-        if best is None or reached > best["reached"]:
-            best = dict(attempt, reached=reached)
-        if reached > (0.85 if by_visible else 0.3):
-            break
-    case = dict(best, rng=rng, kind=kind, wanted=wanted, by_visible=by_visible)
+    recipe = Recipe(draw_specification, lambda rng, scale, name: laws.draw(rng, scale, name, test_set), wanted,
+                    bool(rng.random() < 0.7))
+    case = dict(best_of(rng, effect_names, recipe, layout), kind=kind)
     # One component in eight is described by its elements, one with friction more often.
     share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
     case["as_elements"] = bool(rng.random() < share)
@@ -167,34 +197,62 @@ def build(case_set, seed, number, kind, effect_names, small):
     return finish(case, case_set, seed, number)
 
 
-def arrange(rng, effect_names, wanted, by_visible, test_set):
+def best_of(rng, effect_names, recipe, layout):
+    """The first of four rigs whose effects reach the wanted gap, or the one that comes closest."""
+    best = None
+    for _ in range(4):
+        attempt = arrange(rng, effect_names, recipe, layout)
+        reached = attempt["visible"] / recipe.wanted if effect_names else 1.0
+        if best is None or reached > best["reached"]:
+            best = dict(attempt, reached=reached)
+        if reached > (0.85 if recipe.by_visible else 0.3):
+            break
+    return dict(best, rng=rng, wanted=recipe.wanted, by_visible=recipe.by_visible, layout=layout)
+
+
+def arrange(rng, effect_names, recipe, layout):
     """Component, programme and effects with their strengths."""
-    model, specification, base, amplitude = draw_specification(rng, effect_names)
-    z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude)
-    rate = RATE * FINE
-    bare = Rig(base, z, rate, [])
-    ruler = Ruler(bare, FINE)
-    force = ruler.reference
-    peaks = [float(np.max(np.abs(x))) for x in z]
-    scale = Scale(stiffness=specification["dynamic_stiffness"], amplitude=max(peaks), least_amplitude=min(peaks),
-                  speed=float(np.sqrt(np.mean([np.mean((np.gradient(x) * rate) ** 2) for x in z]))),
-                  force=float(np.mean([np.std(f) for f in force])), top_frequency=actuator.top_frequency,
-                  training=TRAINING, lengths=[len(x) for x in z], rate=rate)
-    effects = [laws.draw(rng, scale, name, test_set) for name in effect_names]
+    model, specification, base, amplitude = recipe.draw_component(rng, effect_names, layout.pace)
+    z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude, layout)
+    rate = layout.rate * FINE
+    ruler = Ruler(Rig(base, z[:layout.seen], rate, []), FINE)
+    scale = scale_of(z, rate, specification.get("dynamic_stiffness", base.highest_stiffness), ruler.reference,
+                     actuator.top_frequency * layout.pace, layout)
+    effects = [recipe.draw_effect(rng, scale, name) for name in effect_names]
     rig = Rig(base, z, rate, effects)
     ruler.rig.effects = rig.effects
-    shares = [1.0] if len(effects) < 2 else pair_shares(rng)
     strengths, single = {}, {}
-    for effect, share in zip(effects, shares):
-        strengths[id(effect)], single[effect.name] = ruler.strength_for(effect, wanted * share, by_visible)
+    for effect, share in zip(effects, shares_of(rng, len(effects))):
+        strengths[id(effect)], single[effect.name] = ruler.strength_for(effect, recipe.wanted * share,
+                                                                        recipe.by_visible)
     full, visible = ruler.gaps(strengths) if effects else (0.0, 0.0)
     return {"model": model, "specification": specification, "base": base, "z": z, "kinds": kinds + held,
             "programme": programme, "repeat": repeat, "actuator": actuator, "rig": rig, "effects": effects,
             "strengths": strengths, "single": single, "full": full, "visible": visible, "scale": scale}
 
 
+def scale_of(z, rate, stiffness, force, top_frequency, layout):
+    """Sizes of the logs that a diagnosis sees; the lengths are those of all."""
+    seen = z[:layout.seen]
+    peaks = [float(np.max(np.abs(x))) for x in seen]
+    return Scale(stiffness=stiffness, amplitude=max(peaks), least_amplitude=min(peaks),
+                 speed=float(np.sqrt(np.mean([np.mean((np.gradient(x) * rate) ** 2) for x in seen]))),
+                 force=float(np.mean([np.std(f) for f in force])), top_frequency=top_frequency,
+                 training=layout.training, lengths=[len(x) for x in z], rate=rate)
+
+
+def shares_of(rng, count):
+    """How effects divide the gap: squares add up to 1 and none is below half of another."""
+    if count < 2:
+        return [1.0]
+    if count == 2:
+        return pair_shares(rng)
+    sizes = rng.uniform(0.5, 1.0, count)
+    return (sizes / np.linalg.norm(sizes)).tolist()
+
+
 def pair_shares(rng):
-    """How a pair divides the gap: squares add up to 1 and neither is below half of the other."""
+    """The same for a pair."""
     angle = rng.uniform(math.atan(0.5), math.atan(2.0))
     return [math.cos(angle), math.sin(angle)]
 
@@ -208,12 +266,20 @@ def apply_parameter_error(case):
         worn, factors = case["base"].scaled(rng, rng.uniform(0.05, 0.30))
         case["parameter_error"] = {"level": "element", "factors": factors}
         case["base"] = worn
-        case["rig"] = Rig(worn, case["z"], RATE * FINE, [])
+        case["rig"] = Rig(worn, case["z"], case["rig"].rate, [])
     elif kind == "parameter_error" or (kind != "none" and rng.random() < 0.3):
         spread = rng.uniform(0.05, 0.30) if kind == "parameter_error" else rng.uniform(0.01, 0.08)
-        s, factors, base = wrong_specification(rng, case["model"], case["specification"], spread)
+        wrong_file(case, spread)
+
+
+def wrong_file(case, spread):
+    """The file's values are off by up to `spread`, those of the rig are not."""
+    if case["specification"]:
+        s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
         case["file_specification"], case["file_base"] = s, base
-        case["parameter_error"] = {"level": "specification", "factors": factors}
+    else:
+        case["file_base"], factors = case["base"].scaled(case["rng"], spread)
+    case["parameter_error"] = {"level": "specification" if case["specification"] else "element", "factors": factors}
 
 
 def measure(case):
@@ -258,28 +324,30 @@ def noise_floor(case, logs):
     The model sees samples with noise: a dashpot differentiates that, and a Berg element takes it for reversals unless
     it has a dead band, after which its path is another one.
     """
-    base, difference = case["base"], []
+    base, rate, difference = case["base"], case["layout"].rate, []
     model_base = dataclasses.replace(base, dead_band=case["dead_band"], c0=0.0)
     for i in logs:
         seen, clean = case["displacement"][i], case["coarse"][i]
-        model, bare = (b.force([x], RATE)[0] for b, x in ((model_base, seen), (dataclasses.replace(base, c0=0.0), clean)))
+        model, bare = (b.force([x], rate)[0] for b, x in ((model_base, seen), (dataclasses.replace(base, c0=0.0), clean)))
         error = seen - clean
-        model = model - bare + base.c0 * RATE * np.diff(error, prepend=error[0])
+        model = model - bare + base.c0 * rate * np.diff(error, prepend=error[0])
         difference.append(case["force"][i] - case["true"][i] - model)
     return gap(difference, [case["force"][i] for i in logs])
 
 
 def finish(case, case_set, seed, number):
     """What a diagnosis sees, and the label."""
-    rng = case["rng"]
-    everything, held = list(range(TRAINING + HOLD_OUT)), list(range(TRAINING, TRAINING + HOLD_OUT))
-    reference = case["file_base"].force(case["coarse"], RATE)
-    configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"])
+    rng, layout = case["rng"], case["layout"]
+    everything = list(range(layout.seen))
+    held = everything[layout.training:] or everything
+    reference = case["file_base"].force(case["coarse"][:layout.seen], layout.rate)
+    configured = gap([a - b for a, b in zip(case["true"], reference)], case["true"][:layout.seen])
     order = sorted(case["single"], key=lambda name: -case["single"][name][1])
+    unlisted = [name.split(":")[1] for name in order if name.startswith("unknown:")]
     label = {
         "case": f"case_{number:03d}", "set": case_set, "seed": seed, "kind": case["kind"],
-        "effects": order if case["kind"] in ("single", "pair") else [],
-        "unknown": order[0].split(":")[1] if case["kind"] == "unknown" else None,
+        "effects": [name for name in order if not name.startswith("unknown:")],
+        "unknown": unlisted[0] if unlisted else None,
         "laws": {e.name: e.law for e in case["effects"]}, "parameters": {e.name: e.parameters for e in case["effects"]},
         "strengths": {e.name: case["strengths"][id(e)] for e in case["effects"]},
         "gap": {"wanted": case["wanted"] if case["effects"] else 0.0, "by_visible": case["by_visible"],
@@ -290,8 +358,10 @@ def finish(case, case_set, seed, number):
         "programme": case["programme"],
         "kinds": case["kinds"], "repeat": case["repeat"],
     }
-    return {"label": label, "logs": list(zip(case["kinds"], case["displacement"], case["force"])),
-            "true": case["true"], "rng": rng, "model": case["model"], "specification": case["file_specification"],
+    logs = list(zip(case["kinds"], case["displacement"], case["force"]))
+    return {"label": label, "layout": layout, "logs": logs[:layout.seen], "further": logs[layout.seen:],
+            "true": case["true"][:layout.seen], "rng": rng, "model": case["model"],
+            "specification": case["file_specification"],
             "elements": element_entries(case["file_base"], case["dead_band"]) if case["as_elements"] else None}
 
 
@@ -303,35 +373,42 @@ UNITS_F = (("N", 1.0, 3), ("kN", 1e-3, 6), ("MN", 1e-6, 9))
 
 def write(case, folder, label_folder):
     """The case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
-    rng, label = case["rng"], case["label"]
+    rng, label, layout = case["rng"], case["label"], case["layout"]
     os.makedirs(folder, exist_ok=True)
     os.makedirs(label_folder, exist_ok=True)
     name = str(rng.choice(NAMES))
     z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
     # A thermometer in the room; where the specimen heats itself it would have to show that, so there is none.
     warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 and "self_heating" not in label["effects"] else None
+    ambient = label["parameters"].get("temperature")  # where it is the effect
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
-        prefix = "log" if i < TRAINING else "hold_out"
-        files.append(f"{prefix}_{i + 1 if i < TRAINING else i + 1 - TRAINING}_{kind}.csv")
-        write_log(os.path.join(folder, files[-1]), z, f, z_unit, f_unit,
-                  None if warm is None else warm + 0.05 * rng.standard_normal(len(z)))
+        prefix, before = ("log", 0) if i < layout.training else ("hold_out", layout.training)
+        files.append(f"{prefix}_{i + 1 - before}_{kind}.csv")
+        course = warm if ambient is None else ambient["start"][i] + ambient["rise"][i] * np.linspace(0.0, 1.0, len(z))
+        write_log(os.path.join(folder, files[-1]), layout.rate, z, f, z_unit, f_unit,
+                  None if course is None else course + 0.05 * rng.standard_normal(len(z)))
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as out:
         if case["elements"]:
             out.write(elements_yaml(name, case["elements"]))
         else:
             out.write(component_yaml(rng, name, case["model"], case["specification"]))
     with open(os.path.join(folder, "case.json"), "w", encoding="utf-8") as out:
-        json.dump({"component": name, "logs": files[:TRAINING], "hold_out": files[TRAINING:]}, out, indent=1)
+        json.dump({"component": name, "logs": files[:layout.training], "hold_out": files[layout.training:]}, out,
+                  indent=1)
     with open(os.path.join(label_folder, label["case"] + ".json"), "w", encoding="utf-8") as out:
         json.dump(label, out, indent=1)
+    sealed = {f"hold_out_{i + 1}": x for i, x in enumerate(case["true"][layout.training:])}
+    for i, (_, z, f) in enumerate(case["further"]):
+        sealed.update({f"further_{i + 1}_displacement": z, f"further_{i + 1}_force": f})
     np.savez_compressed(os.path.join(label_folder, label["case"] + ".npz"),
-                        **{f"hold_out_{i + 1}": x.astype(np.float32) for i, x in enumerate(case["true"][TRAINING:])})
+                        **{k: x.astype(np.float32) for k, x in sealed.items()})
 
 
-def write_log(path, z, f, z_unit, f_unit, temperature):
-    columns = [np.arange(len(z)) / RATE, z * z_unit[1], f * f_unit[1]]
-    header, row = f"time_s,displacement_{z_unit[0]},force_{f_unit[0]}", f"%.3f,%.{z_unit[2]}f,%.{f_unit[2]}f\n"
+def write_log(path, rate, z, f, z_unit, f_unit, temperature):
+    columns = [np.arange(len(z)) / rate, z * z_unit[1], f * f_unit[1]]
+    digits = max(3, math.ceil(math.log10(rate)))  # of the time [s]
+    header, row = f"time_s,displacement_{z_unit[0]},force_{f_unit[0]}", f"%.{digits}f,%.{z_unit[2]}f,%.{f_unit[2]}f\n"
     if temperature is not None:
         columns.append(temperature)
         header, row = header + ",temperature_degC", row[:-1] + ",%.2f\n"

@@ -154,6 +154,8 @@ def make(rng, rig, kind, duration):
     """What the actuator really does for one log of `duration` [s]."""
     n = int(round(duration * rig.rate))
     command = _MAKERS[kind](rng, rig, n)
+    while not np.any(command):  # holds of a short log may all be at zero
+        command = _MAKERS[kind](rng, rig, n)
     # Nobody records a log that hardly moves: at least a quarter of the largest amplitude.
     command *= max(1.0, 0.25 * rig.amplitude / np.max(np.abs(command)))
     lead = int(0.1 * rig.rate)
@@ -178,7 +180,7 @@ def draw_programme(rng, rig, training, hold_out):
     chosen = [str(k) for k in rng.permutation(chosen)]
     held = [str(rng.choice(chosen)) if rng.random() < 0.8 else str(rng.choice(kinds)) for _ in range(hold_out)]
     repeat = None
-    if rng.random() < 0.35:
+    if training > 1 and rng.random() < 0.35:
         source = int(rng.integers(0, training - 1))
         repeat = (source, training - 1)
         chosen[-1] = chosen[source]

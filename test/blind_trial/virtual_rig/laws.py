@@ -12,10 +12,10 @@ from .effect import Effect
 LAWS = {}
 
 
-def law(effect, name, test_only=False):
+def law(effect, name, test_only=False, registry=LAWS):
     """Register a maker of an effect's law."""
     def register(maker):
-        LAWS.setdefault(effect, []).append((name, lambda rng, scale: maker(rng, scale, effect, name), test_only))
+        registry.setdefault(effect, []).append((name, lambda rng, scale: maker(rng, scale, effect, name), test_only))
         return maker
     return register
 
@@ -873,9 +873,9 @@ EFFECTS = tuple(k for k in LAWS if not k.startswith("unknown:"))
 UNKNOWN = tuple(k for k in LAWS if k.startswith("unknown:"))
 
 
-def draw(rng, scale, effect, test_set):
+def draw(rng, scale, effect, test_set, registry=LAWS):
     """An Effect of that name; held-back laws in the test set only."""
-    makers = [(n, m) for n, m, held_back in LAWS[effect] if test_set or not held_back]
+    makers = [(n, m) for n, m, held_back in registry[effect] if test_set or not held_back]
     return makers[int(rng.integers(len(makers)))][1](rng, scale)
 
 
