@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
@@ -452,7 +453,8 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-// What a record cannot be, and whether nothing but the phase says so: as stiff as configured, it gives energy.
+// What a record cannot be, and whether nothing but the phase says so: it gives energy, and is as stiff as configured or
+// only late.
 struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;
@@ -476,7 +478,9 @@ Checked checkRecord(const component::Component& component, const log::Record& re
     return {stiffness};
   }
   if (e.givesEnergy()) {
-    return {energyFinding(component, record, simulated, e), e.isElastic() && plausible(e.ratio)};
+    auto finding = energyFinding(component, record, simulated, e);
+    const bool late = finding && finding->finding == finding::kDelay;
+    return {std::move(finding), late || (e.isElastic() && plausible(e.ratio))};
   }
   return {forceFinding(record, e)};
 }

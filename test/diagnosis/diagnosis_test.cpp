@@ -75,6 +75,49 @@ TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   EXPECT_NE(result.sentence.find("unseen"), std::string::npos) << result.sentence;
 }
 
+// Four logs and an unseen one.
+diagnosis::Diagnosis diagnoseFour(const std::function<RigEffect(unsigned log)>& effect) {
+  std::vector<log::Log> logs;
+  for (const unsigned log : {1U, 2U, 4U, 5U}) {
+    logs.push_back(runRig(std::to_string(log), log, effect(log)));
+  }
+  return checkedDiagnosis(rigComponent(), logs, {runRig("unseen", 3, effect(3))});
+}
+
+// The mean of an asymmetric law is no zero of the force that has a cause of its own, however alike it is in all logs.
+TEST(Diagnosis, LeavesItsMeanToAnAsymmetricLaw) {
+  const auto even = [](unsigned) -> RigEffect { return [](double, double z, double) { return 6e7 * z * z; }; };
+  const diagnosis::Diagnosis result = diagnoseFour(even);
+  EXPECT_EQ(result.effects, std::vector<std::string>{"asymmetric_stiffness"}) << result.sentence;
+}
+
+// A zero that all logs have in common is found beside another effect.
+TEST(Diagnosis, NamesAnOffsetBesideAnotherEffect) {
+  const auto both = [](unsigned) -> RigEffect {
+    return [](double, double z, double) { return 150.0 + 1.2e11 * z * z * z; };
+  };
+  const diagnosis::Diagnosis result = diagnoseFour(both);
+  EXPECT_THAT(result.effects, testing::UnorderedElementsAre("force_offset", "progressive_stiffness"))
+      << result.sentence;
+}
+
+// A drift that is another one in each log is predicted by nothing; that it is there, each log tells.
+TEST(Diagnosis, NamesADriftThatIsNewInEachLog) {
+  const auto drift = [](unsigned log) -> RigEffect {
+    std::mt19937 generator(log);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    std::vector<double> walk(6);
+    std::generate(walk.begin(), walk.end(), [&] { return 250.0 * normal(generator); });
+    return [walk](double time, double, double) {
+      const double place = time / 20.0 * 5.0;
+      const auto knot = std::min<std::size_t>(4, static_cast<std::size_t>(place));
+      return walk[knot] + (place - static_cast<double>(knot)) * (walk[knot + 1] - walk[knot]);
+    };
+  };
+  const diagnosis::Diagnosis result = diagnoseFour(drift);
+  EXPECT_EQ(result.effects, std::vector<std::string>{"force_drift"}) << result.sentence;
+}
+
 TEST(Diagnosis, NamesDryFriction) {
   double force = 0.0;
   double last = 0.0;

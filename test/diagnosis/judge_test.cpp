@@ -764,7 +764,11 @@ TEST_P(Judge, AgreesWithItself) {
     EXPECT_GE(probability, 0.0);
     EXPECT_LE(probability, 1.0);
   }
-  EXPECT_EQ(judgement.confounded.size(), judgement.effects.size());
+  ASSERT_EQ(judgement.confounded.size(), judgement.effects.size());
+  for (std::size_t i = 0; i < judgement.effects.size(); ++i) {
+    const std::vector<int>& set = judgement.confounded[i];
+    EXPECT_NE(std::find(set.begin(), set.end(), judgement.effects[i]), set.end()) << "named, and not in its own set";
+  }
   std::vector<int> named = judgement.effects;
   std::sort(named.begin(), named.end());
   EXPECT_EQ(evidence.at(judgement.model).members, named) << "the model is made of what is named";

@@ -7,7 +7,8 @@
 namespace rubber_suspension::diagnosis {
 
 /// Where a hypothesis has an effect whose law contains a simpler effect (Evidence::contains), and the same hypothesis
-/// with the simpler one in its place leaves about as much, the larger one counts as leaving a little more. About as
+/// with the simpler one in its place leaves about as much, the larger one counts as leaving a little more; likewise one
+/// with a trend for each log after all of as many effects without that leave about as much. About as
 /// much: it does not err less by more than one standard error (Weighing::errsLess).
 void settleFamilies(Evidence& evidence, const Criteria& criteria);
 

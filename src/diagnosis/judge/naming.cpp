@@ -223,7 +223,8 @@ class Naming {
     std::vector<double> rests;
     for (int other = 0; other < evidence_.effects(); ++other) {
       const std::optional<int> found = evidence_.inPlaceOf(hypothesis, effect, other);
-      rests.push_back(found && inQuestion(*found) ? left(*found) : kInfinity);
+      const bool counts = found && (*found == hypothesis || inQuestion(*found));
+      rests.push_back(counts ? left(*found) : kInfinity);
     }
     return rests;
   }

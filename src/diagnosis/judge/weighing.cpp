@@ -45,17 +45,6 @@ std::optional<int> Weighing::bestSingle() const {
   return bestOf([this](const HypothesisEvidence& single) { return !single.last_resort && mayBeACause(single); });
 }
 
-std::optional<int> Weighing::bestWithoutTrends(std::size_t effects) const {
-  std::optional<int> best;
-  for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence_.hypotheses.size()); ++h) {
-    const HypothesisEvidence& hypothesis = evidence_.at(h);
-    const bool counts = hypothesis.members.size() == effects && !hypothesis.free_trends &&
-                        !hypothesis.like_parameters && !hypothesis.last_resort;
-    best = counts && (!best || left(hypothesis) < left(evidence_.at(*best))) ? h : best;
-  }
-  return best;
-}
-
 bool Weighing::closedByParameters() const {
   const double configured = left(evidence_.at(Evidence::kAsConfigured).held_out);
   const double rest = left(evidence_.reEstimated().held_out);

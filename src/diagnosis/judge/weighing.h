@@ -32,9 +32,6 @@ class Weighing {
   /// The hypothesis of the single effect that leaves least, if any may be a cause.
   std::optional<int> bestSingle() const;
 
-  /// The best hypothesis of so many effects without a trend for each log.
-  std::optional<int> bestWithoutTrends(std::size_t effects) const;
-
   /// True if re-estimated model parameters leave noise only.
   bool closedByParameters() const;
 

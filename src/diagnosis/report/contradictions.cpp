@@ -22,6 +22,10 @@ class Check {
     const bool names = d_.verdict == "named" || d_.verdict == "confounded" || d_.verdict == "partly";
     require(d_.effects.empty() != names, fmt::format("{} with {} effects", d_.verdict, d_.effects.size()));
     require(d_.confounded.size() == d_.effects.size(), "not one set for each effect");
+    for (std::size_t i = 0; i < std::min(d_.confounded.size(), d_.effects.size()); ++i) {
+      const std::vector<std::string>& set = d_.confounded[i];
+      require(std::find(set.begin(), set.end(), d_.effects[i]) != set.end(), d_.effects[i] + " is not in its own set");
+    }
     if (d_.verdict == "check_bench") {
       return found_;
     }
