@@ -78,8 +78,6 @@ double slowNoiseOf(const std::vector<log::Record>& records) {
   return commonFloor(shares);
 }
 
-// Errors on unseen logs are found when the judgement turns on them, which is for few hypotheses; of all where the
-// evidence is asked for.
 std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
                                            const DiagnosisOptions& options) {
   Evidence evidence = evidenceOf(search);
@@ -89,18 +87,13 @@ std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const S
   evidence.slow_noise = slowNoiseOf(prepared.training);
   markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, criteria, evidence);
   const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
-  const auto ask = [&](std::size_t hypothesis) {
-    evidence.hypotheses[hypothesis].unseen =
-        unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
-  };
+  if (evidence.has_unseen_logs) {
+    fit::parallelFor(evidence.hypotheses.size(), options.threads, [&](std::size_t hypothesis) {
+      evidence.hypotheses[hypothesis].unseen =
+          unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
+    });
+  }
   Judgement judgement = judge(evidence, criteria);
-  while (judgement.missing) {
-    ask(static_cast<std::size_t>(*judgement.missing));
-    judgement = judge(evidence, criteria);
-  }
-  if (options.evidence && evidence.has_unseen_logs) {
-    fit::parallelFor(evidence.hypotheses.size(), options.threads, ask);
-  }
   return {std::move(judgement), std::move(evidence)};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fit/bounded_least_squares.h"
+#include "fit/gram.h"
 #include "fit/parallel.h"
 #include "fit/trends.h"
 
@@ -113,13 +114,6 @@ std::vector<Eigen::MatrixXd> sharesOfNuisances(const Columns& columns, const std
   return shares;
 }
 
-Eigen::MatrixXd products(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-  gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
-  return gram;
-}
-
 // A small matrix at its places in one of this width.
 Eigen::MatrixXd spreadOut(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& places, Eigen::Index width) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(width, width);
@@ -164,7 +158,7 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
     if (record.nuisances.cols() > 0) {
       local -= record.nuisances.middleRows(rows.first, rows.last - rows.first) * shares[rows.record];
     }
-    result.gram[b] = spreadOut(products(local), all.placesIn(rows), width);
+    result.gram[b] = spreadOut(gramOf(local), all.placesIn(rows), width);
   });
   int place = 0;  // among the blocks of its log
   for (const Rows& rows : blocks) {

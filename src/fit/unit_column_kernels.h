@@ -1,6 +1,6 @@
 // Columns of unit forces and of their derivatives over a block of samples, and products of columns, for one kind of
 // processor. Sums run over eight lanes on each of them, so that all give the same bits. See instruction_sets.h.
-#include "processor/lanes.h"
+#include "fit/tile_kernels.h"
 
 /// Forces of Berg friction of unit maximum and their derivatives by ln(z2), two columns, from sample `first` of the log
 /// on; `branch` is the one that this sample is on, and the last sample's is returned. What is written beyond the last
@@ -28,28 +28,6 @@ inline const FrictionBranch* followBranches(const FrictionBranch* branch, const 
     i = end;
   }
   return branch;
-}
-
-// Products of three columns with three others, added to their sums over eight lanes.
-inline void addTile(const double* const* left, const double* const* right, std::size_t count, double* sums) {
-  for (std::size_t lane = 0; lane < kColumnLanes; lane += kWidth) {
-    Lanes sum[kTile][kTile] = {};
-    for (std::size_t i = lane; i < count; i += kColumnLanes) {
-      const Lanes a[kTile] = {load(left[0] + i), load(left[1] + i), load(left[2] + i)};
-      for (std::size_t k = 0; k < kTile; ++k) {
-        const Lanes b = load(right[k] + i);
-        for (std::size_t j = 0; j < kTile; ++j) {
-          sum[j][k] += a[j] * b;
-        }
-      }
-    }
-    for (std::size_t j = 0; j < kTile; ++j) {
-      for (std::size_t k = 0; k < kTile; ++k) {
-        double* const to = sums + (j * kTile + k) * kColumnLanes + lane;
-        store(load(to) + sum[j][k], to);
-      }
-    }
-  }
 }
 
 /// Adds the products of all columns, three by three, to their sums, but for those among the first three columns, which

@@ -7,18 +7,16 @@
 #include <numeric>
 #include <utility>
 
+#include "fit/tiles.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr std::size_t kColumnLanes = 8;    // sums that run side by side, on any processor
 constexpr std::size_t kColumnBlock = 256;  // samples; a dozen columns stay in the first-level cache
 constexpr std::size_t kColumnStride = kColumnBlock + kColumnLanes;  // branches write some samples more than asked for
-constexpr std::size_t kTile = 3;        // columns on either side whose sums stay in registers
 constexpr std::size_t kMostSteps = 16;  // lengths in a log
-constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
 
 // Step of a Maxwell element of unit stiffness and what it changes by with ln(f_b).
 struct RelaxationStep {

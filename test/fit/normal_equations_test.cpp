@@ -1,5 +1,6 @@
 // Blocks of the logs: their weights, and what they leave out.
 #include "fit/normal_equations.h"
+#include "fit/gram.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,17 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
     }
     // The same force, so the same rest: 0.1 of 3 but for where the cycles of the two are cut.
     EXPECT_NEAR(heldOut(blocks), heldOut(whole), 0.02 * heldOut(whole));
+  }
+}
+
+// Any number of rows and columns, on any processor, to the last bits of a sum.
+TEST(Gram, IsTheProductOfTheColumns) {
+  for (const auto& [rows, columns] : {std::pair(1, 1), {7, 2}, {255, 3}, {256, 4}, {300, 7}, {1031, 40}}) {
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
+    const Eigen::MatrixXd gram = gramOf(matrix);
+    const Eigen::MatrixXd expected = matrix.transpose() * matrix;
+    EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-12 * rows) << rows << " x " << columns;
+    EXPECT_EQ(gram, Eigen::MatrixXd(gram.transpose()));
   }
 }
 

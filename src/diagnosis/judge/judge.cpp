@@ -2,10 +2,10 @@
 #include "diagnosis/judge/judge.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
 
 #include "diagnosis/judge/families.h"
+#include "diagnosis/judge/further_logs.h"
 #include "diagnosis/judge/naming.h"
 #include "diagnosis/judge/posterior.h"
 #include "diagnosis/judge/weighing.h"
@@ -21,17 +21,13 @@ class Judge {
 
   Judgement run() {
     nameWhatHolds();
-    if (evidence_.has_unseen_logs && !judgement_.missing) {
+    if (evidence_.has_unseen_logs) {
       sayWhatRemainsOfUnseenLogs();
     }
-    if (!judgement_.missing) {
-      acceptLittle();
-    }
+    acceptLittle();
     noteTestableEffects();
     weighAnswers();
-    if (!judgement_.missing) {
-      considerWhatDoesAsValuesDo();
-    }
+    considerWhatDoesAsValuesDo();
     return std::move(judgement_);
   }
 
@@ -41,10 +37,7 @@ class Judge {
     std::set<int> refuted;
     while (true) {
       judgement_ = nameEffects(evidence_, criteria_, refuted);
-      if (judgement_.effects.empty()) {
-        return;
-      }
-      if ((evidence_.has_unseen_logs && lacks({Evidence::kReEstimated, judgement_.model})) || holds()) {
+      if (judgement_.effects.empty() || holds()) {
         return;
       }
       refuted.insert(judgement_.model);
@@ -54,10 +47,7 @@ class Judge {
   // True if what is named closes part of the gap for sure; also where wrong values would do as well and only few
   // numbers moved far speak against them, which is said.
   bool holds() {
-    if (!eachCloses() || judgement_.missing) {
-      return judgement_.missing.has_value();
-    }
-    if (closesNextToNothingUnseen()) {
+    if (!eachCloses() || closesNextToNothingUnseen()) {
       return false;
     }
     if (weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.reEstimated())) {
@@ -91,9 +81,6 @@ class Judge {
       if (!others) {
         continue;
       }
-      if (lacks({*others})) {
-        return true;
-      }
       const bool shown = !showsNothing(unseen(*others)) || weighing_.isBeyondNoise(unseen(judgement_.model));
       if (shown && !weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.at(*others))) {
         return false;
@@ -119,16 +106,6 @@ class Judge {
     return values && weighing_.isBeyondNoise(*values);
   }
 
-  // True, and noted, where errors of one of these hypotheses are needed and not known.
-  bool lacks(std::initializer_list<int> hypotheses) {
-    const auto* unknown =
-        std::find_if(hypotheses.begin(), hypotheses.end(), [&](int h) { return !evidence_.at(h).unseen; });
-    if (unknown != hypotheses.end()) {
-      judgement_.missing = *unknown;
-    }
-    return unknown != hypotheses.end();
-  }
-
   const UnseenErrors& unseen(int hypothesis) const { return *evidence_.at(hypothesis).unseen; }
 
   // A rest that no effect explains is not worth a warning where an engineer accepts it, nor where it is not beyond the
@@ -144,9 +121,6 @@ class Judge {
       return;
     }
     if (evidence_.has_unseen_logs) {
-      if (lacks({Evidence::kAsConfigured, Evidence::kReEstimated})) {
-        return;
-      }
       const UnseenErrors& values = unseen(Evidence::kReEstimated);
       if (!accepted(Weighing::leftUnseen(values), values.noise_floor)) {
         return;
@@ -159,16 +133,10 @@ class Judge {
 
   // A rest beyond the noise is told; one that the logs of the fit do not show is something that only these lack.
   void sayWhatRemainsOfUnseenLogs() {
-    if (judgement_.verdict == Verdict::unknown || judgement_.verdict == Verdict::partly ||
-        lacks({judgement_.model})) {
+    if (judgement_.verdict == Verdict::unknown || judgement_.verdict == Verdict::partly) {
       return;
     }
     if (weighing_.isBeyondNoise(unseen(judgement_.model))) {
-      const std::optional<int> best = weighing_.bestSingle();
-      if (judgement_.verdict == Verdict::parameter_error && best && lacks({*best})) {
-        return;  // it may be better than the values
-      }
-      judgement_.only_unseen_logs_differ = judgement_.effects.empty();
       judgement_.verdict = judgement_.effects.empty() ? Verdict::unknown : Verdict::partly;
     }
   }
@@ -211,7 +179,7 @@ class Judge {
         continue;
       }
       const int hypothesis = Evidence::kFirstSingle + effect;
-      if (!evidence_.has_unseen_logs || (!lacks({hypothesis}) && !weighing_.isBeyondNoise(unseen(hypothesis)))) {
+      if (!evidence_.has_unseen_logs || !weighing_.isBeyondNoise(unseen(hypothesis))) {
         nameBesideValues(effect);
       }
       return;
@@ -236,6 +204,14 @@ class Judge {
   Judgement judgement_;
 };
 
+// The logs of the fit alone show no gap, or one that values close.
+bool agrees(const Evidence& evidence, const Criteria& criteria) {
+  const Weighing weighing(evidence, criteria);
+  return evidence.has_unseen_logs &&
+         (weighing.left(evidence.at(Evidence::kAsConfigured).held_out) < weighing.insignificant() ||
+          weighing.closedByParameters());
+}
+
 }  // namespace
 
 std::string toString(Verdict verdict) {
@@ -252,9 +228,11 @@ void Judgement::withdraw(Verdict without_effects, int without_model) {
 }
 
 Judgement judge(const Evidence& evidence, const Criteria& criteria) {
-  Evidence settled = evidence;
+  Evidence settled = withFurtherLogs(evidence);
   settleFamilies(settled, criteria);
-  return Judge(settled, criteria).run();
+  Judgement judgement = Judge(settled, criteria).run();
+  judgement.only_unseen_logs_differ = judgement.verdict == Verdict::unknown && agrees(evidence, criteria);
+  return judgement;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,7 +1,6 @@
 // From the evidence to a judgement: what is named, how sure it is, what cannot be told apart.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,16 +25,13 @@ struct Judgement {
   bool values_would_do = false;              ///< wrong values cannot be told from what is named
   std::vector<bool> testable;                ///< of each effect: these logs would show it, or it is named
   bool only_unseen_logs_differ = false;      ///< the logs of the fit confirm the model, unseen ones do not
-  /// A hypothesis whose errors on unseen logs the judgement turns on and the evidence lacks: the judgement is not
-  /// finished, and to be asked for again with them.
-  std::optional<int> missing;
 
   /// Name no effect any more, but this verdict and the hypothesis that stands for it.
   void withdraw(Verdict without_effects, int without_model);
 };
 
-/// A pure function: the same evidence gives the same judgement. Errors on unseen logs, which take simulations, are
-/// asked for one by one (Judgement::missing), so that only those are computed that matter.
+/// A pure function: the same evidence gives the same judgement. Where there are unseen logs, each hypothesis has its
+/// errors on them: they count as further logs in every comparison, and what they refute is not named.
 Judgement judge(const Evidence& evidence, const Criteria& criteria = {});
 
 }  // namespace rubber_suspension::diagnosis
