@@ -329,6 +329,17 @@ const std::vector<Row> kRows = {
      },
      Verdict::partly,
      {kMany}},
+    {"three effects that leave much are not named",
+     [](Evidence& e, Criteria&) {
+       reEstimated(e).held_out = configured(e).held_out = 0.5;
+       for (int effect = 0; effect < kEffects; ++effect) {
+         single(e, effect).held_out = effect == kMany ? 0.3 : 0.5;
+       }
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.13));
+       e.hypotheses.push_back(fitted({kMany, kSimple, kOther}, 0.06));
+     },
+     Verdict::partly,
+     {kMany, kOther}},
     {"no more effects are named than may be",
      [](Evidence& e, Criteria& c) {
        c.most_effects = 1;

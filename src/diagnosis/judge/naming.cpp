@@ -109,7 +109,8 @@ class Naming {
   }
 
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance: over
-  // the best hypothesis of fewer effects, even where that gained too little itself.
+  // the best hypothesis of fewer effects, even where that gained too little itself. Three laws follow almost anything:
+  // they are believed where they leave nothing beyond the noise.
   int withFurtherEffects(int single) const {
     int chosen = single;
     int fewer = single;
@@ -118,7 +119,8 @@ class Naming {
       if (!further || (left(chosen) < weighing_.insignificant() && !evidence_.at(chosen).free_trends)) {
         break;
       }
-      if (left(*further) < criteria_.needs_another * left(fewer) &&
+      const bool believed = effects < 3 || !weighing_.isBeyondNoise(left(*further), evidence_.noise_floor);
+      if (believed && left(*further) < criteria_.needs_another * left(fewer) &&
           weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(fewer)) < criteria_.chance) {
         chosen = *further;
       }
