@@ -140,7 +140,8 @@ std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDes
       by_type[entry.type].push_back(entry);
     } else if (result.empty()) {
       const SliderFriction friction = frictionOf(entries);
-      result = {{"maximum_force", "N", friction.maximum_force, true}, {"displacement", "m", friction.displacement, false}};
+      result = {{"maximum_force", "N", friction.maximum_force, true},
+                {"displacement", "m", friction.displacement, false}};
     }
   }
   for (const auto& [type, group] : by_type) {

@@ -136,8 +136,8 @@ const FittedHypothesis& bestButZeros(const Search& search) {
   return *best;
 }
 
-// Zeros are free in the first search, so that no effect is weighed by them and what they are is told by the best law. If
-// they have a cause, they count in a second search.
+// Zeros are free in the first search, so that no effect is weighed by them and what they are is told by the best law.
+// If they have a cause, they count in a second search.
 void considerZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                    const DiagnosisOptions& options, Judged& judged) {
   const Search& search = judged.workings->search;

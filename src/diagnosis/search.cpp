@@ -222,12 +222,11 @@ class Searcher {
   }
 
   const FittedHypothesis& bestLastResort() const {
-    return *std::min_element(result_.singles.begin(), result_.singles.end(),
-                             [](const FittedHypothesis& x, const FittedHypothesis& y) {
-                               return x.hypothesis.last_resort != y.hypothesis.last_resort
-                                          ? x.hypothesis.last_resort
-                                          : x.fit.score() < y.fit.score();
-                             });
+    return *std::min_element(
+        result_.singles.begin(), result_.singles.end(), [](const FittedHypothesis& x, const FittedHypothesis& y) {
+          return x.hypothesis.last_resort != y.hypothesis.last_resort ? x.hypothesis.last_resort
+                                                                      : x.fit.score() < y.fit.score();
+        });
   }
 
   void fitTriples() {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kColumnBlock = 256;  // samples; a dozen columns stay in the first-level cache
 constexpr std::size_t kColumnStride = kColumnBlock + kColumnLanes;  // branches write some samples more than asked for
-constexpr std::size_t kMostSteps = 16;  // lengths in a log
+constexpr std::size_t kMostSteps = 16;                              // lengths in a log
 
 // Step of a Maxwell element of unit stiffness and what it changes by with ln(f_b).
 struct RelaxationStep {

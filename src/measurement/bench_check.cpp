@@ -371,7 +371,7 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   const auto [delay, late] = bestDelay(measured, expected, e.period);
   // As stiff as configured, and not with the columns exchanged: nothing but a delay. What the effect time_delay reaches
   // is found among the effects.
-  constexpr double kMostBehind = 15.0;      // samples, or
+  constexpr double kMostBehind = 15.0;     // samples, or
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
   const bool only_delay = e.isElastic() && plausible(e.ratio) && !looksSwapped(component, record, e);
@@ -485,11 +485,11 @@ Checked checkRecord(const component::Component& component, const log::Record& re
   return {forceFinding(record, e)};
 }
 
-// A sign that is reversed or columns that are exchanged are so in all logs of a bench. Where fewer than half of them give
-// energy, a delay or a mass has turned the phase of the fastest ones: that is found among the effects.
+// A sign that is reversed or columns that are exchanged are so in all logs of a bench. Where fewer than half of them
+// give energy, a delay or a mass has turned the phase of the fastest ones: that is found among the effects.
 void leavePhaseToEffects(std::vector<Checked>& checked) {
-  const auto by_phase = std::count_if(checked.begin(), checked.end(),
-                                      [](const Checked& one) { return one.finding && one.by_phase; });
+  const auto by_phase =
+      std::count_if(checked.begin(), checked.end(), [](const Checked& one) { return one.finding && one.by_phase; });
   for (Checked& one : checked) {
     if (one.by_phase && 2 * by_phase < static_cast<std::ptrdiff_t>(checked.size())) {
       one.finding.reset();

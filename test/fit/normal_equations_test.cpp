@@ -1,12 +1,12 @@
 // Blocks of the logs: their weights, and what they leave out.
 #include "fit/normal_equations.h"
-#include "fit/gram.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
+#include "fit/gram.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
@@ -34,13 +34,12 @@ BlockGrams equations(const std::vector<log::Record>& records) {
   std::vector<Eigen::VectorXd> base;
   std::vector<Eigen::VectorXd> column;
   for (const log::Record& one : records) {
-    weights.push_back(1.0 /
-                      (one.force_deviation * std::sqrt(one.counted() * static_cast<double>(records.size()))));
+    weights.push_back(1.0 / (one.force_deviation * std::sqrt(one.counted() * static_cast<double>(records.size()))));
     base.emplace_back(Eigen::VectorXd::Zero(one.size()));
     column.push_back(one.displacement);
   }
-  BlockGrams blocks = normalEquations(records, weights, base,
-                                      {std::make_shared<const std::vector<Eigen::VectorXd>>(column)}, false, 1);
+  BlockGrams blocks =
+      normalEquations(records, weights, base, {std::make_shared<const std::vector<Eigen::VectorXd>>(column)}, false, 1);
   blocks.prior = Eigen::MatrixXd::Zero(2, 2);
   blocks.sumUp();
   return blocks;

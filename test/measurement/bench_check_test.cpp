@@ -90,8 +90,8 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   }
 }
 
-// A sign is reversed, and columns are exchanged, in all logs of a bench: loops that give energy in one of three are those
-// of an effect.
+// A sign is reversed, and columns are exchanged, in all logs of a bench: loops that give energy in one of three are
+// those of an effect.
 TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
   Perturbation late;
   late.delay = 20.0;  // samples of the force: more than the effect reaches

@@ -12,9 +12,9 @@ struct Criteria {
   std::size_t most_effects = 3;  ///< named at once
 
   // What counts as noise.
-  double floor_margin = 1.03;         ///< the floor is known to some percent only
-  double insignificant_gap = 0.006;   ///< of the force: smaller gaps are within the accuracy of discretisation
-  double within_noise = 0.5;          ///< times the floor: less above the floor is noise
+  double floor_margin = 1.03;        ///< the floor is known to some percent only
+  double insignificant_gap = 0.006;  ///< of the force: smaller gaps are within the accuracy of discretisation
+  double within_noise = 0.5;         ///< times the floor: less above the floor is noise
 
   // Whether an effect shows in these logs.
   double visible_share = 0.05;  ///< of a typical effect's force that re-estimation does not hide

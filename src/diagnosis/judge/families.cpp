@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
 
-// The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws contains
-// in its place. A trend for each log follows whatever is slow: any laws without one are simpler.
+// The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
+// contains in its place. A trend for each log follows whatever is slow: any laws without one are simpler.
 std::vector<int> simplerThan(const Evidence& evidence, int hypothesis, int member) {
   std::vector<int> simpler;
   if (evidence.single(member).free_trends) {

@@ -108,9 +108,9 @@ class Naming {
     return found;
   }
 
-  // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance: over
-  // the best hypothesis of fewer effects, even where that gained too little itself. Three laws follow almost anything:
-  // they are believed where they leave nothing beyond the noise.
+  // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
+  // over the best hypothesis of fewer effects, even where that gained too little itself. Three laws follow almost
+  // anything: they are believed where they leave nothing beyond the noise.
   int withFurtherEffects(int single) const {
     int chosen = single;
     int fewer = single;

@@ -28,10 +28,10 @@ struct PairedDifference {
 /// share what that log is, so that more blocks of it make nobody surer.
 PairedDifference compare(const Losses& losses, Eigen::Index one, Eigen::Index other);
 
-/// p-value of the hypothesis that the first is no better than the second, by the signs of the differences over clusters:
-/// the share of all 2^n choices of signs whose sum is at least as good (randomisation test; Fisher, The Design of
-/// Experiments, 1935, section 21). A gain that is large in some logs and small in others counts, where it makes a standard
-/// error large. 0.5 where there are fewer than kFewestSigns or more than kMostSigns clusters.
+/// p-value of the hypothesis that the first is no better than the second, by the signs of the differences over
+/// clusters: the share of all 2^n choices of signs whose sum is at least as good (randomisation test; Fisher, The
+/// Design of Experiments, 1935, section 21). A gain that is large in some logs and small in others counts, where it
+/// makes a standard error large. 0.5 where there are fewer than kFewestSigns or more than kMostSigns clusters.
 double pValueBySigns(const Losses& losses, Eigen::Index one, Eigen::Index other);
 
 constexpr int kFewestSigns = 6;  ///< three times 2^-6 is the first below 0.05

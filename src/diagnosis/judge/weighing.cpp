@@ -141,9 +141,9 @@ bool Weighing::errsLess(const HypothesisEvidence& hypothesis, const HypothesisEv
   return -gain.mean > gain.standard_error;
 }
 
-// Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in every single log
-// by its blocks. Over few logs the first sees nothing where one gains far more than the others, which a log does that was
-// made to show it.
+// Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in every single
+// log by its blocks. Over few logs the first sees nothing where one gains far more than the others, which a log does
+// that was made to show it.
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   if (!knowsBlocks(hypothesis, over)) {
     return 0.0;

@@ -22,8 +22,8 @@ class Weighing {
   /// What a fitted hypothesis leaves above the noise floor, its penalties included.
   double left(const HypothesisEvidence& hypothesis) const;
 
-  /// Less above the floor cannot be told from noise and discretisation, and calls for no further effect, however large the
-  /// gap was: one large effect must not hide another.
+  /// Less above the floor cannot be told from noise and discretisation, and calls for no further effect, however large
+  /// the gap was: one large effect must not hide another.
   double insignificant() const;
 
   /// Less above the floor, left by re-estimated parameters, calls for no effect.
@@ -38,8 +38,8 @@ class Weighing {
   /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be.
   bool mayBeACause(const HypothesisEvidence& hypothesis) const;
 
-  /// What only the trends of a hypothesis explain, as a gap: not the model, nor its other effects, nor the same ones with
-  /// the simpler effect that a trend contains.
+  /// What only the trends of a hypothesis explain, as a gap: not the model, nor its other effects, nor the same ones
+  /// with the simpler effect that a trend contains.
   double explainedByTrends(const HypothesisEvidence& hypothesis) const;
 
   /// What only trends explain, and little enough to be slow noise of the rig, as a gap.

@@ -154,8 +154,9 @@ class Describer {
       const auto elements = parts[i].first->allElements();
       const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
       const auto smoothed = [](const log::Record& record) { return record.displacement; };
-      *parts[i].second = gap::gapOfParts(gap::partErrors(
-          records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed) : gap::simulate(elements, records)));
+      *parts[i].second =
+          gap::gapOfParts(gap::partErrors(records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed)
+                                                                   : gap::simulate(elements, records)));
     });
   }
 

@@ -61,7 +61,7 @@ std::string howFar(const Diagnosis& d) {
                 "the measured force."
               : "A gap is the RMS of measured minus simulated force over the standard deviation of the measured "
                 "force, on data that took no part in the fit, after what the rig did to that very log is taken "
-                "out.") +
+                "out: no number was fitted to these data, but they took part in choosing between the effects.") +
          "</p>\n";
 }
 
