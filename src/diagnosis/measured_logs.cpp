@@ -61,12 +61,11 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  std::vector<double>& caused = result.record_caused;
+  const std::vector<double>& caused = result.record_caused;
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
     result.record_rest[r] = std::min(result.record_rest[r], measurement::relativeFloor(records[r], residual));
-    caused[r] = std::min(caused[r], gapOf(records[r], residual));
   }
   const NoiseLimit limit = noiseLimit(result.record_rest, records);
   bool by_displacement = false;

@@ -30,9 +30,6 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
                                 const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// What a model leaves of a record, after what the rig may have added: noise is no more than that.
-double gapOf(const log::Record& record, const Eigen::VectorXd& residual);
-
 /// Floor of several records, which count alike.
 double commonFloor(const std::vector<double>& floors);
 

@@ -548,6 +548,24 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kMany, kSimple}},
+    {"a law that gives way under the motion of unseen logs is not named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       single(e, kOther).held_out = 0.02;
+       addUnseenLogs(e);
+       single(e, kMany).unseen->gap = std::numeric_limits<double>::infinity();
+     },
+     Verdict::named,
+     {kOther}},
+    {"an effect that is best on all logs together goes before one that is best on those of the fit",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.011;
+       single(e, kOther).held_out = 0.015;
+       addUnseenLogs(e);
+       single(e, kMany).unseen->gap = 0.05;
+     },
+     Verdict::named,
+     {kOther}},
     {"an effect that gains in all parts of unseen logs does not",
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = 0.011;
