@@ -108,9 +108,16 @@ class Naming {
     return found;
   }
 
+  // Of the residual: what moved parameters cost both hypotheses alike must not hide a gain.
+  bool gainsEnough(int hypothesis, int over) const {
+    const auto rest = [&](int h) {
+      return std::max(evidence_.at(h).at_least, weighing_.left(evidence_.at(h).held_out));
+    };
+    return left(hypothesis) < left(over) && rest(hypothesis) < criteria_.needs_another * rest(over);
+  }
+
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
-  // over the best hypothesis of fewer effects, even where that gained too little itself. Three laws follow almost
-  // anything: they are believed where they leave nothing beyond the noise.
+  // over the best hypothesis of fewer effects, even where that gained too little itself.
   int withFurtherEffects(int single) const {
     int chosen = single;
     int fewer = single;
@@ -119,8 +126,7 @@ class Naming {
       if (!further || (left(chosen) < weighing_.insignificant() && !evidence_.at(chosen).free_trends)) {
         break;
       }
-      const bool believed = effects < 3 || !weighing_.isBeyondNoise(left(*further), evidence_.noise_floor);
-      if (believed && left(*further) < criteria_.needs_another * left(fewer) &&
+      if (gainsEnough(*further, fewer) &&
           weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(fewer)) < criteria_.chance) {
         chosen = *further;
       }
