@@ -130,8 +130,8 @@ def one(job):
     with open(os.path.join(folder, "component.yaml"), "w", encoding="utf-8") as file:
         file.write(component_yaml(specification))
     for i, (x, f) in enumerate(zip(z, force)):
-        case.RATE = RATE
-        case.write_log(os.path.join(folder, f"log_{i + 1}.csv"), x[::FINE], f, case.UNITS_Z[1], case.UNITS_F[0], None)
+        path = os.path.join(folder, f"log_{i + 1}.csv")
+        case.write_log(path, RATE, x[::FINE], f, case.UNITS_Z[1], case.UNITS_F[0], None)
     return dict(label, fleet=fleet, draw=draw, number=number, outlier=outlier, specification=specification,
                 wrong=wrong, logarithms=logs)
 
