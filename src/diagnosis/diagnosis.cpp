@@ -2,6 +2,7 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -70,11 +71,23 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What slow noise of the rig may add to a gap over all logs.
-double slowNoiseOf(const std::vector<log::Record>& records) {
+// Force at which Berg's friction of a component slides [N]; 0 without.
+double bergForce(const io::ComponentDescription& component) {
+  double force = 0.0;
+  for (const element::ElementDescription& element : component.allElements()) {
+    force += element.type == "friction" ? element.value("maximum_force") : 0.0;
+  }
+  return force;
+}
+
+// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and Berg's friction,
+// which forgets slowly where it started and which reversals noise made.
+double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
+  const double friction = bergForce(component);
   std::vector<double> shares;
-  std::transform(records.begin(), records.end(), std::back_inserter(shares),
-                 [](const log::Record& record) { return record.slow_noise / record.force_deviation; });
+  std::transform(records.begin(), records.end(), std::back_inserter(shares), [&](const log::Record& record) {
+    return std::hypot(record.slow_noise, friction) / record.force_deviation;
+  });
   return commonFloor(shares);
 }
 
@@ -84,7 +97,7 @@ std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const S
   evidence.resamplings = options.resamplings;
   evidence.seed = options.seed;
   evidence.has_unseen_logs = !prepared.held_out.empty();
-  evidence.slow_noise = slowNoiseOf(prepared.training);
+  evidence.slow_noise = slowNoiseOf(prepared.component, prepared.training);
   markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, criteria, evidence);
   const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
   if (evidence.has_unseen_logs) {

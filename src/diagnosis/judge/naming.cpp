@@ -173,20 +173,23 @@ class Naming {
   // An effect that can look like several others stands where it leaves little of the gap, and errs less than the best
   // of the others, pairs and triples among them.
   void considerLastResort() {
-    const int others = bestOfOthers();
     const std::optional<int> single = bestLastResort(1);
     const std::optional<int> pair = bestLastResort(2);
     const double beside = std::min(single ? left(*single) : kInfinity, left(best(1).value_or(Evidence::kReEstimated)));
-    for (const auto& [chosen, before] : {std::pair(pair, beside), std::pair(single, gap_)}) {
-      if (chosen && left(*chosen) < criteria_.needs_another * before && left(*chosen) < left(others) &&
-          weighing_.errsLess(evidence_.at(*chosen), evidence_.at(others))) {
-        last_resort_ = true;
-        rank(Of::those_in_question);
-        judgement_.confounded.clear();
-        name(*chosen);
-        return;
-      }
+    const bool of_pair = pair && standsAlone(*pair, beside);
+    if (of_pair || (single && standsAlone(*single, gap_))) {
+      last_resort_ = true;
+      rank(Of::those_in_question);
+      judgement_.confounded.clear();
+      name(of_pair ? *pair : *single);
     }
+  }
+
+  // Leaves little of what is left without it, and less than the best of the others beyond chance.
+  bool standsAlone(int hypothesis, double before) const {
+    const int others = bestOfOthers();
+    return left(hypothesis) < criteria_.needs_another * before && left(hypothesis) < left(others) &&
+           weighing_.errsLess(evidence_.at(hypothesis), evidence_.at(others));
   }
 
   // The best hypothesis of so many effects, one of which can look like several others.

@@ -105,7 +105,11 @@ class Describer {
       const FittedHypothesis& single = search_.singles[c];
       of_candidates_[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
-        of_candidates_[c] = unseenParts(single);
+        // Where it is not named, a drift is what a simulation predicts of it: its trends would take slow noise with
+        // them.
+        of_candidates_[c] = &single == &judged_ ? unseenParts(single)
+                                                : gap::partErrors(prepared_.held_out,
+                                                                  predict(prepared_.model, single, prepared_.held_out));
       }
     });
   }
