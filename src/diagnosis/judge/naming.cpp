@@ -175,7 +175,8 @@ class Naming {
   void considerLastResort() {
     const std::optional<int> single = bestLastResort(1);
     const std::optional<int> pair = bestLastResort(2);
-    const double beside = std::min(single ? left(*single) : kInfinity, left(best(1).value_or(Evidence::kReEstimated)));
+    const double other = left(best(1).value_or(Evidence::kReEstimated));
+    const double beside = single ? std::min(other, left(*single)) : other;
     const bool of_pair = pair && standsAlone(*pair, beside);
     if (of_pair || (single && standsAlone(*single, gap_))) {
       last_resort_ = true;
