@@ -14,14 +14,20 @@ namespace {
 constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
 
 // The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
-// contains in its place. A trend for each log follows whatever is slow: any laws without one are simpler.
-std::vector<int> simplerThan(const Evidence& evidence, int hypothesis, int member) {
+// contains in its place. A trend for each log follows whatever is slow: any laws without one are simpler, as many of
+// them. A law that can look like several others is the last one to be believed: any laws without it are simpler,
+// however many.
+std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
+  const HypothesisEvidence& large = evidence.at(hypothesis);
+  const bool trend = evidence.single(member).free_trends;
+  const bool like_others = evidence.single(member).last_resort;
   std::vector<int> simpler;
-  if (evidence.single(member).free_trends) {
+  if (trend || like_others) {
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
       const HypothesisEvidence& other = evidence.at(h);
-      if (other.members.size() == evidence.at(hypothesis).members.size() && !other.free_trends &&
-          !other.like_parameters && !other.last_resort && std::isfinite(other.held_out)) {
+      const bool as_many = like_others || other.members.size() == large.members.size();
+      const bool without = !other.last_resort && (like_others || !other.free_trends);
+      if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
         simpler.push_back(h);
       }
     }
@@ -40,7 +46,7 @@ void settleFamilies(Evidence& evidence, const Criteria& criteria) {
   const Weighing weighing(evidence, criteria);
   for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
     for (const int member : evidence.at(h).members) {
-      for (const int simpler : simplerThan(evidence, h, member)) {
+      for (const int simpler : simplerThan(evidence, weighing, h, member)) {
         if (!weighing.errsLess(evidence.at(h), evidence.at(simpler))) {
           HypothesisEvidence& large = evidence.hypotheses[static_cast<std::size_t>(h)];
           large.does_no_better = true;

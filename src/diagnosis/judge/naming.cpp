@@ -41,7 +41,6 @@ class Naming {
       }
     } else {
       nameBest();
-      considerLastResort();
       if (judgement_.verdict == Verdict::unknown) {
         considerSlowNoise();
       }
@@ -57,12 +56,13 @@ class Naming {
 
   int hypotheses() const { return static_cast<int>(evidence_.hypotheses.size()); }
 
-  bool considered(int hypothesis) const {
-    const HypothesisEvidence& h = evidence_.at(hypothesis);
-    return (last_resort_ || !h.last_resort) && weighing_.mayBeACause(h);
-  }
+  bool considered(int hypothesis) const { return weighing_.mayBeACause(evidence_.at(hypothesis)); }
 
-  bool allowed(int hypothesis) const { return considered(hypothesis) && refuted_.count(hypothesis) == 0; }
+  // What can look like several others is out of question where these do as well, however many they are.
+  bool allowed(int hypothesis) const {
+    const HypothesisEvidence& h = evidence_.at(hypothesis);
+    return considered(hypothesis) && refuted_.count(hypothesis) == 0 && !(h.last_resort && h.does_no_better);
+  }
 
   // A law that contains a simpler one and errs no less is not in question: the simpler one stands for both.
   bool inQuestion(int hypothesis) const { return allowed(hypothesis) && !evidence_.at(hypothesis).does_no_better; }
@@ -161,49 +161,6 @@ class Naming {
     judgement_.verdict = rest ? Verdict::partly : ambiguous ? Verdict::confounded : Verdict::named;
   }
 
-  // The hypothesis of the others that leaves least, re-estimation among them.
-  int bestOfOthers() const {
-    int best = Evidence::kReEstimated;
-    for (int h = Evidence::kFirstSingle; h < hypotheses(); ++h) {
-      best = allowed(h) && left(h) < left(best) ? h : best;
-    }
-    return best;
-  }
-
-  // An effect that can look like several others stands where it leaves little of the gap, and errs less than the best
-  // of the others, pairs and triples among them.
-  void considerLastResort() {
-    const std::optional<int> single = bestLastResort(1);
-    const std::optional<int> pair = bestLastResort(2);
-    const double other = left(best(1).value_or(Evidence::kReEstimated));
-    const double beside = single ? std::min(other, left(*single)) : other;
-    const bool of_pair = pair && standsAlone(*pair, beside);
-    if (of_pair || (single && standsAlone(*single, gap_))) {
-      last_resort_ = true;
-      rank(Of::those_in_question);
-      judgement_.confounded.clear();
-      name(of_pair ? *pair : *single);
-    }
-  }
-
-  // Leaves little of what is left without it, and less than the best of the others beyond chance.
-  bool standsAlone(int hypothesis, double before) const {
-    const int others = bestOfOthers();
-    return left(hypothesis) < criteria_.needs_another * before && left(hypothesis) < left(others) &&
-           weighing_.errsLess(evidence_.at(hypothesis), evidence_.at(others));
-  }
-
-  // The best hypothesis of so many effects, one of which can look like several others.
-  std::optional<int> bestLastResort(std::size_t effects) const {
-    std::optional<int> found;
-    for (int h = 0; h < hypotheses(); ++h) {
-      const HypothesisEvidence& hypothesis = evidence_.at(h);
-      const bool counts = hypothesis.last_resort && hypothesis.members.size() == effects && refuted_.count(h) == 0;
-      found = counts && weighing_.mayBeACause(hypothesis) && (!found || left(h) < left(*found)) ? h : found;
-    }
-    return found;
-  }
-
   // Where nothing but slow noise remains, there is no gap, or parameters close it.
   void considerSlowNoise() {
     const double slow = weighing_.slowNoise();
@@ -276,7 +233,6 @@ class Naming {
   const Criteria& criteria_;
   Weighing weighing_;
   const std::set<int>& refuted_;
-  bool last_resort_ = false;
   double gap_;  // left by re-estimation
   Judgement judgement_;
 };
