@@ -125,6 +125,11 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
                                    options.threads, options.progress);
   auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
   judged.workings->judgement = std::move(judgement);
+  for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
+    if (hypothesis.unseen) {
+      judged.workings->unseen.push_back(*hypothesis.unseen);
+    }
+  }
   if (options.evidence) {
     judged.workings->evidence = std::move(evidence);
   }

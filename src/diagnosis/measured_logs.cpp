@@ -64,8 +64,8 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   const std::vector<double>& caused = result.record_caused;
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd residual = records[r].force - forces[r];
-    result.record_rest[r] = std::min(result.record_rest[r], measurement::relativeFloor(records[r], residual));
+    const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
+    result.record_rest[r] = std::min(result.record_rest[r], left);
   }
   const NoiseLimit limit = noiseLimit(result.record_rest, records);
   bool by_displacement = false;

@@ -201,11 +201,9 @@ class Searcher {
 
   void fitPairs(const std::vector<Screened>& screened) {
     choose(result_.candidates, screened, kPairsFitted, result_.pairs);
-    for (const FittedHypothesis& single : {ranked_[0], ranked_[1]}) {
-      addPairs(single, Joining::others, kAdditionsFitted);
-    }
-    addPairs(ranked_[0], Joining::last_resorts, kLastResortsFitted);
-    addPairs(bestLastResort(), Joining::others, kAdditionsFitted);
+    addPairs(ranked_[0], kLastResortsFitted);
+    addPairs(ranked_[1], 0);
+    addPairs(bestLastResort(), 0);
     fit::parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
       FittedHypothesis& pair = result_.pairs[i];
       fitFurther(fitter_, result_.candidates, bestMember(result_, pair.hypothesis.members), pair);
@@ -213,11 +211,16 @@ class Searcher {
     sortByScore(result_.pairs);
   }
 
-  // Pairs of a single effect and what goes best with it.
-  void addPairs(const FittedHypothesis& single, Joining joining, std::size_t most) {
-    if (single.hypothesis.competes()) {
-      const Screening screening(fitter_, result_.candidates, single, threads_);
-      choose(result_.candidates, screening.additions(single.hypothesis.members, joining), most, result_.pairs);
+  // Pairs of a single effect and what goes best with it, and so many with effects that can look like several others.
+  void addPairs(const FittedHypothesis& single, std::size_t last_resorts) {
+    if (!single.hypothesis.competes()) {
+      return;
+    }
+    const Screening screening(fitter_, result_.candidates, single, threads_);
+    const std::vector<int>& members = single.hypothesis.members;
+    choose(result_.candidates, screening.additions(members), kAdditionsFitted, result_.pairs);
+    if (last_resorts > 0) {
+      choose(result_.candidates, screening.additions(members, Joining::last_resorts), last_resorts, result_.pairs);
     }
   }
 
@@ -234,8 +237,7 @@ class Searcher {
         *std::find_if(result_.pairs.begin(), result_.pairs.end(),
                       [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; });
     const Screening screening(fitter_, result_.candidates, pair, threads_);
-    choose(result_.candidates, screening.additions(pair.hypothesis.members, Joining::others), kAdditionsFitted,
-           result_.triples);
+    choose(result_.candidates, screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
     fit::parallelFor(result_.triples.size(), threads_,
                      [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
     sortByScore(result_.triples);

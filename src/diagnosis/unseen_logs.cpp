@@ -55,8 +55,7 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
                                 const std::vector<log::Record>& records, const NoiseLimit& limit) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd residual = records[r].force - simulated[r];
-    const double left = measurement::relativeFloor(records[r], residual);
+    const double left = measurement::relativeFloor(records[r], records[r].force - simulated[r]);
     floors[r] = std::max(std::min(left, limit.of(records[r])), floors[r]);
   }
   return floors;

@@ -51,7 +51,8 @@ struct Workings {
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
   gap::Forces force_surrogate;       ///< empty without a surrogate
-  std::optional<Evidence> evidence;  ///< complete, where it was asked for
+  std::vector<UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
+  std::optional<Evidence> evidence;  ///< where it was asked for
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -93,9 +93,9 @@ class Describer {
     return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
   }
 
-  // Errors of a hypothesis on the logs that took no part in the fit.
-  std::vector<gap::PartError> unseenParts(const FittedHypothesis& fitted) const {
-    return partErrorsOf(fitted.hypothesis, prepared_.held_out, predict(prepared_.model, fitted, prepared_.held_out));
+  // Errors of a hypothesis of the evidence on the logs that took no part in the fit.
+  const std::vector<gap::PartError>& unseenParts(int hypothesis) const {
+    return workings_->unseen[static_cast<std::size_t>(hypothesis)].parts;
   }
 
   // Errors with each effect alone, on the data that the gap is of.
@@ -107,9 +107,10 @@ class Describer {
       if (hasUnseenLogs()) {
         // Where it is not named, a drift is what a simulation predicts of it: its trends would take slow noise with
         // them.
-        of_candidates_[c] = &single == &judged_ ? unseenParts(single)
-                                                : gap::partErrors(prepared_.held_out,
-                                                                  predict(prepared_.model, single, prepared_.held_out));
+        const bool without_trends = single.hypothesis.free_trends && &single != &judged_;
+        of_candidates_[c] =
+            without_trends ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
+                           : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
       }
     });
   }
@@ -127,13 +128,13 @@ class Describer {
     noise_ = search_.record_noise;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
-      before_ = unseenParts(search_.re_estimated);
-      after_ = unseenParts(judged_);
+      before_ = unseenParts(Evidence::kReEstimated);
+      after_ = unseenParts(judgement_.model);
       const std::vector<double> floors =
           noiseFloors(result_.augmented.allElements(), predict(prepared_.model, judged_, prepared_.held_out),
                       prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
-      result_.gap = {gap::gapOfParts(unseenParts(search_.as_configured)), gap::gapOfParts(before_),
+      result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
                      gap::gapOfParts(after_), commonFloor(floors)};
     } else {
       before_ = search_.re_estimated.fit.blocks;
