@@ -88,7 +88,7 @@ double slowNoiseOf(const io::ComponentDescription& component, const std::vector<
   std::transform(records.begin(), records.end(), std::back_inserter(shares), [&](const log::Record& record) {
     return std::hypot(record.slow_noise, friction) / record.force_deviation;
   });
-  return commonFloor(shares);
+  return commonFloor(shares, records);
 }
 
 std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,

@@ -44,7 +44,7 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   double sum = 0.0;
   for (std::size_t r = 0; r < smooth.size(); ++r) {
     const log::Record& record = fitter_.records()[r];
-    sum += (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
+    sum += record.weight * (smooth[r] - lagging[r]).squaredNorm() / static_cast<double>(record.size()) /
            std::pow(record.force_deviation, 2);
   }
   return std::sqrt(sum / static_cast<double>(smooth.size()));
@@ -75,7 +75,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     by_displacement = by_displacement || caused[r] > left;
     result.record_noise.push_back(std::max(left, caused[r]));
   }
-  result.noise = commonFloor(result.record_noise);
+  result.noise = commonFloor(result.record_noise, records);
   result.noise_source = by_displacement
                             ? "spectrum of the residual outside the band of the excitation, and noise of the "
                               "displacement through the model"

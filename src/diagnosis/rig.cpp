@@ -7,9 +7,11 @@
 #include <iterator>
 #include <numeric>
 
+#include "diagnosis/rig_noise.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
 
@@ -102,6 +104,31 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
   }
 }
 
+std::vector<double> noiseBeside(const gap::Forces& forces, const std::vector<log::Record>& records) {
+  std::vector<double> noise;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    noise.push_back(measurement::relativeFloor(records[r], records[r].force - forces[r]));
+  }
+  return noise;
+}
+
+// Of the noise beside a model, no more than that of one rig can be.
+void letNoisyLogsCountLess(const std::vector<element::ElementDescription>& elements, std::vector<log::Record>& training,
+                           std::vector<log::Record>& held_out) {
+  const std::vector<double> noise = noiseBeside(gap::simulate(elements, training), training);
+  const NoiseLimit limit = noiseLimit(noise, training);
+  const auto weigh = [&](std::vector<double> left, std::vector<log::Record>& records) {
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      left[r] = std::min(left[r], limit.of(records[r]));
+    }
+    weighByNoise(left, records);
+  };
+  weigh(noise, training);
+  if (!held_out.empty()) {
+    weigh(noiseBeside(gap::simulateEach(elements, held_out), held_out), held_out);
+  }
+}
+
 }  // namespace
 
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
@@ -113,6 +140,7 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
   const auto elements = model.apply(parameters.model).allElements();
   setNuisances(elements, tolerances, false, training);
   setNuisances(elements, tolerances, false, held_out);
+  letNoisyLogsCountLess(elements, training, held_out);
 }
 
 std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
@@ -121,7 +149,7 @@ std::optional<double> zeroWithCause(const std::vector<element::ElementDescriptio
   const double common = meanOf(zeros);
   double squares = 0.0;
   for (const log::Record& record : training) {
-    squares += std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
+    squares += record.weight * std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
   }
   const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
   return cause && std::sqrt(squares) > least ? std::optional(common) : std::nullopt;
@@ -157,7 +185,7 @@ double leftWithoutZeros(const std::vector<element::ElementDescription>& elements
     const double prior = tolerance > 0.0 ? left.squaredNorm() / record.counted() / (tolerance * tolerance) : HUGE_VAL;
     const double square = column.squaredNorm() + prior;
     const double explained = square > 0.0 ? std::pow(column.dot(left), 2) / square : 0.0;
-    sum += (left.squaredNorm() - explained) / record.counted() / std::pow(record.force_deviation, 2);
+    sum += record.weight * (left.squaredNorm() - explained) / record.counted() / std::pow(record.force_deviation, 2);
   }
   return std::sqrt(std::max(0.0, sum) / static_cast<double>(records.size()));
 }

@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis {
 
 /// Free the nuisances of each record (Record::nuisances), the zero of the force among them. The model is re-estimated
-/// for what a motion before a log left in the component.
+/// for what a motion before a log left in the component, and for how much each log counts (weighByNoise()).
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
 

@@ -20,4 +20,9 @@ struct NoiseLimit {
 /// 1.5 times the median of the logs' noise, given as gaps: noise of 1/f differs by that much from log to log.
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
 
+/// Let logs whose force is little more than noise, as of a hold, count less (Record::weight): one with more noise than
+/// an engineer accepts of a model, and than the quietest log, counts as if it had so much. In the mean square over all
+/// logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a gap.
+void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records);
+
 }  // namespace rubber_suspension::diagnosis

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/friction_noise.h"
@@ -37,7 +36,7 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
   }
   errors.gap = gap::gapOfParts(errors.parts);
   errors.noise_floor =
-      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, records, limit));
+      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, records, limit), records);
   return errors;
 }
 
@@ -61,9 +60,14 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
   return floors;
 }
 
-double commonFloor(const std::vector<double>& floors) {
-  const double squares = std::inner_product(floors.begin(), floors.end(), floors.begin(), 0.0);
-  return std::sqrt(squares / static_cast<double>(floors.size()));
+double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records) {
+  double squares = 0.0;
+  double weight = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    squares += records[r].weight * floors[r] * floors[r];
+    weight += records[r].weight;
+  }
+  return std::sqrt(squares / weight);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -30,7 +30,7 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
                                 const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// Floor of several records, which count alike.
-double commonFloor(const std::vector<double>& floors);
+/// Floor of several records, each by its weight.
+double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis

@@ -20,8 +20,8 @@ Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const Mo
   const auto count = static_cast<double>(this->records().size());
   double noise = 0.0;
   for (const log::Record& record : this->records()) {
-    weights_.push_back(1.0 / (record.force_deviation * std::sqrt(record.counted() * count)));
-    noise += std::max(gap::whiteNoiseFloor(record, record.force), kLeastNoise) / count;
+    weights_.push_back(std::sqrt(record.weight / (record.counted() * count)) / record.force_deviation);
+    noise += record.weight * std::max(gap::whiteNoiseFloor(record, record.force), kLeastNoise) / count;
   }
   setNoise(noise);
 }

@@ -29,7 +29,7 @@ class Fitter final : public HypothesisFitter {
                                const std::vector<bool>& active, int threads) const override;
 
   HypothesisForces forces_;
-  std::vector<double> weights_;  // per record: 1/(standard deviation of the force sqrt(samples records))
+  std::vector<double> weights_;  // per record: sqrt(weight/(samples records))/(standard deviation of the force)
 };
 
 }  // namespace rubber_suspension::fit

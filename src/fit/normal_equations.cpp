@@ -167,7 +167,7 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
     place = first ? 0 : place + 1;
     result.fold.push_back((place + static_cast<int>(rows.record)) % kFolds);
     result.record.push_back(static_cast<int>(rows.record));
-    result.weight.push_back(record.counted(rows.first, rows.last - rows.first) /
+    result.weight.push_back(record.weight * record.counted(rows.first, rows.last - rows.first) /
                             (record.counted() * static_cast<double>(logs)));
   }
   return result;

@@ -294,7 +294,8 @@ SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::ve
     thin_records[r] = thinned(records[r], stride);
     base[r] = thin(simulated[r], stride);
     functions[r] = functionsOver(basis, records[r], stride);
-    weights[r] = 1.0 / (records[r].force_deviation * std::sqrt(thin_records[r].counted() * static_cast<double>(count)));
+    weights[r] = std::sqrt(records[r].weight / (thin_records[r].counted() * static_cast<double>(count))) /
+                 records[r].force_deviation;
   });
   const RidgeRegression regression(normalEquations(thin_records, weights, base, columnsOf(functions), false, threads),
                                    count);

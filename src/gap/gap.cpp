@@ -66,7 +66,8 @@ std::vector<PartError> partErrors(const std::vector<log::Record>& records,
       const double counted = record.counted(first, count);
       if (counted > 0.0) {
         const double error = residual.segment(first, count).squaredNorm() / counted;
-        parts.push_back({error / std::pow(record.force_deviation, 2), counted / record.counted()});
+        parts.push_back({error / std::pow(record.force_deviation, 2), record.weight * counted / record.counted(),
+                         static_cast<int>(r)});
       }
     }
   }

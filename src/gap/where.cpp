@@ -103,8 +103,8 @@ class Map {
     const double amplitude = std::max(1e-12, 0.5 * (part.maxCoeff() - part.minCoeff()));
     const int amplitude_band = static_cast<int>(std::floor(2.0 * std::log10(amplitude)));
     // Parseval: sum of squares = (1/count) sum over lines of |R|^2.
-    const double scale = 1.0 / (static_cast<double>(record.size()) * std::pow(record.force_deviation, 2) *
-                                static_cast<double>(records_.size()));
+    const double scale = record.weight / (static_cast<double>(record.size()) * std::pow(record.force_deviation, 2) *
+                                          static_cast<double>(records_.size()));
     const double window_mean = residual_[r].segment(first, count).mean();
     const double samples = static_cast<double>(count);
     add({r, kWholeBand, amplitude_band, Quantity::mean}, scale * samples * mean * (2.0 * window_mean - mean), 0.0);

@@ -28,16 +28,17 @@ double closedFraction(double before, double after, double floor);
 /// More than all is closed where the floor was taken for higher than it is.
 constexpr double kMostClosed = 1.1;
 
-/// Mean squared residual of a part of a log in units of its force's variance, and the part's weight.
+/// Mean squared residual of a part of a log in units of its force's variance, the part's weight, and its log's place.
 struct PartError {
   double error;
   double weight;
+  int log = 0;
 };
 
 /// Gap over all parts: the root of the weighted mean of their squares.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Tenths of each record, weighted such that all records count alike; what the rig may have added to a record, and
+/// Tenths of each record, which counts by its weight (Record::weight); what the rig may have added to a record, and
 /// samples of it that do not count, are left out.
 std::vector<PartError> partErrors(const std::vector<log::Record>& records,
                                   const std::vector<Eigen::VectorXd>& simulated);

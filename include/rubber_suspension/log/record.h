@@ -34,6 +34,7 @@ struct Record {
   Eigen::VectorXd counts;
   /// Most that noise slower than the motion, or a drift, may add and still be noise [N]: its standard deviation.
   double slow_noise = std::numeric_limits<double>::infinity();
+  double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
   /// Orthonormal columns of what the rig may have added to the force (zero, state left from before the log), 0 where
   /// samples do not count; may be empty.
   Eigen::MatrixXd nuisances;

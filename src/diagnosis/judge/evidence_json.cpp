@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kSchema = "rubber_suspension/evidence/1";
+constexpr const char* kSchema = "rubber_suspension/evidence/2";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -20,7 +20,7 @@ double numberOf(const ordered_json& value) {
 ordered_json partsJson(const std::vector<gap::PartError>& parts) {
   ordered_json list = ordered_json::array();
   for (const gap::PartError& part : parts) {
-    list.push_back({part.error, part.weight});
+    list.push_back({part.error, part.weight, part.log});
   }
   return list;
 }
@@ -34,7 +34,7 @@ UnseenErrors unseenOf(const ordered_json& value) {
   unseen.gap = numberOf(value.at("gap"));
   unseen.noise_floor = numberOf(value.at("noise_floor"));
   for (const ordered_json& part : value.at("parts")) {
-    unseen.parts.push_back({numberOf(part.at(0)), numberOf(part.at(1))});
+    unseen.parts.push_back({numberOf(part.at(0)), numberOf(part.at(1)), part.at(2).get<int>()});
   }
   return unseen;
 }

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Evidence and the names of the effects that it is about, schema rubber_suspension/evidence/1.
+/// Evidence and the names of the effects that it is about, schema rubber_suspension/evidence/2.
 struct NamedEvidence {
   Evidence evidence;
   std::vector<std::string> effects;

@@ -19,7 +19,6 @@ struct Shares {
   }
 };
 
-// Parts weigh such that those of a log add up to 1.
 double weightOf(const std::vector<gap::PartError>& parts) {
   double weight = 0.0;
   for (const gap::PartError& part : parts) {
@@ -31,7 +30,8 @@ double weightOf(const std::vector<gap::PartError>& parts) {
 Shares sharesOf(const Evidence& evidence) {
   const std::set<int> logs(evidence.block_logs.begin(), evidence.block_logs.end());
   const double fitted = std::max(1.0, static_cast<double>(logs.size()));
-  const double unseen = std::max(1.0, std::round(weightOf(evidence.reEstimated().unseen->parts)));
+  const std::vector<gap::PartError>& parts = evidence.reEstimated().unseen->parts;
+  const double unseen = parts.empty() ? 1.0 : 1.0 + parts.back().log;
   return {fitted / (fitted + unseen), unseen / (fitted + unseen)};
 }
 
@@ -42,12 +42,10 @@ void appendBlocks(const Shares& shares, Evidence& evidence) {
     weight *= shares.fitted;
   }
   const int first = 1 + *std::max_element(evidence.block_logs.begin(), evidence.block_logs.end());
-  const double logs = std::max(1.0, std::round(weightOf(parts)));
-  double before = 0.0;  // weight of the parts before
+  const double total = weightOf(parts);
   for (const gap::PartError& part : parts) {
-    evidence.block_logs.push_back(first + static_cast<int>(std::min(before + 1e-9, logs - 1.0)));
-    evidence.block_weights.push_back(part.weight / logs * shares.unseen);
-    before += part.weight;
+    evidence.block_logs.push_back(first + part.log);
+    evidence.block_weights.push_back(part.weight / total * shares.unseen);
   }
   for (HypothesisEvidence& hypothesis : evidence.hypotheses) {
     for (const gap::PartError& part : hypothesis.unseen->parts) {

@@ -135,7 +135,7 @@ class Describer {
                       prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
-                     gap::gapOfParts(after_), commonFloor(floors)};
+                     gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
     } else {
       before_ = search_.re_estimated.fit.blocks;
       after_ = judged_.fit.blocks;
