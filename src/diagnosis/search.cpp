@@ -268,13 +268,17 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   return evidence;
 }
 
-// For each effect the place of a simpler one that its law contains, or -1.
-std::vector<int> containedIn(const std::vector<fit::Candidate>& candidates) {
-  std::vector<int> contains;
-  for (const fit::Candidate& candidate : candidates) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const fit::Candidate& other) { return other.effect == candidate.contains; });
-    contains.push_back(found == candidates.end() ? -1 : static_cast<int>(found - candidates.begin()));
+// For each effect the places of simpler ones that its law contains.
+std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::vector<int>> contains(candidates.size());
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    for (const std::string& simpler : candidates[c].contains) {
+      const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                      [&](const fit::Candidate& other) { return other.effect == simpler; });
+      if (found != candidates.end()) {
+        contains[c].push_back(static_cast<int>(found - candidates.begin()));
+      }
+    }
   }
   return contains;
 }

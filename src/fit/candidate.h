@@ -40,9 +40,9 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
-  bool free_trend = false;    ///< a slow trend of each log belongs to it, which no model run reproduces
-  bool last_resort = false;   ///< named only where it errs less than the best of the others
-  std::string contains = "";  ///< name of a simpler effect that its law contains; may be empty
+  bool free_trend = false;                 ///< a slow trend of each log belongs to it, which no model run reproduces
+  bool last_resort = false;                ///< named only where it errs less than the best of the others
+  std::vector<std::string> contains = {};  ///< names of simpler effects that its law contains
   /// What it does, all of the model's parameters do together: never named, told beside parameter_error.
   bool like_parameters = false;
 

@@ -36,7 +36,10 @@ Excitation summarise(const std::vector<log::Record>& records) {
     const Eigen::ArrayXd rate = (record.displacement.tail(steps) - record.displacement.head(steps)).array() / record.dt;
     result.largest_displacement = std::max(result.largest_displacement, record.displacement.cwiseAbs().maxCoeff());
     result.highest_frequency = std::max(result.highest_frequency, record.highest_frequency);
+    result.mean_frequency = std::max(result.mean_frequency, record.mean_frequency);
     result.highest_rate = std::max(result.highest_rate, rate.abs().maxCoeff());
+    const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
+    result.slowest_loop = std::max(result.slowest_loop, 0.5 * range / rate.abs().maxCoeff());
     result.longest_duration = std::max(result.longest_duration, record.duration());
     result.dt = std::max(result.dt, record.dt);
     result.power = std::max(result.power, (rate * record.force.tail(steps).array()).abs().mean());

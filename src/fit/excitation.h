@@ -13,8 +13,10 @@ struct Excitation {
   double force = 0.0;                 ///< standard deviation of the force [N]
   double power = 0.0;                 ///< mean of |force x rate| [W]
   double highest_frequency = 0.0;     ///< [Hz]
+  double mean_frequency = 0.0;        ///< of the fastest log (Record::mean_frequency) [Hz]
   double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
   double longest_duration = 0.0;      ///< [s]
+  double slowest_loop = 0.0;          ///< longest time that half the range of a log takes at its largest |dz/dt| [s]
   double dt = 0.0;                    ///< [s]
   bool has_temperature = false;       ///< all logs have one
   double lowest_temperature = 0.0;    ///< [degC]

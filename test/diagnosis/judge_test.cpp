@@ -123,7 +123,7 @@ const std::vector<double> kEven(10, 1.0);
 
 // A drift for each log, or the zero that it contains, beside an effect that leaves half of the gap.
 void driftBesideAnother(Evidence& evidence) {
-  evidence.contains = {-1, -1, kSimple, -1, -1};
+  evidence.contains = {{}, {}, {kSimple}, {}, {}};
   single(evidence, kMany).held_out = 0.1;
   evidence.hypotheses.push_back(fitted({kMany, kSimple}, 0.0300));
   evidence.hypotheses.push_back(fitted({kMany, kDrift}, 0.0102));
@@ -236,7 +236,7 @@ const std::vector<Row> kRows = {
      {kMany}},
     {"a law that contains a simpler one has to be clearly better",
      [](Evidence& e, Criteria&) {
-       e.contains = {kOther, -1, -1, -1, -1};
+       e.contains = {{kOther}, {}, {}, {}, {}};
        single(e, kMany).held_out = 0.0400;
        single(e, kOther).held_out = 0.0415;
        errInLogs(single(e, kMany), e, {0.03, 0.05, 0.03, 0.05});  // better in every other log
@@ -246,12 +246,23 @@ const std::vector<Row> kRows = {
      {kOther}},
     {"and is named where it is",
      [](Evidence& e, Criteria&) {
-       e.contains = {kOther, -1, -1, -1, -1};
+       e.contains = {{kOther}, {}, {}, {}, {}};
        single(e, kMany).held_out = 0.011;
        single(e, kOther).held_out = 0.08;
      },
      Verdict::named,
      {kMany}},
+    {"each of the simpler ones that it contains stands for it",
+     [](Evidence& e, Criteria&) {
+       e.contains = {{kSimple, kOther}, {}, {}, {}, {}};
+       single(e, kMany).held_out = 0.0400;
+       single(e, kOther).held_out = 0.0415;
+       errInLogs(single(e, kMany), e, {0.03, 0.05, 0.03, 0.05});
+       errInLogs(single(e, kOther), e, {0.05, 0.032, 0.05, 0.032});
+       errInLogs(single(e, kSimple), e, {0.2, 0.2, 0.2, 0.2});
+     },
+     Verdict::named,
+     {kOther}},
     {"moved parameters count against an effect",
      [](Evidence& e, Criteria&) {
        single(e, kMany).held_out = single(e, kOther).held_out = 0.011;
@@ -861,7 +872,7 @@ TEST(EvidenceJson, GivesTheSameJudgement) {
 
 TEST(EvidenceJson, RefusesWhatIsNone) {
   for (const char* text : {"", "[]", "{}", R"({"schema": "rubber_suspension/gap_report/1"})",
-                           R"({"schema": "rubber_suspension/evidence/1", "effects": 3})"}) {
+                           R"({"schema": "rubber_suspension/evidence/2", "effects": 3})"}) {
     EXPECT_THROW(parseEvidence(text), std::invalid_argument) << text;
   }
 }

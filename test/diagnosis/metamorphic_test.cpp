@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "checked_diagnosis.h"
 #include "rig.h"
@@ -32,6 +33,26 @@ RigEffect friction() {
     force = time == 0.0 ? 0.0 : std::clamp(force + 1.2e6 * (z - last), -150.0, 150.0);
     last = z;
     return force;
+  };
+}
+
+// The force falls with the logarithm of time from half a second on: two elements a decade.
+RigEffect creep() {
+  struct Element {
+    double time;
+    double force = 0.0;
+  };
+  return [elements = std::vector<Element>{{0.9}, {2.8}, {9.0}, {28.0}, {90.0}}, last = 0.0, before = 0.0](
+             double time, double z, double /*rate*/) mutable {
+    double sum = 0.0;
+    for (Element& element : elements) {
+      const double step = time == 0.0 ? 0.0 : z - last;
+      element.force = element.force * std::exp((before - time) / element.time) + 1e5 * step;
+      sum += element.force;
+    }
+    last = z;
+    before = time;
+    return sum;
   };
 }
 
@@ -103,7 +124,8 @@ class Metamorphic : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Benches, Metamorphic,
                          testing::Values(Case{"nothing", [] { return RigEffect(nothing); }},
-                                         Case{"stop", [] { return RigEffect(stop); }}, Case{"friction", friction}));
+                                         Case{"stop", [] { return RigEffect(stop); }}, Case{"friction", friction},
+                                         Case{"creep", creep}));
 
 TEST_P(Metamorphic, LengthForceAndTimeScale) {
   const diagnosis::Diagnosis reference = diagnoseScaled(GetParam().effect, {});

@@ -7,12 +7,14 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// The relaxation time [s] beyond which relaxation is creep: 5 s, and no less than the largest displacement takes at
-/// the highest rate of the logs. What is slower than the motion shows under a hold, but not in the loops; a slow test
-/// has slow loops.
+/// The relaxation time [s] beyond which relaxation is creep: thirty cycles of the fastest log, which is 5 s at 6 Hz; a
+/// tenth of the longest log where that is shorter, so that a decade of creep shows; and no less than the slowest loop
+/// takes. What is slower than the motion shows under a hold, but not in the loops; a slow test has slow loops.
 inline double longestRelaxationTime(const fit::Excitation& excitation) {
-  constexpr double kLongest = 5.0;  // [s]
-  return std::max(kLongest, excitation.largest_displacement / excitation.highest_rate);
+  constexpr double kCycles = 30.0;
+  constexpr double kOfLog = 0.1;
+  const double slower_than_motion = std::min(kCycles / excitation.mean_frequency, kOfLog * excitation.longest_duration);
+  return std::max(slower_than_motion, excitation.slowest_loop);
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -16,7 +16,7 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
     candidate.terms.push_back(
         fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
   }
-  candidate.contains = "viscous_damping";  // the fastest one
+  candidate.contains = {"viscous_damping", "creep"};  // the fastest one, and a spectrum of slow ones
   return candidate;
 }
 

@@ -5,6 +5,10 @@
 
 namespace rubber_suspension::diagnosis {
 
+std::vector<int> Evidence::containedIn(int effect) const {
+  return contains.empty() ? std::vector<int>() : contains[static_cast<std::size_t>(effect)];
+}
+
 std::optional<int> Evidence::find(std::vector<int> members) const {
   std::sort(members.begin(), members.end());
   const auto found = std::find_if(hypotheses.begin() + kReEstimated, hypotheses.end(),

@@ -42,22 +42,25 @@ struct Evidence {
   static constexpr int kFirstSingle = 2;
 
   std::vector<HypothesisEvidence> hypotheses;
-  std::vector<int> block_logs;        ///< the log that each block is of
-  std::vector<double> block_weights;  ///< of each block
-  std::vector<bool> testable;         ///< per effect: a typical size of it would show in these logs
-  std::vector<int> contains;          ///< per effect: a simpler one that its law contains, or -1; empty: none does
-  double element_level = 0.0;         ///< held-out error with every parameter of every element of the model free
-  double noise_floor = 0.0;           ///< of the logs of the fit
-  double slow_noise = 0.0;            ///< what a rig may add by slow noise and drift, as a gap
-  double discretisation = 0.0;        ///< what the model errs by at the time steps of the logs
-  bool has_unseen_logs = false;       ///< whether `unseen` of a hypothesis can be had
-  int resamplings = 400;              ///< of parts of the logs, for intervals
-  unsigned seed = 1;                  ///< of these
+  std::vector<int> block_logs;             ///< the log that each block is of
+  std::vector<double> block_weights;       ///< of each block
+  std::vector<bool> testable;              ///< per effect: a typical size of it would show in these logs
+  std::vector<std::vector<int>> contains;  ///< per effect: simpler ones that its law contains; empty: none does
+  double element_level = 0.0;              ///< held-out error with every parameter of every element of the model free
+  double noise_floor = 0.0;                ///< of the logs of the fit
+  double slow_noise = 0.0;                 ///< what a rig may add by slow noise and drift, as a gap
+  double discretisation = 0.0;             ///< what the model errs by at the time steps of the logs
+  bool has_unseen_logs = false;            ///< whether `unseen` of a hypothesis can be had
+  int resamplings = 400;                   ///< of parts of the logs, for intervals
+  unsigned seed = 1;                       ///< of these
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
   const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }
   const HypothesisEvidence& single(int effect) const { return at(kFirstSingle + effect); }
   int effects() const { return static_cast<int>(testable.size()); }
+
+  /// Simpler effects that the law of an effect contains.
+  std::vector<int> containedIn(int effect) const;
 
   /// The hypothesis of these effects, in any order; none where it was not fitted.
   std::optional<int> find(std::vector<int> members) const;

@@ -33,9 +33,10 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
     }
     return simpler;
   }
-  const int contained = evidence.contains.empty() ? -1 : evidence.contains[static_cast<std::size_t>(member)];
-  if (const auto found = contained < 0 ? std::nullopt : evidence.inPlaceOf(hypothesis, member, contained)) {
-    simpler.push_back(*found);
+  for (const int contained : evidence.containedIn(member)) {
+    if (const auto found = evidence.inPlaceOf(hypothesis, member, contained)) {
+      simpler.push_back(*found);
+    }
   }
   return simpler;
 }

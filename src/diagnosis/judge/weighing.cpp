@@ -68,8 +68,9 @@ double Weighing::explainedByTrends(const HypothesisEvidence& hypothesis) const {
     if (!evidence_.single(member).free_trends) {
       without = std::min(without, evidence_.single(member).held_out);
       others.push_back(member);
-    } else if (!evidence_.contains.empty() && evidence_.contains[static_cast<std::size_t>(member)] >= 0) {
-      simpler.push_back(evidence_.contains[static_cast<std::size_t>(member)]);
+    } else {
+      const std::vector<int> contained = evidence_.containedIn(member);
+      simpler.insert(simpler.end(), contained.begin(), contained.end());
     }
   }
   simpler.insert(simpler.end(), others.begin(), others.end());

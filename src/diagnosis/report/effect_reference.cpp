@@ -19,8 +19,10 @@ fit::Excitation typicalExcitation() {
   excitation.force = 4e3;
   excitation.power = 100.0;
   excitation.highest_frequency = 10.0;
+  excitation.mean_frequency = 5.0;
   excitation.highest_rate = 0.1;
   excitation.longest_duration = 60.0;
+  excitation.slowest_loop = 0.5;
   excitation.dt = 1e-3;
   excitation.has_temperature = true;
   excitation.lowest_temperature = 10.0;
