@@ -51,7 +51,8 @@ struct CandidateResult {
   double probability = 0.0;          ///< that this is the (most important) effect
   double gap = 0.0;                  ///< held out, with this effect alone added
   double closed = 0.0;               ///< fraction of the closable gap
-  std::array<double, 2> interval{};  ///< 95 % interval of `closed`
+  /// 95 % interval of `closed`: on these logs, of the effect named alone on further logs.
+  std::array<double, 2> interval{};
   bool testable = false;             ///< a typical size of it would be visible in these logs, or what was fitted is
   double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
@@ -192,6 +193,7 @@ struct Diagnosis {
   Gap gap_as_recorded;               ///< the same of the logs as they are, which `replay` gives; without a floor
   std::string noise_source;
   double closed = 0.0;  ///< fraction of the closable gap
+  /// 95 %, of further logs of the same rig where effects are named.
   std::array<double, 2> closed_interval{};
   std::vector<std::vector<std::string>>
       confounded;                           ///< for each effect named, what these logs cannot tell from it: other

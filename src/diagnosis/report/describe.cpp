@@ -143,7 +143,46 @@ class Describer {
     }
     boundFloor();
     result_.closed = closed(result_.gap.augmented);
-    result_.closed_interval = interval(after_);
+    result_.closed_interval = judgement_.effects.empty() ? interval(after_) : intervalOnFurtherLogs();
+  }
+
+  // Of what is named; the logs that the gap is of are further logs, too.
+  std::array<double, 2> intervalOnFurtherLogs() const {
+    std::vector<LogErrors> logs;
+    addLogs(search_.re_estimated.fit.blocks, judged_.fit.blocks, search_.re_estimated.fit.block_logs, logs);
+    if (hasUnseenLogs()) {
+      std::vector<int> places;
+      for (const gap::PartError& part : before_) {
+        places.push_back(part.log);
+      }
+      addLogs(before_, after_, places, logs);
+    }
+    const std::array<double, 2> interval = closedOnFurtherLogs(logs, options_.resamplings, options_.seed);
+    return {std::min(interval[0], result_.closed), std::max(interval[1], result_.closed)};
+  }
+
+  // Errors of parts gathered log by log, each with its place among the logs.
+  void addLogs(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after,
+               const std::vector<int>& places, std::vector<LogErrors>& logs) const {
+    const std::size_t first = logs.size();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const std::size_t place = first + static_cast<std::size_t>(places[i]);
+      if (place >= logs.size()) {
+        logs.resize(place + 1, {0.0, 0.0, 0.0, 0.0});
+      }
+      logs[place].before += before[i].weight * before[i].error;
+      logs[place].after += after[i].weight * after[i].error;
+      logs[place].weight += before[i].weight;
+    }
+    for (std::size_t r = first; r < logs.size(); ++r) {
+      if (logs[r].weight == 0.0) {
+        continue;  // no sample of it counts
+      }
+      logs[r].before /= logs[r].weight;
+      logs[r].after /= logs[r].weight;
+      logs[r].floor = noise_[r];
+      logs[r].weight = workings_->records[r].weight;
+    }
   }
 
   // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
@@ -246,7 +285,7 @@ class Describer {
     candidate.probability = judgement_.probabilities[c];
     candidate.gap = gap::gapOfParts(errors);
     candidate.closed = closed(candidate.gap);
-    candidate.interval = interval(errors);
+    candidate.interval = &single == &judged_ ? result_.closed_interval : interval(errors);
     candidate.visible_share = search_.visible_share[c];
     candidate.testable = judgement_.testable[c];
     candidate.add = entriesOf(single);
