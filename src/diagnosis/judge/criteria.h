@@ -34,6 +34,7 @@ struct Criteria {
   /// One more effect has to reduce what is left below this part: a second one beside the first, one where parameters
   /// close the gap, and one that can look like several others, of the gap.
   double needs_another = 0.55;
+  double clearly_less = 0.05;  ///< a larger law has to err less than a simpler one by this share, or is not worth it
   double unknown = 0.33;  ///< a gap closed by less than this is not explained
   double partly = 0.7;    ///< closed by less than this: explained in part
 

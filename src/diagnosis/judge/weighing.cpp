@@ -139,7 +139,7 @@ PairedDifference Weighing::difference(const HypothesisEvidence& hypothesis, cons
 
 bool Weighing::errsLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   const PairedDifference gain = difference(hypothesis, over);
-  return -gain.mean > gain.standard_error;
+  return -gain.mean > std::max(gain.standard_error, std::log1p(criteria_.clearly_less));
 }
 
 // Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in every single

@@ -57,7 +57,7 @@ class Weighing {
   PairedDifference difference(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
   /// True if the first errs less by more than one standard error of the paired difference (Breiman et al.,
-  /// Classification and Regression Trees, 1984, section 3.4.3); by anything where errors of blocks are not known.
+  /// Classification and Regression Trees, 1984, section 3.4.3) and than what is worth a larger law.
   bool errsLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
   /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
