@@ -71,19 +71,10 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// Force at which Berg's friction of a component slides [N]; 0 without.
-double bergForce(const io::ComponentDescription& component) {
-  double force = 0.0;
-  for (const element::ElementDescription& element : component.allElements()) {
-    force += element.type == "friction" ? element.value("maximum_force") : 0.0;
-  }
-  return force;
-}
-
 // What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and Berg's friction,
 // which forgets slowly where it started and which reversals noise made.
 double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  const double friction = bergForce(component);
+  const double friction = bergForce(component.allElements());
   std::vector<double> shares;
   std::transform(records.begin(), records.end(), std::back_inserter(shares), [&](const log::Record& record) {
     return std::hypot(record.slow_noise, friction) / record.force_deviation;

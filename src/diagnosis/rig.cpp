@@ -82,11 +82,12 @@ bool areCommon(const std::vector<double>& zeros) {
   return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChance;
 }
 
+// Berg's friction that a motion before the log left in another state is a zero of up to its own force.
 bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log::Record>& records,
-                        const io::RigTolerance& tolerance) {
+                        const io::RigTolerance& tolerance, double friction) {
   for (std::size_t r = 0; r < zeros.size(); ++r) {
     const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
-    if (std::abs(zeros[r]) <= io::kTolerated * tolerance.of(range)) {
+    if (std::abs(zeros[r]) <= io::kTolerated * tolerance.of(range) + friction) {
       return false;
     }
   }
@@ -131,6 +132,14 @@ void letNoisyLogsCountLess(const std::vector<element::ElementDescription>& eleme
 
 }  // namespace
 
+double bergForce(const std::vector<element::ElementDescription>& elements) {
+  double force = 0.0;
+  for (const element::ElementDescription& element : elements) {
+    force += element.type == "friction" ? element.value("maximum_force") : 0.0;
+  }
+  return force;
+}
+
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
   setNuisances(model.apply(Eigen::VectorXd::Zero(model.size())).allElements(), tolerances, false, training);
@@ -151,7 +160,8 @@ std::optional<double> zeroWithCause(const std::vector<element::ElementDescriptio
   for (const log::Record& record : training) {
     squares += record.weight * std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
   }
-  const bool cause = areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero);
+  const bool cause =
+      areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero, bergForce(elements));
   return cause && std::sqrt(squares) > least ? std::optional(common) : std::nullopt;
 }
 

@@ -12,13 +12,17 @@
 
 namespace rubber_suspension::diagnosis {
 
+/// Force at which Berg's friction of a model slides [N]; 0 without.
+double bergForce(const std::vector<element::ElementDescription>& elements);
+
 /// Free the nuisances of each record (Record::nuisances), the zero of the force among them. The model is re-estimated
 /// for what a motion before a log left in the component, and for how much each log counts (weighByNoise()).
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
 
-/// Mean of the zeros of the force that a model leaves [N], where they are a cause: beyond the rig's tolerance in all
-/// logs, or common to them, which zeros that nobody set are not; and more than `least` as a gap.
+/// Mean of the zeros of the force that a model leaves [N], where they are a cause: beyond the rig's tolerance, and what
+/// Berg's friction may start with, in all logs, or common to them, which zeros that nobody set are not; and more than
+/// `least` as a gap.
 std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
                                     const io::RigTolerances& tolerances, const std::vector<log::Record>& training);
 

@@ -85,13 +85,35 @@ enum class Before {
   same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
   from_above,   // down from the highest displacement
   from_below,   // up from the lowest
+  from_rest,    // from the component's rest at 0
 };
-constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below};
+constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below, Before::from_rest};
+
+// Whether that may have left the component in another state than the rest that a simulation starts with: a log begins
+// while the machine runs, or with the component held under load.
+bool mayPrecede(Before kind, const log::Record& record) {
+  constexpr double kDisplaced = 0.05;  // of the range: more than a zero that nobody set
+  const bool displaced =
+      record.lead_in.size() == 0 && std::abs(record.displacement[0]) > kDisplaced * rangeOf(record.displacement);
+  return kind == Before::from_rest ? displaced : startsInMotion(record);
+}
+
+// The displacement before the log from which the component came.
+double farthest(Before kind, const VectorXd& displacement) {
+  switch (kind) {
+    case Before::from_above:
+      return displacement.maxCoeff();
+    case Before::from_below:
+      return displacement.minCoeff();
+    default:
+      return 0.0;
+  }
+}
 
 VectorXd withMotionBefore(const VectorXd& displacement, Before kind) {
   const Index before = displacement.size() / 4;
   VectorXd result(before + displacement.size());
-  const double far = kind == Before::from_above ? displacement.maxCoeff() : displacement.minCoeff();
+  const double far = farthest(kind, displacement);
   for (Index i = 0; i < before; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(before);
     result[i] = kind == Before::same_motion ? 2.0 * displacement[0] - displacement[before - i]
@@ -384,17 +406,18 @@ std::vector<VectorXd> RigModel::simulateShifted(const Simulate& simulate, const 
 
 std::vector<std::vector<VectorXd>> RigModel::simulateRunning(const Simulate& simulate,
                                                              const std::vector<RigPoint>& points) const {
-  const auto starts = [](const log::Record& record) { return startsInMotion(record); };
   std::vector<std::vector<VectorXd>> forces;
-  if (std::none_of(records_.begin(), records_.end(), starts)) {
-    return forces;
-  }
   for (const Before kind : kMotionsBefore) {
+    const auto precedes = [&](const log::Record& record) { return mayPrecede(kind, record); };
+    if (std::none_of(records_.begin(), records_.end(), precedes)) {
+      forces.emplace_back();
+      continue;
+    }
     std::vector<VectorXd> displacements;
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const double zero = points.empty() ? 0.0 : points[i].displacement_zero;
       const VectorXd displacement = records_[i].displacement.array() - zero;
-      displacements.push_back(starts(records_[i]) ? withMotionBefore(displacement, kind) : displacement);
+      displacements.push_back(precedes(records_[i]) ? withMotionBefore(displacement, kind) : displacement);
     }
     forces.push_back(simulate(displacements));
   }
@@ -425,10 +448,11 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
     columns.push_back({Nuisance::gain, base});
     if (startsInMotion(record)) {
       addInitialState(record.size(), columns);
-      const double scale = prior(Nuisance::initial_state, record);
-      for (const auto& forces : running) {
-        columns.push_back(
-            {Nuisance::initial_state, (forces[i].tail(record.size()) - simulated[i]) / std::max(scale, 1e-300)});
+    }
+    const double scale = std::max(prior(Nuisance::initial_state, record), 1e-300);
+    for (std::size_t kind = 0; kind < running.size(); ++kind) {
+      if (mayPrecede(kMotionsBefore[kind], record)) {
+        columns.push_back({Nuisance::initial_state, (running[kind][i].tail(record.size()) - simulated[i]) / scale});
       }
     }
     result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) { return prior(nuisance, record); }));
