@@ -115,6 +115,13 @@ def write_further(case, folder):
 ZERO, GAIN, DELAY, INDEPENDENT = 0.10, 0.005, 0.5, 50
 
 
+def without_trend(difference):
+    """Without a slow trend of the log's own, which no simulation predicts (`kTrendsPerLog` in fit/trends.h)."""
+    time = np.linspace(0.0, 1.0, len(difference))
+    columns = np.stack([time - 0.5] + [np.cos(np.pi * k * time) for k in range(9)], axis=1)
+    return difference - columns @ np.linalg.lstsq(columns, difference, rcond=None)[0]
+
+
 def after_rig(difference, force, zero=True):
     """What a log differs by once a zero, a gain and a delay of the force within a rig's tolerances are taken out of it:
     the gaps of a report are measured like that. Where an offset or drift is named, the zero stays."""
@@ -139,8 +146,11 @@ def further_gaps(binary, case, cases_folder):
             if case.file(what + ".yaml"):
                 configs[what] = case.file(what + ".yaml")
         logs, zero = write_further(case, scratch), not {"force_offset", "force_drift"} & set(case.named)
-        gaps = {what: gap_of([(after_rig(force - replay(binary, config, info["component"], path), force, zero), force)
-                              for path, force in logs]) for what, config in configs.items()}
+
+        def left(what, path, force):
+            rest = after_rig(force - replay(binary, configs[what], info["component"], path), force, zero)
+            return without_trend(rest) if what == "augmented" and "force_drift" in case.named else rest
+        gaps = {what: gap_of([(left(what, path, force), force) for path, force in logs]) for what in configs}
         gaps["same_re_estimated"] = None
         if info["hold_out"]:
             again, _ = hold_out_gaps(binary, case, folder, configs["re_estimated"], info["component"])
