@@ -67,6 +67,7 @@ const std::vector<Criterion> kCriteria = {
     {"changed_little", &Criteria::changed_little},
     {"chance", &Criteria::chance},
     {"needs_another", &Criteria::needs_another},
+    {"clearly_less", &Criteria::clearly_less},
     {"unknown", &Criteria::unknown},
     {"partly", &Criteria::partly},
     {"sharpness", &Criteria::sharpness},

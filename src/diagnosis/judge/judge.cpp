@@ -108,25 +108,18 @@ class Judge {
 
   const UnseenErrors& unseen(int hypothesis) const { return *evidence_.at(hypothesis).unseen; }
 
-  // A rest that no effect explains is not worth a warning where an engineer accepts it, nor where it is not beyond the
-  // noise and values gain as much as an effect would have to; both on all logs.
+  // A rest that no effect explains is not worth a warning where an engineer accepts it on all logs: a model without
+  // effects, or with other values where these gain as much as an effect would have to.
   void acceptLittle() {
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
     const double rest = weighing_.left(evidence_.reEstimated().held_out);
-    const bool by_values = rest < criteria_.needs_another * configured;
-    const auto accepted = [&](double left, double floor) {
-      return by_values ? !weighing_.isBeyondNoise(left, floor) : left <= criteria_.beyond_noise;
-    };
-    if (judgement_.verdict != Verdict::unknown || !accepted(rest, evidence_.noise_floor)) {
+    if (judgement_.verdict != Verdict::unknown || rest > criteria_.beyond_noise) {
       return;
     }
-    if (evidence_.has_unseen_logs) {
-      const UnseenErrors& values = unseen(Evidence::kReEstimated);
-      if (!accepted(Weighing::leftUnseen(values), values.noise_floor)) {
-        return;
-      }
+    if (evidence_.has_unseen_logs && Weighing::leftUnseen(unseen(Evidence::kReEstimated)) > criteria_.beyond_noise) {
+      return;
     }
-    const bool parameters = by_values || configured > criteria_.beyond_noise;
+    const bool parameters = rest < criteria_.needs_another * configured || configured > criteria_.beyond_noise;
     judgement_.withdraw(parameters ? Verdict::parameter_error : Verdict::none,
                         parameters ? Evidence::kReEstimated : Evidence::kAsConfigured);
   }
