@@ -149,10 +149,21 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
 // steeper the force is there than elsewhere, make it appear this much less sharp.
 constexpr double kAlike = 0.2;
 
+// Whether a corner belongs to a spike that is not where the hole is: its neighbours have corners as well.
+bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
+  for (Index i = corner - 2; i <= corner + 2; ++i) {
+    const bool elsewhere = i < hole.begin - 1 || i > hole.begin + hole.width;
+    if (elsewhere && channel.corner(i) && spikeAt(channel, i)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Whether the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
 bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
-    if (i < other.values.size() && other.corner(i) &&
+    if (i < other.values.size() && other.corner(i) && !isOfAnotherSpike(other, i, hole) &&
         std::abs(other.curvature(i)) / other.range > kAlike * std::abs(hole.size) / channel.range) {
       return true;
     }

@@ -125,6 +125,27 @@ TEST(Faults, FindsASpikeWhereTheMotionTurns) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
+// Two spikes that happen to be next to each other, one in each channel, are no blow: that shows in both at once.
+TEST(Faults, FindsSpikesOfBothChannelsNextToEachOther) {
+  const Eigen::Index count = 4000;
+  const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(count, 0.0, 80.0 * element::kPi).array().sin();
+  for (const Eigen::Index apart : {2, 3, -2, -3}) {
+    Eigen::VectorXd displacement = z;
+    Eigen::VectorXd force = 3.0 * z;
+    displacement[1000] += 1.5;
+    force[1000 + apart] -= 9.0;
+    const Faults faults = findFaults("spikes", displacement, force);
+    EXPECT_FALSE(faults.displacement[1000]) << apart;
+    EXPECT_FALSE(faults.force[1000 + apart]) << apart;
+    EXPECT_LE(count - faults.usable().count(), 4) << apart;
+  }
+  Eigen::VectorXd displacement = z;
+  Eigen::VectorXd force = 3.0 * z;
+  displacement[1000] += 0.5;
+  force[1000] += 1.5;
+  EXPECT_TRUE(findFaults("blow", displacement, force).findings.empty());
+}
+
 // The force of friction alone stays at its limit while the displacement goes on.
 TEST(Faults, LeavesFrictionAlone) {
   const Eigen::Index count = 4000;
