@@ -251,6 +251,25 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kMany}},
+    {"the simplest of a chain stands for all of it",
+     [](Evidence& e, Criteria&) {
+       e.contains = {{kOther}, {}, {}, {}, {kSimple}};  // the last one is settled after what contains it
+       single(e, kMany).held_out = 0.0400;
+       single(e, kOther).held_out = 0.0410;
+       single(e, kSimple).held_out = 0.0430;
+       errInLogs(single(e, kMany), e, {0.03, 0.05, 0.03, 0.05});
+       errInLogs(single(e, kOther), e, {0.05, 0.031, 0.05, 0.031});
+       errInLogs(single(e, kSimple), e, {0.033, 0.053, 0.033, 0.053});
+     },
+     Verdict::named,
+     {kSimple}},
+    {"a further effect is sought in no rest smaller than the noise",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.0135;  // 0.88 of a floor of 1 % are left above it
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.0103));
+     },
+     Verdict::named,
+     {kMany}},
     {"each of the simpler ones that it contains stands for it",
      [](Evidence& e, Criteria&) {
        e.contains = {{kSimple, kOther}, {}, {}, {}, {}};

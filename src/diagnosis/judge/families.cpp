@@ -41,19 +41,31 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
   return simpler;
 }
 
+// True if that changes anything.
+bool settle(const Weighing& weighing, int hypothesis, Evidence& evidence) {
+  HypothesisEvidence& large = evidence.hypotheses[static_cast<std::size_t>(hypothesis)];
+  const double before = large.at_least;
+  for (const int member : large.members) {
+    for (const int simpler : simplerThan(evidence, weighing, hypothesis, member)) {
+      if (!weighing.errsLess(large, evidence.at(simpler))) {
+        large.does_no_better = true;
+        large.at_least = std::max(large.at_least, kLittleMore * weighing.left(evidence.at(simpler)));
+      }
+    }
+  }
+  return large.at_least > before;
+}
+
 }  // namespace
 
 void settleFamilies(Evidence& evidence, const Criteria& criteria) {
+  constexpr int kLongestChain = 4;  // a simpler law may have a simpler one: asymmetric, progressive; of three effects
   const Weighing weighing(evidence, criteria);
-  for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
-    for (const int member : evidence.at(h).members) {
-      for (const int simpler : simplerThan(evidence, weighing, h, member)) {
-        if (!weighing.errsLess(evidence.at(h), evidence.at(simpler))) {
-          HypothesisEvidence& large = evidence.hypotheses[static_cast<std::size_t>(h)];
-          large.does_no_better = true;
-          large.at_least = std::max(large.at_least, kLittleMore * weighing.left(evidence.at(simpler)));
-        }
-      }
+  bool changed = true;
+  for (int i = 0; changed && i < kLongestChain; ++i) {
+    changed = false;
+    for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
+      changed = settle(weighing, h, evidence) || changed;
     }
   }
 }

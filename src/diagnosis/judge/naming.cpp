@@ -123,7 +123,9 @@ class Naming {
     int fewer = single;
     for (std::size_t effects = 2; effects <= criteria_.most_effects; ++effects) {
       const std::optional<int> further = best(effects);
-      if (!further || (left(chosen) < weighing_.insignificant() && !evidence_.at(chosen).free_trends)) {
+      // Nothing is sought in a rest that is smaller than the noise.
+      const double worth = std::max(weighing_.insignificant(), evidence_.noise_floor);
+      if (!further || (left(chosen) < worth && !evidence_.at(chosen).free_trends)) {
         break;
       }
       if (gainsEnough(*further, fewer) &&
