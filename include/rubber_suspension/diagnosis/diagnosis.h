@@ -48,13 +48,13 @@ struct CandidateResult {
   std::string effect;
   std::string documentation;
   bool on_rig = false;
-  double probability = 0.0;          ///< that this is the (most important) effect
-  double gap = 0.0;                  ///< held out, with this effect alone added
-  double closed = 0.0;               ///< fraction of the closable gap
+  double probability = 0.0;  ///< that this is the (most important) effect
+  double gap = 0.0;          ///< held out, with this effect alone added
+  double closed = 0.0;       ///< fraction of the closable gap
   /// 95 % interval of `closed`: on these logs, of the effect named alone on further logs.
   std::array<double, 2> interval{};
-  bool testable = false;             ///< a typical size of it would be visible in these logs, or what was fitted is
-  double visible_share = 0.0;        ///< of a typical effect's force, the part that re-estimation does not hide [-]
+  bool testable = false;       ///< a typical size of it would be visible in these logs, or what was fitted is
+  double visible_share = 0.0;  ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
   std::vector<element::ElementDescription> add;  ///< its entries for a component file
 };

@@ -43,6 +43,29 @@ double drawBelowZero(double mean, double deviation, std::mt19937& generator) {
   return share > 0.0 ? std::min(0.0, boost::math::quantile(normal, share)) : 0.0;
 }
 
+// A log with its noise as one draw has it, as mean squares.
+struct DrawnLog {
+  double gap;   // beyond the noise; what is within it is not told from nothing
+  double left;  // logarithm of what is left of it, over the gap
+  double floor;
+  double told;  // by which both are higher, for what is not told
+};
+
+DrawnLog drawn(const LogErrors& log, double floor_factor) {
+  const double floor =
+      std::max(kLeastFloor * log.before, std::min({square(floor_factor * log.floor), log.before, log.after}));
+  const double told = square(kWithinNoise) * floor;
+  const double gap = std::max(0.0, log.before - floor) + told;
+  const double rest = std::max(0.0, log.after - floor) + told;
+  return {gap, std::min(kMostLeft, 0.5 * std::log(rest / gap)), floor, told};
+}
+
+// The logarithm of what a law leaves, over the logs of a rig.
+struct Leaves {
+  double mean = 0.0;
+  double variance = 0.0;
+};
+
 // Draws what a law closes of further logs.
 class FurtherLogs {
  public:
@@ -56,51 +79,50 @@ class FurtherLogs {
 
   double draw() {
     const double floor_factor = std::exp(std::normal_distribution<double>(0.0, kFloorError)(generator_));
-    const auto floorOf = [&](const LogErrors& log) {
-      return std::max(kLeastFloor * log.before, std::min({square(floor_factor * log.floor), log.before, log.after}));
-    };
-    // What is within the noise is not told from nothing.
-    const auto beyond = [&](double error, double floor) {
-      return std::max(0.0, error - floor) + square(kWithinNoise) * floor;
-    };
+    std::vector<DrawnLog> logs;
+    for (const LogErrors& log : logs_) {
+      logs.push_back(drawn(log, floor_factor));
+    }
+    return closed(logs, drawLeaves(logs));
+  }
+
+ private:
+  // A log tells as much as its gap is beyond its noise.
+  Leaves drawLeaves(const std::vector<DrawnLog>& logs) {
+    std::vector<double> tells;
     double sum = 0.0;
     double squares = 0.0;
     double mean = 0.0;
-    std::vector<double> left;
-    std::vector<double> tells;  // how much of a log's gap is beyond its noise
-    for (const LogErrors& log : logs_) {
-      const double floor = floorOf(log);
-      left.push_back(std::min(kMostLeft, 0.5 * std::log(beyond(log.after, floor) / beyond(log.before, floor))));
-      tells.push_back(log.weight * beyond(log.before, floor) / (beyond(log.before, floor) + floor));
-      sum += tells.back();
-      squares += square(tells.back());
-      mean += tells.back() * left.back();
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      tells.push_back(logs_[i].weight * logs[i].gap / (logs[i].gap + logs[i].floor));
+      sum += tells[i];
+      squares += square(tells[i]);
+      mean += tells[i] * logs[i].left;
     }
     mean /= sum;
-    const double logs = square(sum) / squares;  // that tell as much
+    const double count = square(sum) / squares;  // of logs that tell as much
     double scatter = kScatterKnownBy * square(kScatter);
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      scatter += logs * tells[i] / sum * square(left[i] - mean);
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      scatter += count * tells[i] / sum * square(logs[i].left - mean);
     }
-    scatter /= std::chi_squared_distribution<double>(kScatterKnownBy + logs - 1.0)(generator_);
-    mean = drawBelowZero(mean, std::sqrt(scatter / logs + square(kFurtherLogsDiffer)), generator_);
+    const double variance = scatter / std::chi_squared_distribution<double>(kScatterKnownBy + count - 1.0)(generator_);
+    return {drawBelowZero(mean, std::sqrt(variance / count + square(kFurtherLogsDiffer)), generator_), variance};
+  }
+
+  double closed(const std::vector<DrawnLog>& logs, const Leaves& leaves) {
     double before = 0.0;
     double after = 0.0;
     double noise = 0.0;
     for (int i = 0; i < kFurtherLogs; ++i) {
-      const LogErrors& log = logs_[pick_(generator_)];
-      const double floor = floorOf(log);
-      const double gap = beyond(log.before, floor);
-      const double rest = gap * std::exp(2.0 * drawBelowZero(mean, std::sqrt(scatter), generator_));
-      const double told = square(kWithinNoise) * floor;
-      before += gap - told + floor;
-      after += std::max(0.0, rest - told) + floor;
-      noise += floor;
+      const DrawnLog& log = logs[pick_(generator_)];
+      const double left = drawBelowZero(leaves.mean, std::sqrt(leaves.variance), generator_);
+      before += log.gap - log.told + log.floor;
+      after += std::max(0.0, log.gap * std::exp(2.0 * left) - log.told) + log.floor;
+      noise += log.floor;
     }
     return gap::closedFraction(std::sqrt(before), std::sqrt(after), std::sqrt(noise));
   }
 
- private:
   const std::vector<LogErrors>& logs_;
   std::mt19937 generator_;
   std::discrete_distribution<std::size_t> pick_;
