@@ -102,9 +102,10 @@ std::string leftHtml(const Diagnosis& d) {
                                  percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
                                  percent(d.gap.noise_floor));
   if (!d.effects.empty()) {
-    html += fmt::format("<br>closes {} % (95 % on further logs: {} to {} %) of what re-estimation leaves above the noise",
-                        wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
-                        wholePercent(std::min(1.0, d.closed_interval[1])));
+    html +=
+        fmt::format("<br>closes {} % (95 % on further logs: {} to {} %) of what re-estimation leaves above the noise",
+                    wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
+                    wholePercent(std::min(1.0, d.closed_interval[1])));
   }
   return html;
 }
