@@ -3,8 +3,9 @@
 # The same set, seed and number of cases always give the same files.
 """Generate cases of the blind trial."""
 import argparse
-import multiprocessing
+import concurrent.futures
 import os
+import resource
 import sys
 
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
@@ -15,11 +16,19 @@ import numpy as np  # noqa: E402
 
 from virtual_rig import bench, case, implant, trial_2  # noqa: E402
 
+MOST_MEMORY = 4 * 2**30  # of a process [B]; a case takes a tenth of it
 OWN_BENCH = ("trial_2", "implants")  # sets whose cases say themselves what the bench does
 
 
 def one(job):
     """Build and write case number `number`; returns its name."""
+    try:
+        return build_and_write(job)
+    except MemoryError as error:
+        raise MemoryError(f"case number {job[2]}: {error}") from error
+
+
+def build_and_write(job):
     if job[0] == "trial_2":
         _, seed, number, planned, output, labels, duration = job
         return write(trial_2.build(seed, number, planned, duration), output, labels)
@@ -61,6 +70,11 @@ def jobs_of(arguments, labels):
     return [(*head, i, plans[i], *output, (faults, arguments.size), arguments.duration) for i in numbers]
 
 
+def limit_memory():
+    """A case that would need more than a machine has fails, and is named, in place of taking the machine with it."""
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--set", choices=[*sorted(case.SETS), *OWN_BENCH], required=True,
@@ -90,8 +104,8 @@ def main():
     if not jobs:
         sys.exit("generate.py: no cases" + (f", because no measured log is below {implant.data_folder()}"
                                             if arguments.set == "implants" else ""))
-    with multiprocessing.Pool(arguments.jobs) as pool:
-        for done, name in enumerate(pool.imap(one, jobs), 1):
+    with concurrent.futures.ProcessPoolExecutor(arguments.jobs, initializer=limit_memory) as pool:
+        for done, name in enumerate(pool.map(one, jobs), 1):
             print(f"{done}/{len(jobs)} {name}", flush=True)
 
 
