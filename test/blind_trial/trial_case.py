@@ -79,13 +79,13 @@ class Case:
 
     @property
     def true_closed(self):
-        """The fraction that was really closed: by the reported gaps, but down to the true noise floor."""
+        """The fraction that was really closed: by the reported gaps, but down to the true noise floor; 1 is all."""
         try:
             before, after = float(self.gaps["re_estimated"]), float(self.gaps["augmented"])
         except (KeyError, TypeError, ValueError):
             return None
         span = before - self.label["noise"]["floor_hold_out"]
-        return (before - after) / span if span > 0.0 else None
+        return min(1.0, (before - after) / span) if span > 0.0 else None  # a model may follow the noise by luck
 
     @property
     def probability(self):
