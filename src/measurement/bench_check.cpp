@@ -454,10 +454,12 @@ std::optional<RigFinding> lengthFinding(const log::Record& record) {
 }
 
 // What a record cannot be, and whether nothing but the phase says so: it gives energy, and is as stiff as configured or
-// only late.
+// only late; or nothing but stiffness that is too low by less than a power of ten, or negative, as a mass makes it in
+// fast motion.
 struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;
+  bool as_by_mass = false;
 };
 
 Checked checkRecord(const component::Component& component, const log::Record& record) {
@@ -471,11 +473,13 @@ Checked checkRecord(const component::Component& component, const log::Record& re
   const Evidence e = evidenceOf(record, simulated);
   const bool falls = e.measured.stiffness < 0.0 && e.measured.correlation * e.measured.correlation > kElastic;
   if (falls && e.configured.correlation > 0.0) {
-    return {signFinding(record, e)};
+    return {signFinding(record, e), false, true};
   }
   // Columns of exchanged size first: their loops give energy, too.
   if (auto stiffness = stiffnessFinding(component, record, e)) {
-    return {stiffness};
+    constexpr double kLeastBesideMass = 0.1;
+    const bool swapped = stiffness->finding == finding::kSwappedColumns;
+    return {stiffness, false, !swapped && e.ratio > kLeastBesideMass && e.ratio < 1.0};
   }
   if (e.givesEnergy()) {
     auto finding = energyFinding(component, record, simulated, e);
@@ -485,14 +489,22 @@ Checked checkRecord(const component::Component& component, const log::Record& re
   return {forceFinding(record, e)};
 }
 
-// A sign that is reversed or columns that are exchanged are so in all logs of a bench. Where fewer than half of them
-// give energy, a delay or a mass has turned the phase of the fastest ones: that is found among the effects.
-void leavePhaseToEffects(std::vector<Checked>& checked) {
-  const auto by_phase =
-      std::count_if(checked.begin(), checked.end(), [](const Checked& one) { return one.finding && one.by_phase; });
-  for (Checked& one : checked) {
-    if (one.by_phase && 2 * by_phase < static_cast<std::ptrdiff_t>(checked.size())) {
-      one.finding.reset();
+// A sign that is reversed, columns that are exchanged or a unit are so in all logs of a bench. Where fewer than half of
+// them give energy, or are faster than most and less stiff, a delay or a mass has done it: that is found among the
+// effects.
+void leaveFastLogsToEffects(const std::vector<log::Record>& records, std::vector<Checked>& checked) {
+  std::vector<double> frequencies;
+  std::transform(records.begin(), records.end(), std::back_inserter(frequencies),
+                 [](const log::Record& record) { return record.mean_frequency; });
+  const double typical = medianOf(frequencies);
+  const auto such = std::count_if(checked.begin(), checked.end(),
+                                  [](const Checked& one) { return one.finding && (one.by_phase || one.as_by_mass); });
+  if (2 * such >= static_cast<std::ptrdiff_t>(checked.size())) {
+    return;
+  }
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    if (checked[i].by_phase || (checked[i].as_by_mass && records[i].mean_frequency > typical)) {
+      checked[i].finding.reset();
     }
   }
 }
@@ -564,7 +576,7 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
   std::vector<Checked> checked;
   std::transform(records.begin(), records.end(), std::back_inserter(checked),
                  [&](const log::Record& record) { return checkRecord(component, record); });
-  leavePhaseToEffects(checked);
+  leaveFastLogsToEffects(records, checked);
   std::vector<RigFinding> findings;
   for (const Checked& one : checked) {
     if (one.finding) {

@@ -3,9 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 
 #include "measurement/examine.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -110,6 +112,29 @@ TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
     }
   }
   EXPECT_GT(by_phase, 0);
+}
+
+// A mass takes stiffness from the fastest log, and turns its sign beyond resonance; a wrong unit or sign in a slow log,
+// or in most of them, is named.
+TEST(BenchCheck, LeavesWhatAMassMakesOfTheFastestLogToTheEffects) {
+  const Elements spring = {{"spring", {{"stiffness", {1e6}}}}};
+  const auto record = [](double frequency, double factor) {
+    log::Log log;
+    for (int i = 0; i < 4000; ++i) {
+      const double time = 0.002 * i;
+      const double z = 1e-3 * std::sin(2.0 * element::kPi * frequency * time);
+      log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
+      log.displacement.push_back(z);
+      log.force.push_back(factor * 1e6 * z);
+    }
+    return log::makeRecord(log);
+  };
+  for (const double factor : {0.22, 1.0 / 9.81, -0.5}) {
+    EXPECT_TRUE(checkBench(spring, {record(1.0, 1.0), record(2.0, 1.0), record(8.0, factor)}).empty()) << factor;
+    EXPECT_EQ(checkBench(spring, {record(1.0, factor), record(2.0, 1.0), record(8.0, 1.0)}).size(), 1U) << factor;
+    EXPECT_EQ(checkBench(spring, {record(1.0, 1.0), record(2.0, factor), record(8.0, factor)}).size(), 2U) << factor;
+  }
+  EXPECT_EQ(checkBench(spring, {record(1.0, 1.0), record(2.0, 1.0), record(8.0, 0.001)}).size(), 1U);
 }
 
 TEST(BenchCheck, NamesUnitFactors) {
