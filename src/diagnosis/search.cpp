@@ -332,8 +332,8 @@ Evidence evidenceOf(const Search& search) {
       evidence.hypotheses.push_back(evidenceOf(fitted));
     }
   }
-  evidence.block_logs = search.re_estimated.fit.block_logs;
   for (const gap::PartError& block : search.re_estimated.fit.blocks) {
+    evidence.block_logs.push_back(block.log);
     evidence.block_weights.push_back(block.weight);
   }
   evidence.testable = search.testable;

@@ -150,10 +150,9 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   const std::vector<double> errors = crossValidate(blocks, columns, lower, upper);
   double held_out = 0.0;
   for (std::size_t b = 0; b < errors.size(); ++b) {
-    result.blocks.push_back({errors[b], blocks.weight[b]});
+    result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
-  result.block_logs = blocks.record;
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.penalty = penaltyOf(result.parameters.model);

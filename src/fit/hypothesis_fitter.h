@@ -19,7 +19,6 @@ struct Fit {
   double penalty = 0.0;                ///< regularisation penalty of changed model parameters, as a gap
   double held_out = 0.0;               ///< gap on blocks that took no part in the fit, by cross validation
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
-  std::vector<int> block_logs;         ///< the record that each is of
 
   /// Held-out gap and penalty together, by which fits compete.
   double score() const { return std::hypot(held_out, penalty); }

@@ -27,15 +27,6 @@ double stop(double /*time*/, double z, double /*rate*/) {
   return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
 }
 
-// Friction that remembers where it turned: one for each log.
-RigEffect friction() {
-  return [force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
-    force = time == 0.0 ? 0.0 : std::clamp(force + 1.2e6 * (z - last), -150.0, 150.0);
-    last = z;
-    return force;
-  };
-}
-
 // The force falls with the logarithm of time from half a second on: two elements a decade.
 RigEffect creep() {
   struct Element {
@@ -124,7 +115,7 @@ class Metamorphic : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Benches, Metamorphic,
                          testing::Values(Case{"nothing", [] { return RigEffect(nothing); }},
-                                         Case{"stop", [] { return RigEffect(stop); }}, Case{"friction", friction},
+                                         Case{"stop", [] { return RigEffect(stop); }}, Case{"friction", rigFriction},
                                          Case{"creep", creep}));
 
 TEST_P(Metamorphic, LengthForceAndTimeScale) {

@@ -16,20 +16,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Friction that remembers where it turned: one for each log.
-RigEffect friction() {
-  return [force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
-    force = time == 0.0 ? 0.0 : std::clamp(force + 1.2e6 * (z - last), -150.0, 150.0);
-    last = z;
-    return force;
-  };
-}
-
 // All but at rest: 4 N of force within 20 N of noise, as all logs of the rig have.
 log::Log hold(unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0.0, 20.0);
-  log::Log log = runRig("hold", seed, friction());
+  log::Log log = runRig("hold", seed, rigFriction());
   for (std::size_t i = 0; i < log.stamp.size(); ++i) {
     log.displacement[i] = 4e-6 * std::sin(0.002 * static_cast<double>(i));
     log.force[i] = 1e6 * log.displacement[i] + noise(generator);
@@ -38,8 +29,8 @@ log::Log hold(unsigned seed) {
 }
 
 TEST(NoisyLog, HidesNothing) {
-  const auto result = checkedDiagnosis(rigComponent(), {runRig("one", 1, friction()), hold(5), hold(6)},
-                                       {runRig("unseen", 3, friction()), hold(7)});
+  const auto result = checkedDiagnosis(rigComponent(), {runRig("one", 1, rigFriction()), hold(5), hold(6)},
+                                       {runRig("unseen", 3, rigFriction()), hold(7)});
   EXPECT_EQ(result.verdict, "named") << result.sentence;
   EXPECT_THAT(result.effects, ElementsAre("friction"));
   // 20 N of a kN in the log that moves, and the hold adds 2 %; alike they would come to 0.7.

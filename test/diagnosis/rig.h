@@ -1,6 +1,7 @@
 // A small virtual rig for tests: a Zener solid integrated exactly, effects and noise written out by hand.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -23,6 +24,15 @@ inline io::ComponentDescription rigComponent() {
 
 /// What a rig does besides the component's own force; [N] of time [s], displacement [m] and rate [m/s].
 using RigEffect = std::function<double(double time, double displacement, double rate)>;
+
+/// Friction that remembers where it turned: one for each log.
+inline RigEffect rigFriction() {
+  return [force = 0.0, last = 0.0](double time, double z, double /*rate*/) mutable {
+    force = time == 0.0 ? 0.0 : std::clamp(force + 1.2e6 * (z - last), -150.0, 150.0);
+    last = z;
+    return force;
+  };
+}
 
 /// A log of 20 s at 250 Hz: a sine whose amplitude and frequency go through their ranges without a jump.
 inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {

@@ -20,8 +20,7 @@ fit::Candidate creep(const fit::Excitation& excitation) {
       fit::additiveTerm("creep", "stiffness_per_decade", 0.05 * excitation.stiffness,
                         {{"shortest_time", {kBegins * longest}},
                          {"longest_time", {kBeyondLog * std::max(longest, excitation.longest_duration)}}}));
-  for (double time = kShortest * longest; time < 3.0 * excitation.longest_duration || candidate.terms.empty();
-       time *= 2.5) {
+  for (double time = kShortest * longest; time < 3.0 * excitation.longest_duration; time *= 2.5) {
     candidate.terms.push_back(fit::additiveTerm("maxwell", "stiffness", 0.05 * excitation.stiffness,
                                                 {{"break_frequency", {1.0 / (2.0 * element::kPi * time)}}}));
   }

@@ -15,8 +15,8 @@ namespace {
 // times their true floors.
 constexpr double kFloorError = 0.3;
 
-// Of the logarithm of what an effect leaves of a log. All three by 118 cases of virtual rigs with eight further logs
-// each, of which their intervals hold 92 %.
+// Of the logarithm of what an effect leaves of a log. These three were chosen on 118 virtual rigs with eight further
+// logs each; of 85 that took no part, the intervals hold what is closed in 76.
 constexpr double kScatter = 0.4;            // from log to log, standard deviation
 constexpr double kScatterKnownBy = 8;       // as by so many logs
 constexpr double kFurtherLogsDiffer = 0.5;  // from those given, standard deviation

@@ -26,9 +26,10 @@ struct LogErrors {
 /// drawn, and what it leaves of each, by how that scatters from log to log.
 ///
 /// The logarithm of what is left, over what was there before, is taken as normal over the logs of a rig, and as never
-/// above 0, since a law that is at work opens no gap. Its scatter is that of the logs given and of the prior below (an
-/// inverse chi-square, so that few logs make Student's t); its mean is off by the error of a mean of so many logs, and
-/// by what all logs given have in common and further ones do not, since the law was fitted to them or chosen by them.
+/// above 0, since a law that is at work opens no gap. Its scatter is that of the logs given and of other rigs before
+/// them (an inverse chi-square, so that few logs make Student's t); its mean is off by the error of a mean of so many
+/// logs, and by what all logs given have in common and further ones do not, since the law was fitted to them or chosen
+/// by them.
 std::array<double, 2> closedOnFurtherLogs(const std::vector<LogErrors>& logs, int resamplings, unsigned seed);
 
 }  // namespace rubber_suspension::diagnosis

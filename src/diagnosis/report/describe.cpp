@@ -149,24 +149,19 @@ class Describer {
   // Of what is named; the logs that the gap is of are further logs, too.
   std::array<double, 2> intervalOnFurtherLogs() const {
     std::vector<LogErrors> logs;
-    addLogs(search_.re_estimated.fit.blocks, judged_.fit.blocks, search_.re_estimated.fit.block_logs, logs);
+    addLogs(search_.re_estimated.fit.blocks, judged_.fit.blocks, 0, logs);
     if (hasUnseenLogs()) {
-      std::vector<int> places;
-      for (const gap::PartError& part : before_) {
-        places.push_back(part.log);
-      }
-      addLogs(before_, after_, places, logs);
+      addLogs(before_, after_, workings_->training, logs);
     }
     const std::array<double, 2> interval = closedOnFurtherLogs(logs, options_.resamplings, options_.seed);
     return {std::min(interval[0], result_.closed), std::max(interval[1], result_.closed)};
   }
 
-  // Errors of parts gathered log by log, each with its place among the logs.
-  void addLogs(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after,
-               const std::vector<int>& places, std::vector<LogErrors>& logs) const {
-    const std::size_t first = logs.size();
+  // Errors of parts gathered log by log, the first of which is the record at that place.
+  void addLogs(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after, std::size_t first,
+               std::vector<LogErrors>& logs) const {
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const std::size_t place = first + static_cast<std::size_t>(places[i]);
+      const std::size_t place = first + static_cast<std::size_t>(before[i].log);
       if (place >= logs.size()) {
         logs.resize(place + 1, {0.0, 0.0, 0.0, 0.0});
       }
