@@ -13,6 +13,7 @@
 #include "diagnosis/augmented.h"
 #include "diagnosis/bench_evidence.h"
 #include "diagnosis/excerpts.h"
+#include "diagnosis/friction_noise.h"
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/log_survey.h"
 #include "diagnosis/measured_logs.h"
@@ -71,14 +72,12 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and Berg's friction,
-// which forgets slowly where it started and which reversals noise made.
+// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and Berg's friction.
 double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  const double friction = bergForce(component.allElements());
-  std::vector<double> shares;
-  std::transform(records.begin(), records.end(), std::back_inserter(shares), [&](const log::Record& record) {
-    return std::hypot(record.slow_noise, friction) / record.force_deviation;
-  });
+  std::vector<double> shares = frictionDrift(component.allElements(), records);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    shares[r] = std::hypot(records[r].slow_noise / records[r].force_deviation, shares[r]);
+  }
   return commonFloor(shares, records);
 }
 

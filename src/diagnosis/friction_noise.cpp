@@ -26,6 +26,17 @@ std::vector<element::ElementDescription> bergFriction(const std::vector<element:
   return result;
 }
 
+// The way from the component's rest to a displacement, and from there to the record's first one. Berg's friction
+// depends on where a motion turns and not on its rate, so these three places are all of it.
+log::Record cameFrom(log::Record record, double displacement) {
+  record.lead_in = Eigen::Vector3d(0.0, displacement, record.displacement[0]);
+  record.lead_in_dt = record.dt;
+  record.continues = false;
+  return record;
+}
+
+double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
 }  // namespace
 
 std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
@@ -52,6 +63,25 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
   }
   for (std::size_t r = 0; r < result.size(); ++r) {
     result[r] = std::sqrt(result[r]) / records[r].force_deviation;
+  }
+  return result;
+}
+
+std::vector<double> frictionDrift(const std::vector<element::ElementDescription>& elements,
+                                  const std::vector<log::Record>& records) {
+  std::vector<double> result = frictionNoise(elements, records);
+  const auto friction = bergFriction(elements, 0.0, 1.0);
+  for (std::size_t r = 0; !friction.empty() && r < records.size(); ++r) {
+    const log::Record& record = records[r];
+    if (record.lead_in.size() > 0) {
+      continue;  // what was before the excerpt is known
+    }
+    const Eigen::VectorXd from_rest = gap::simulate(friction, {record}).front();
+    double most = 0.0;
+    for (const double extreme : {record.displacement.minCoeff(), record.displacement.maxCoeff()}) {
+      most = std::max(most, deviation(gap::simulate(friction, {cameFrom(record, extreme)}).front() - from_rest));
+    }
+    result[r] = std::hypot(result[r], most / record.force_deviation);
   }
   return result;
 }

@@ -82,6 +82,15 @@ bool areCommon(const std::vector<double>& zeros) {
   return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChance;
 }
 
+// Force at which Berg's friction of a model slides [N]; 0 without.
+double bergForce(const std::vector<element::ElementDescription>& elements) {
+  double force = 0.0;
+  for (const element::ElementDescription& element : elements) {
+    force += element.type == "friction" ? element.value("maximum_force") : 0.0;
+  }
+  return force;
+}
+
 // Berg's friction that a motion before the log left in another state is a zero of up to its own force.
 bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log::Record>& records,
                         const io::RigTolerance& tolerance, double friction) {
@@ -131,14 +140,6 @@ void letNoisyLogsCountLess(const std::vector<element::ElementDescription>& eleme
 }
 
 }  // namespace
-
-double bergForce(const std::vector<element::ElementDescription>& elements) {
-  double force = 0.0;
-  for (const element::ElementDescription& element : elements) {
-    force += element.type == "friction" ? element.value("maximum_force") : 0.0;
-  }
-  return force;
-}
 
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out) {

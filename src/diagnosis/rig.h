@@ -12,9 +12,6 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Force at which Berg's friction of a model slides [N]; 0 without.
-double bergForce(const std::vector<element::ElementDescription>& elements);
-
 /// Free the nuisances of each record (Record::nuisances), the zero of the force among them. The model is re-estimated
 /// for what a motion before a log left in the component, and for how much each log counts (weighByNoise()).
 void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
