@@ -129,7 +129,7 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
 // The hypothesis that leaves least, of those that say nothing of zeros and trends.
 const FittedHypothesis& bestButZeros(const Search& search) {
   const auto tells = [&](const FittedHypothesis& fitted) {
-    return fitted.hypothesis.free_trends ||
+    return fitted.hypothesis.free_in_log.trend ||
            std::any_of(fitted.hypothesis.members.begin(), fitted.hypothesis.members.end(), [&](int member) {
              return search.candidates[static_cast<std::size_t>(member)].effect == "force_offset";
            });

@@ -25,7 +25,7 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
       model_size_(fitter.model().size()),
       threads_(threads),
       all_(fit::makeHypothesis(candidates, allOf(candidates))) {
-  all_.free_trends = true;
+  all_.free_in_log = {true, true};
   Eigen::Index column = model_size_;
   for (const fit::Candidate& candidate : candidates) {
     columns_of_.emplace_back(candidate.terms.size());
@@ -48,17 +48,14 @@ Screened Screening::screen(std::vector<int> members) const {
   std::sort(members.begin(), members.end());
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(model_size_));
   std::iota(columns.begin(), columns.end(), 0);
-  bool trends = false;
+  fit::FreeInLog free;
   for (const int member : members) {
     const auto& more = columns_of_[static_cast<std::size_t>(member)];
     columns.insert(columns.end(), more.begin(), more.end());
-    trends = trends || candidates_[static_cast<std::size_t>(member)].free_trend;
+    free = free | candidates_[static_cast<std::size_t>(member)].free_in_log;
   }
-  if (trends) {
-    for (Eigen::Index j = model_size_ + static_cast<Eigen::Index>(all_.terms.size()); j < unknowns(); ++j) {
-      columns.push_back(j);
-    }
-  }
+  const std::vector<Eigen::Index> in_log = freeColumns(free);
+  columns.insert(columns.end(), in_log.begin(), in_log.end());
   Eigen::VectorXd lower(static_cast<Eigen::Index>(columns.size()));
   Eigen::VectorXd upper(lower.size());
   for (Eigen::Index i = 0; i < lower.size(); ++i) {
@@ -69,9 +66,22 @@ Screened Screening::screen(std::vector<int> members) const {
   return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
 }
 
+std::vector<Eigen::Index> Screening::freeColumns(fit::FreeInLog free) const {
+  std::vector<Eigen::Index> columns;
+  const Eigen::Index first = model_size_ + static_cast<Eigen::Index>(all_.terms.size());
+  const Eigen::Index of_log = all_.free_in_log.count();
+  for (Eigen::Index j = first; j < unknowns(); ++j) {
+    const bool is_gain = (j - first) % of_log == of_log - 1;
+    if (is_gain ? free.gain : free.trend) {
+      columns.push_back(j);
+    }
+  }
+  return columns;
+}
+
 bool Screening::mayJoin(int candidate, Joining joining) const {
   const fit::Candidate& other = candidates_[static_cast<std::size_t>(candidate)];
-  return other.applies() && other.last_resort == (joining == Joining::last_resorts) && !other.like_parameters;
+  return other.competes() && other.last_resort == (joining == Joining::last_resorts);
 }
 
 std::vector<Screened> Screening::additions(const std::vector<int>& members, Joining joining) const {

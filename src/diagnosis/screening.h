@@ -34,12 +34,16 @@ class Screening {
   /// All pairs, best first; no last resorts.
   std::vector<Screened> pairs() const;
 
-  /// The normal equations: model parameters, basis terms of one candidate after the other, trends, residual.
+  /// The normal equations: model parameters, basis terms of one candidate after the other, what is free
+  /// in each log, residual.
   const fit::BlockGrams& blocks() const { return blocks_; }
   Eigen::Index modelSize() const { return model_size_; }
   const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
   const std::vector<fit::BasisTerm>& terms() const { return all_.terms; }
   const std::vector<fit::Candidate>& candidates() const { return candidates_; }
+
+  /// The columns of what is free in each log.
+  std::vector<Eigen::Index> freeColumns(fit::FreeInLog free) const;
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.

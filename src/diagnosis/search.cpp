@@ -256,7 +256,8 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   HypothesisEvidence evidence;
   evidence.members = fitted.hypothesis.members;
   evidence.terms = fitted.hypothesis.terms.size();
-  evidence.free_trends = fitted.hypothesis.free_trends;
+  evidence.free_trends = fitted.hypothesis.free_in_log.trend;
+  evidence.free_gains = fitted.hypothesis.free_in_log.gain;
   evidence.last_resort = fitted.hypothesis.last_resort;
   evidence.like_parameters = fitted.hypothesis.like_parameters;
   evidence.held_out = fitted.fit.held_out;
@@ -290,6 +291,12 @@ void remakeHypotheses(Search& search) {
       fitted.hypothesis = fit::makeHypothesis(search.candidates, fitted.hypothesis.members);
     }
   }
+}
+
+// Gains of logs that are not all within a tolerance of one.
+bool differ(const std::vector<double>& gains, double tolerance) {
+  const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
+  return *most - *least > 2.0 * tolerance;
 }
 
 }  // namespace
@@ -347,11 +354,14 @@ Evidence evidenceOf(const Search& search) {
 void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
                               Evidence& evidence) {
   const double most = io::kTolerated * std::max(tolerance.value, criteria.values_err_by);
-  for (std::size_t i = 0; i < search.singles.size(); ++i) {
-    const FittedHypothesis& single = search.singles[i];
-    if (single.hypothesis.like_parameters) {
-      evidence.hypotheses[Evidence::kFirstSingle + i].within_tolerance =
-          single.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
+  for (std::size_t h = Evidence::kFirstSingle; h < evidence.hypotheses.size(); ++h) {
+    const FittedHypothesis& fitted = search.at(static_cast<int>(h));
+    HypothesisEvidence& hypothesis = evidence.hypotheses[h];
+    if (fitted.hypothesis.free_in_log.gain) {
+      hypothesis.like_parameters = !differ(fitted.fit.gains, io::kTolerated * tolerance.value);
+    }
+    if (hypothesis.like_parameters && hypothesis.members.size() == 1) {
+      hypothesis.within_tolerance = fitted.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
     }
   }
 }

@@ -8,8 +8,8 @@
 
 #include "diagnosis/augmented.h"
 #include "diagnosis/friction_noise.h"
+#include "fit/free_in_log.h"
 #include "fit/hypothesis_forces.h"
-#include "fit/trends.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
@@ -42,12 +42,14 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated) {
-  if (!hypothesis.free_trends) {
+  if (!hypothesis.free_in_log.any()) {
     return gap::partErrors(records, simulated);
   }
-  std::vector<log::Record> with_trends;
-  std::transform(records.begin(), records.end(), std::back_inserter(with_trends), fit::withFreeTrend);
-  return gap::partErrors(with_trends, simulated);
+  std::vector<log::Record> freed;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
+  }
+  return gap::partErrors(freed, simulated);
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,

@@ -24,7 +24,10 @@
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/maxwell_behind_play.h"
 #include "rubber_suspension/element/nonlinear_maxwell.h"
+#include "rubber_suspension/element/overstress.h"
+#include "rubber_suspension/element/position_dashpot.h"
 #include "rubber_suspension/element/power_dashpot.h"
+#include "rubber_suspension/element/power_dashpot_behind_play.h"
 #include "rubber_suspension/element/progressive_stiffness.h"
 #include "rubber_suspension/element/residual.h"
 #include "rubber_suspension/element/self_heating.h"
@@ -86,11 +89,13 @@ const std::vector<ElementType>& elementTypes() {
       bumpStopType(),
       dashpotType(),
       powerDashpotType(),
+      positionDashpotType(),
       maxwellType(),
       nonlinearMaxwellType(),
       slidingMaxwellType(),
       thixotropicMaxwellType(),
       maxwellBehindPlayType(),
+      powerDashpotBehindPlayType(),
       springpotType(),
       creepType(),
       bergFrictionType(),
@@ -99,6 +104,7 @@ const std::vector<ElementType>& elementTypes() {
       iwanTableType(),
       variableFrictionType(),
       viscoplasticFrictionType(),
+      overstressType(),
       frictionBehindPlayType(),
       firstLoadingType(),
       stressSofteningType(),

@@ -1,28 +1,41 @@
 // Maxwell element whose dashpot yields to large forces.
 #include "rubber_suspension/element/nonlinear_maxwell.h"
 
+#include <cmath>
+
 namespace rubber_suspension::element {
 
+// dF/dt = -F/tau (|F|/(k y))^p has |F|^-p grow by p/(tau (k y)^p) a second.
+double NonlinearMaxwell::yielded(double force, double relaxation_times) const {
+  const double share = std::abs(force) / force_;
+  if (power_ == 1.0) {
+    return force / (1.0 + relaxation_times * share);
+  }
+  return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);
+}
+
 double NonlinearMaxwell::step(const Motion& motion, double* memory) const {
-  const double half = 0.5 * motion.dt * linear_.rate() / force_;
-  memory[0] /= 1.0 + half * std::abs(memory[0]);  // dF/dt = -F |F|/(tau k y)
+  const double half = 0.5 * motion.dt * linear_.rate();
+  memory[0] = yielded(memory[0], half);
   linear_.step(motion, memory);
-  return memory[0] /= 1.0 + half * std::abs(memory[0]);
+  return memory[0] = yielded(memory[0], half);
 }
 
 ElementType nonlinearMaxwellType() {
   return {"nonlinear_maxwell",
-          "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + |F|/(k y)): rate and amplitude "
+          "Maxwell element whose dashpot yields, dF/dt = k dz/dt - 2 pi f_b F (1 + (|F|/(k y))^p): rate and amplitude "
           "dependence that are coupled.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
            {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt,
             "break frequency f_b at small amplitude"},
            {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
-            "displacement y at which the dashpot yields"}},
+            "displacement y at which the dashpot yields"},
+           {"power", "1", Role::shape, Range::closed(0.5, 10.0), 1.0,
+            "p; the larger, the more y is a limit of the spring's displacement"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const NonlinearMaxwell>(description.value("stiffness"),
-                                                            description.value("break_frequency"),
-                                                            description.value("displacement"));
+            return std::make_shared<const NonlinearMaxwell>(
+                description.value("stiffness"), description.value("break_frequency"), description.value("displacement"),
+                description.value("power"));
           }};
 }
 

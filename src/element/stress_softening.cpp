@@ -25,6 +25,7 @@ StressSoftening::Parameters parametersFrom(const ElementDescription& description
   parameters.reach_exponent = description.value("reach_exponent");
   parameters.full_reach = description.value("full_reach");
   parameters.recovery_time = description.value("recovery_time");
+  parameters.ratio_power = description.value("ratio_power");
   parameters.side = sideFrom(description);
   if (parameters.reach_exponent > 0.0 && parameters.full_reach == 0.0) {
     refuseValue(description.type, "full_reach", 0.0, "m", "greater than 0 beside a reach_exponent");
@@ -78,9 +79,10 @@ double StressSoftening::factor(double displacement, double reach) const {
   if (std::abs(displacement) >= reach) {
     return 1.0;
   }
-  const double ratio = displacement / reach;
-  return 1.0 - reductionAt(reach) * shareOfSide(displacement, reach) *
-                   std::tanh((1.0 - ratio * ratio) / parameters_.width) / deepest_;
+  const double ratio = std::abs(displacement) / reach;
+  const double kept = parameters_.ratio_power == 2.0 ? ratio * ratio : std::pow(ratio, parameters_.ratio_power);
+  return 1.0 -
+         reductionAt(reach) * shareOfSide(displacement, reach) * std::tanh((1.0 - kept) / parameters_.width) / deepest_;
 }
 
 // Towards the reach of the present displacement.
@@ -109,7 +111,7 @@ ElementType stressSofteningType() {
           {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), std::nullopt,
             "share R of the force that is lost deep within"},
            {"width", "1", Role::shape, Range::closed(0.01, 10.0), 0.5,
-            "width w of the transition, as a share of the energy at the largest past displacement"},
+            "width w of the transition, as a share of that power at the largest past displacement"},
            {"path", "m", Role::shape, Range::nonNegative(), 0.0, "travel over which softening sets in; 0: at once"},
            {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0), 0.0,
             "power q of the reach by which the reduction grows; 0: the same at any reach"},
@@ -118,7 +120,10 @@ ElementType stressSofteningType() {
            {"recovery_time", "s", Role::shape, Range::nonNegative(), 0.0,
             "time over which softening is lost again; 0: permanent"},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
-            "1: softens at z > 0 only, -1: at z < 0 only, 0: both"}},
+            "1: softens at z > 0 only, -1: at z < 0 only, 0: both"},
+           {"ratio_power", "1", Role::shape, Range::closed(0.5, 8.0), 2.0,
+            "power a of the displacement over the reach by which the transition goes; 2: by energy, 1: by "
+            "displacement"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const StressSoftening>(parametersFrom(description));
           }};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/excitation.h"
+#include "fit/free_in_log.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/log/record.h"
 
@@ -24,6 +25,7 @@ struct BasisTerm {
   bool additive = true;  ///< the force is that of the component plus scale times that of the entry alone
   bool refines = false;  ///< much like its fellows, so that a fit far from its end would confuse them
   bool on_rig = false;   ///< additive whatever effects act on the component
+  bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
@@ -40,14 +42,18 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
-  bool free_trend = false;                 ///< a slow trend of each log belongs to it, which no model run reproduces
+  FreeInLog free_in_log = {};              ///< belongs to it
   bool last_resort = false;                ///< named only where it errs less than the best of the others
   std::vector<std::string> contains = {};  ///< names of simpler effects that its law contains
-  /// What it does, all of the model's parameters do together: never named, told beside parameter_error.
+  /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
+  /// gains that differ from log to log.
   bool like_parameters = false;
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }
+
+  /// Whether it competes with others: it applies, and may do what parameters do not.
+  bool competes() const { return applies() && (!like_parameters || free_in_log.gain); }
 };
 
 /// A basis term that scales one parameter of an element whose force is linear in it, the others being given.

@@ -27,6 +27,9 @@ void addTemperature(const std::vector<log::Record>& records, Excitation& result)
 
 Excitation summarise(const std::vector<log::Record>& records) {
   Excitation result;
+  const bool whole =
+      std::none_of(records.begin(), records.end(), [](const log::Record& record) { return record.lead_in.size() > 0; });
+  result.whole_logs = whole ? records.size() : 0;
   double force_power = 0.0;
   double displacement_power = 0.0;
   for (const log::Record& record : records) {

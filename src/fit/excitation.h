@@ -1,6 +1,7 @@
 // What the logs have in common; candidates choose their grids by it.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "rubber_suspension/log/record.h"
@@ -18,6 +19,7 @@ struct Excitation {
   double longest_duration = 0.0;      ///< [s]
   double slowest_loop = 0.0;          ///< longest time that half the range of a log takes at its largest |dz/dt| [s]
   double dt = 0.0;                    ///< [s]
+  std::size_t whole_logs = 0;         ///< none of them an excerpt; 0 where there are excerpts
   bool has_temperature = false;       ///< all logs have one
   double lowest_temperature = 0.0;    ///< [degC]
   double highest_temperature = 0.0;   ///< [degC]

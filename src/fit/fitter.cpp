@@ -34,19 +34,26 @@ double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parame
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const log::Record& record = records()[r];
-    sum += std::pow(weights_[r], 2) * record.withoutRig(record.force - (*simulated)[r]).squaredNorm();
+    const Eigen::VectorXd residual = record.withoutRig(record.force - (*simulated)[r]);
+    double square = residual.squaredNorm();
+    if (hypothesis.free_in_log.gain) {
+      const Eigen::VectorXd force = record.withoutRig((*simulated)[r]);
+      const double norm = force.squaredNorm();
+      square -= norm > 0.0 ? std::pow(force.dot(residual), 2) / norm : 0.0;
+    }
+    sum += std::pow(weights_[r], 2) * square;
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams Fitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+BlockGrams Fitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                                      const std::vector<bool>& active, int threads) const {
   const auto base = forces_.at(hypothesis, parameters);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
   }
   return normalEquations(records(), weights_, *base, forces_.columns(hypothesis, parameters, active, *base, threads),
-                         trends, threads);
+                         free, threads);
 }
 
 }  // namespace rubber_suspension::fit

@@ -25,7 +25,7 @@ class Fitter final : public HypothesisFitter {
   double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
 
  private:
-  BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+  BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                                const std::vector<bool>& active, int threads) const override;
 
   HypothesisForces forces_;

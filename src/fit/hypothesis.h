@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/candidate.h"
+#include "fit/free_in_log.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -13,12 +14,12 @@ namespace rubber_suspension::fit {
 struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
-  bool free_trends = false;      ///< a slow trend of each log is free as well, which no model run reproduces
+  FreeInLog free_in_log;         ///< is free as well
   bool last_resort = false;      ///< to be named only where it errs less than the best of the others
-  bool like_parameters = false;  ///< re-estimated parameters do the same
+  bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
 
-  /// Whether it competes with others: it has terms, and does what parameters do not.
-  bool competes() const { return !terms.empty() && !like_parameters; }
+  /// Whether it competes with others: it has terms, and may do what parameters do not.
+  bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
 
   /// True if the force is that of the model plus those of the terms.
   bool isAdditive() const;

@@ -19,6 +19,36 @@ constexpr double kPrior = 2.0;        // the same within a fit, where it must no
 constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
 constexpr double kNothing = 1e-9;     // of the typical scale: a term of this scale is left out
 
+std::vector<double> gainsOf(const Hypothesis& hypothesis, Eigen::Index model, const BlockGrams& blocks,
+                            const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const Eigen::Index unknowns = lower.size();
+  const Eigen::VectorXd x = boundedLeastSquares(blocks.sum.topLeftCorner(unknowns, unknowns),
+                                                blocks.sum.col(unknowns).head(unknowns), lower, upper);
+  const Eigen::Index of_log = hypothesis.free_in_log.count();
+  std::vector<double> gains;
+  for (Eigen::Index j = model + static_cast<Eigen::Index>(hypothesis.terms.size()) + of_log - 1; j < unknowns;
+       j += of_log) {
+    gains.push_back(x[j]);
+  }
+  return gains;
+}
+
+// What the gains of all logs have in common is that of the term, where there is one.
+void takeOutCommonGain(const Hypothesis& hypothesis, Fit& fit) {
+  const auto term = std::find_if(hypothesis.terms.begin(), hypothesis.terms.end(),
+                                 [](const BasisTerm& other) { return other.is_gain; });
+  if (term == hypothesis.terms.end()) {
+    return;
+  }
+  const double mean = std::accumulate(fit.gains.begin(), fit.gains.end(), 0.0) / static_cast<double>(fit.gains.size());
+  double& scale = fit.parameters.scales[term - hypothesis.terms.begin()];
+  const double common = std::clamp((1.0 + scale) * (1.0 + mean), 1.0 + term->lower, 1.0 + term->upper);
+  for (double& gain : fit.gains) {
+    gain = (1.0 + gain) * (1.0 + scale) / common - 1.0;
+  }
+  scale = common - 1.0;
+}
+
 }  // namespace
 
 void HypothesisFitter::setNoise(double noise) { noise_ = std::max(noise, kLeastNoise); }
@@ -28,9 +58,9 @@ ParameterVector HypothesisFitter::configured(const Hypothesis& hypothesis) const
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
 }
 
-BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                                        const std::vector<bool>& active, int threads) const {
-  BlockGrams result = normalEquationsAt(hypothesis, parameters, trends, active, threads);
+  BlockGrams result = normalEquationsAt(hypothesis, parameters, free, active, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
   result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   for (Eigen::Index j = 0; j < model().size(); ++j) {
@@ -80,9 +110,9 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   return result;
 }
 
-BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iterations, bool trends, bool model_fixed,
+BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iterations, FreeInLog free, bool model_fixed,
                                      const std::vector<bool>& first_active, ParameterVector& parameters) const {
-  BlockGrams blocks = linearise(hypothesis, parameters, trends, first_active, 1);
+  BlockGrams blocks = linearise(hypothesis, parameters, free, first_active, 1);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   double least = cost(hypothesis, parameters);
@@ -121,7 +151,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iteration
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    blocks = linearise(hypothesis, parameters, trends, active, 1);
+    blocks = linearise(hypothesis, parameters, free, active, 1);
   }
   return blocks;
 }
@@ -132,7 +162,7 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
   std::transform(hypothesis.terms.begin(), hypothesis.terms.end(), active.begin(),
                  [](const BasisTerm& term) { return !term.refines; });
   ParameterVector parameters = start;
-  descend(hypothesis, iterations, false, true, active, parameters);
+  descend(hypothesis, iterations, {}, true, active, parameters);
   return parameters;
 }
 
@@ -140,13 +170,17 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
                           const std::vector<bool>& active) const {
   Fit result;
   result.parameters = start;
-  const BlockGrams blocks = descend(hypothesis, iterations, hypothesis.free_trends, false, active, result.parameters);
+  const BlockGrams blocks = descend(hypothesis, iterations, hypothesis.free_in_log, false, active, result.parameters);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   std::iota(columns.begin(), columns.end(), 0);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   stepBounds(hypothesis, result.parameters, unknowns, lower, upper);
+  if (hypothesis.free_in_log.gain) {
+    result.gains = gainsOf(hypothesis, model().size(), blocks, lower, upper);
+    takeOutCommonGain(hypothesis, result);
+  }
   const std::vector<double> errors = crossValidate(blocks, columns, lower, upper);
   double held_out = 0.0;
   for (std::size_t b = 0; b < errors.size(); ++b) {

@@ -19,6 +19,7 @@ struct Fit {
   double penalty = 0.0;                ///< regularisation penalty of changed model parameters, as a gap
   double held_out = 0.0;               ///< gap on blocks that took no part in the fit, by cross validation
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
+  std::vector<double> gains;           ///< of each log, beside 1, where they are free
 
   /// Held-out gap and penalty together, by which fits compete.
   double score() const { return std::hypot(held_out, penalty); }
@@ -46,7 +47,7 @@ class HypothesisFitter {
   /// Terms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
                        const std::vector<bool>& active = {}, int threads = 1) const {
-    return linearise(hypothesis, parameters, hypothesis.free_trends, active, threads);
+    return linearise(hypothesis, parameters, hypothesis.free_in_log, active, threads);
   }
 
   /// Fit by Gauss-Newton steps within the bounds, from a start. `active`: terms that may move in the first step; all
@@ -54,8 +55,8 @@ class HypothesisFitter {
   Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, int iterations,
           const std::vector<bool>& active = {}) const;
 
-  /// Where the scales arrive from a start while model parameters and trends stay as they are; terms that refine stay,
-  /// too.
+  /// Where the scales arrive from a start while model parameters stay as they are and nothing is free in a log; terms
+  /// that refine stay, too.
   ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
 
   /// Gap at a parameter vector, without any fit; infinite where it has no model.
@@ -64,7 +65,7 @@ class HypothesisFitter {
   /// Regularisation penalty of model parameters at these logarithms, as a gap.
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
 
-  /// Bounds on a step from a parameter vector: model parameters, terms, trends.
+  /// Bounds on a step from a parameter vector: model parameters, terms, what is free in each log.
   void stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index columns,
                   Eigen::VectorXd& lower, Eigen::VectorXd& upper) const;
 
@@ -76,13 +77,13 @@ class HypothesisFitter {
 
  private:
   /// Normal equations about a parameter vector, without prior. Throws std::invalid_argument where it has no model.
-  virtual BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+  virtual BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                                        const std::vector<bool>& active, int threads) const = 0;
 
-  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, bool trends,
+  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                        const std::vector<bool>& active, int threads) const;
   /// Gauss-Newton steps from `parameters`, to where they end; normal equations there.
-  BlockGrams descend(const Hypothesis& hypothesis, int iterations, bool trends, bool model_fixed,
+  BlockGrams descend(const Hypothesis& hypothesis, int iterations, FreeInLog free, bool model_fixed,
                      const std::vector<bool>& first_active, ParameterVector& parameters) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,

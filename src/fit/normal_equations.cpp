@@ -8,7 +8,6 @@
 #include "fit/bounded_least_squares.h"
 #include "fit/gram.h"
 #include "fit/parallel.h"
-#include "fit/trends.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -45,16 +44,16 @@ std::vector<Rows> cut(const std::vector<log::Record>& records) {
   return blocks;
 }
 
-// The columns of the least squares: derivatives of the force, trends of each log, and last the residual.
+// The columns of the least squares: derivatives of the force, what is free in each log, and last the residual.
 struct Columns {
   const std::vector<log::Record>& records;
   const std::vector<double>& weights;
   const std::vector<Eigen::VectorXd>& base;
   const std::vector<ForceColumn>& derivatives;
-  bool trends;
+  FreeInLog free;
   Eigen::Index width;
 
-  // Which of them are not zero in a block: those of the model, the trends of its own log, and the residual.
+  // Which of them are not zero in a block: those of the model, of what is free in its own log, and the residual.
   std::vector<Eigen::Index> placesIn(const Rows& rows) const {
     std::vector<Eigen::Index> places;
     const auto modelled = static_cast<Eigen::Index>(derivatives.size());
@@ -63,8 +62,8 @@ struct Columns {
         places.push_back(j);
       }
     }
-    for (Eigen::Index j = 0; trends && j < kTrendsPerLog; ++j) {
-      places.push_back(modelled + kTrendsPerLog * static_cast<Eigen::Index>(rows.record) + j);
+    for (Eigen::Index j = 0; j < free.count(); ++j) {
+      places.push_back(modelled + free.count() * static_cast<Eigen::Index>(rows.record) + j);
     }
     places.push_back(width - 1);
     return places;
@@ -77,16 +76,13 @@ struct Columns {
     const Eigen::Index size = rows.last - rows.first;
     const std::vector<Eigen::Index> places = placesIn(rows);
     const auto count = static_cast<Eigen::Index>(places.size());
-    const Eigen::Index own_trends = trends ? kTrendsPerLog : 0;
-    const Eigen::Index from_model = count - own_trends - 1;
+    const Eigen::Index from_model = count - free.count() - 1;
     Eigen::MatrixXd local(size, count);
     for (Eigen::Index j = 0; j < from_model; ++j) {
       const auto& column = *derivatives[static_cast<std::size_t>(places[static_cast<std::size_t>(j)])];
       local.col(j) = weight * column[rows.record].segment(rows.first, size);
     }
-    if (trends) {
-      fillTrends(record, rows.first, weight * record.force_deviation, local.middleCols(from_model, own_trends));
-    }
+    fillFreeInLog(free, record, base[rows.record], rows.first, weight, local.middleCols(from_model, free.count()));
     local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
     if (record.counts.size() > 0) {
       local.array().colwise() *= record.counts.segment(rows.first, size).array();
@@ -143,11 +139,11 @@ void BlockGrams::sumUp() {
 
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
-                           bool trends, int threads) {
+                           FreeInLog free, int threads) {
   const auto logs = static_cast<Eigen::Index>(records.size());
-  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + (trends ? kTrendsPerLog * logs : 0) + 1;
+  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + free.count() * logs + 1;
   const std::vector<Rows> blocks = cut(records);
-  const Columns all{records, weights, base, columns, trends, width};
+  const Columns all{records, weights, base, columns, free, width};
   const std::vector<Eigen::MatrixXd> shares = sharesOfNuisances(all, blocks, threads);
   BlockGrams result;
   result.gram.resize(blocks.size());

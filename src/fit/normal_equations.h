@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "fit/free_in_log.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::fit {
@@ -12,8 +13,8 @@ namespace rubber_suspension::fit {
 constexpr int kFolds = 4;
 
 /// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
-/// parameters, basis terms, nuisance trends, and last the residual at the point of linearisation. Each log is weighted
-/// such that residuals are in units of its force's standard deviation, and all logs count alike.
+/// parameters, basis terms, what is free in each log, and last the residual at the point of linearisation. Each log is
+/// weighted such that residuals are in units of its force's standard deviation, and all logs count alike.
 struct BlockGrams {
   std::vector<Eigen::MatrixXd> gram;
   std::vector<int> fold;
@@ -32,10 +33,10 @@ struct BlockGrams {
 using ForceColumn = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
 
 /// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
-/// residuals of each log comparable [1/N]. `trends`: a zero, a ramp and some half cosines per log are unknown, too.
+/// residuals of each log comparable [1/N]. `free`: unknown in each log, too.
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
-                           bool trends, int threads);
+                           FreeInLog free, int threads);
 
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,

@@ -297,7 +297,7 @@ SurrogateFit fitSurrogate(const std::vector<log::Record>& records, const std::ve
     weights[r] = std::sqrt(records[r].weight / (thin_records[r].counted() * static_cast<double>(count))) /
                  records[r].force_deviation;
   });
-  const RidgeRegression regression(normalEquations(thin_records, weights, base, columnsOf(functions), false, threads),
+  const RidgeRegression regression(normalEquations(thin_records, weights, base, columnsOf(functions), {}, threads),
                                    count);
   const Choice choice = chooseFunctions(regression, basis);
   SurrogateFit fit;

@@ -58,7 +58,7 @@ double TableFitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& p
 }
 
 BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          bool /*trends*/, const std::vector<bool>& active, int threads) const {
+                                          FreeInLog /*free*/, const std::vector<bool>& active, int threads) const {
   const auto base = forces_.at(hypothesis, parameters);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");

@@ -12,7 +12,4 @@ constexpr Eigen::Index kTrendsPerLog = 10;  ///< the zero, a ramp and eight half
 /// These over the samples of a log from `first` on, as many as the columns have rows, times `weight`.
 void fillTrends(const log::Record& record, Eigen::Index first, double weight, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// The record with its trend among the nuisances: what the rig may have added to it (Record::withoutRig).
-log::Record withFreeTrend(const log::Record& record);
-
 }  // namespace rubber_suspension::fit

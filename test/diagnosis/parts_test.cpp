@@ -162,7 +162,7 @@ fit::Hypothesis hypothesisOf(std::vector<fit::Candidate> candidates, const Scale
     }
   }
   fit::Hypothesis hypothesis = fit::makeHypothesis(candidates, members);
-  hypothesis.free_trends = true;
+  hypothesis.free_in_log.trend = true;
   return hypothesis;
 }
 

@@ -8,6 +8,7 @@
 #include "rubber_suspension/element/friction_behind_play.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/maxwell_behind_play.h"
+#include "rubber_suspension/element/power_dashpot_behind_play.h"
 
 namespace rubber_suspension::test {
 namespace {
@@ -62,6 +63,50 @@ TEST(MaxwellBehindPlay, IsADamperWithBacklash) {
   EXPECT_EQ(driver.output(), 0.0) << "1 mm after the reversal";
   driver.step(0.98, 0.0);
   EXPECT_NEAR(driver.output(), -force, 1e-9);
+}
+
+constexpr element::PowerDashpotBehindPlay::Parameters kOrifice{kStiffness, 1e-4, 0.05, 2.0, 1e-3};
+
+TEST(PowerDashpotBehindPlay, GivesNothingWithinTheGap) {
+  const element::PowerDashpotBehindPlay law(kOrifice);
+  Driver<element::PowerDashpotBehindPlay> driver(law);
+  for (const double z : {5e-4, -9e-4, 9.9e-4}) {
+    EXPECT_EQ(driver.step(0.01, z), 0.0);
+  }
+}
+
+// In steady flow F = k y (v/v_r)^p, to rounding, since the flow of a step is that at its end.
+TEST(PowerDashpotBehindPlay, GrowsWithAPowerOfTheRate) {
+  for (const double exponent : {0.5, 0.8, 1.0, 1.7, 2.0}) {
+    for (const double rate : {0.025, 0.05, 0.1}) {
+      const element::PowerDashpotBehindPlay law({kStiffness, 1e-4, 0.05, exponent, 1e-3});
+      Driver<element::PowerDashpotBehindPlay> driver(law);
+      driver.walk(2.0, 2.0 * rate, 2000);
+      EXPECT_NEAR(driver.output(), kStiffness * 1e-4 * std::pow(rate / 0.05, exponent), 1e-6) << exponent;
+    }
+  }
+}
+
+TEST(PowerDashpotBehindPlay, IsMissingAfterAReversal) {
+  const element::PowerDashpotBehindPlay law(kOrifice);
+  Driver<element::PowerDashpotBehindPlay> driver(law);
+  driver.walk(1.0, 0.05, 1000);
+  const double force = driver.output();
+  driver.walk(0.02, 0.049, 20);
+  EXPECT_EQ(driver.output(), 0.0) << "1 mm after the reversal";
+  driver.walk(0.98, 0.0, 980);
+  EXPECT_NEAR(driver.output(), -force, 1e-6);
+}
+
+// d' = -v_r sqrt(d/y) has sqrt(d) fall by v_r/(2 sqrt(y)) a second; the error of the implicit step is half a step of
+// that rate, 2.5e-5 of 100 N over a step of 1e-6 s.
+TEST(PowerDashpotBehindPlay, SlowsDownInClosedForm) {
+  const element::PowerDashpotBehindPlay law(kOrifice);
+  Driver<element::PowerDashpotBehindPlay> driver(law);
+  driver.walk(1.0, 0.05, 1000);
+  const double z = 0.05;
+  driver.walk(1e-3, z, 1000);
+  EXPECT_NEAR(driver.output(), 100.0 * std::pow(1.0 - 0.05 * 1e-3 / 2e-4, 2), 0.01);
 }
 
 }  // namespace

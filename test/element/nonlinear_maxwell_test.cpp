@@ -50,6 +50,17 @@ TEST(NonlinearMaxwell, FlowsAtASteadyRate) {
   EXPECT_NEAR(driver.output(), yield * (std::sqrt(0.25 + viscous / yield) - 0.5), 1e-4 * viscous);
 }
 
+// dF/dt = -F/tau (1 + (F/(k y))^3) has F = F0 e/(1 + (F0/(k y))^3 (1 - e^3))^(1/3), e = exp(-t/tau).
+TEST(NonlinearMaxwell, RelaxesByAnyPowerInClosedForm) {
+  const element::NonlinearMaxwell law(kStiffness, kFrequency, kYield, 3.0);
+  Driver<element::NonlinearMaxwell> driver(law);
+  const double start = driver.step(1e-9, 1e-3);
+  driver.walk(0.1, 1e-3, 20000);
+  const double decay = std::exp(-0.1 * 2.0 * element::kPi * kFrequency);
+  const double share = std::pow(start / (kStiffness * kYield), 3);
+  EXPECT_NEAR(driver.output(), start * decay / std::cbrt(1.0 + share * (1.0 - std::pow(decay, 3))), 1e-5 * start);
+}
+
 TEST(NonlinearMaxwell, ForceScalesWithStiffness) {
   const element::NonlinearMaxwell soft(kStiffness, kFrequency, kYield);
   const element::NonlinearMaxwell stiff(3.0 * kStiffness, kFrequency, kYield);

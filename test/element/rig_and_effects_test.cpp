@@ -283,6 +283,16 @@ TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
   EXPECT_EQ(before, 1.0);
 }
 
+// With a = 1 and a wide transition, the reduction falls with the displacement in a straight line: tanh x = x to x^3/3.
+TEST(StressSoftening, MayCountDisplacementInPlaceOfEnergy) {
+  element::StressSoftening::Parameters parameters{0.3, 10.0, 0.0};
+  parameters.ratio_power = 1.0;
+  const element::StressSoftening law(parameters);
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    EXPECT_NEAR(law.factor(share * 2e-3, 2e-3), 1.0 - 0.3 * (1.0 - share), 0.3 * 4e-3);
+  }
+}
+
 TEST(StressSoftening, PathMakesItTakeSomeCycles) {
   constexpr double kAmplitude = 1e-3;
   constexpr double kPath = 4e-3;  // one cycle of that amplitude

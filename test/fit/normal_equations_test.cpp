@@ -39,7 +39,7 @@ BlockGrams equations(const std::vector<log::Record>& records) {
     column.push_back(one.displacement);
   }
   BlockGrams blocks =
-      normalEquations(records, weights, base, {std::make_shared<const std::vector<Eigen::VectorXd>>(column)}, false, 1);
+      normalEquations(records, weights, base, {std::make_shared<const std::vector<Eigen::VectorXd>>(column)}, {}, 1);
   blocks.prior = Eigen::MatrixXd::Zero(2, 2);
   blocks.sumUp();
   return blocks;

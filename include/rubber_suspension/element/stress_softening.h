@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::element {
 
-/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - (z/S)^2 while |z| < S, and 1 at |z| >= S.
+/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a while |z| < S, and 1 at |z| >= S.
 ///
 /// S is the softened reach, at most the largest past displacement M. With path length L = 0 it is M at once, so the
 /// factor is 1 on the first loading and on from where a displacement is exceeded. With L > 0 it approaches M along the
@@ -20,9 +20,11 @@ namespace rubber_suspension::element {
 /// Validity: displacement stands for the strain energy, which is right for a test piece of one shape under one kind of
 /// load. Memory: M, S.
 /// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877; their error
-/// function of the energy is a tanh here, u being the energy of a linear spring that lacks to the largest one, over the
-/// latter. That the reduction grows with the largest strain, and recovers: J. Diani, B. Fayolle, P. Gilormini, Eur.
-/// Polymer J. 45 (2009) 601-612. The type's make() throws std::invalid_argument for values that do not go together.
+/// function of the energy is a tanh here, u being for a = 2 the energy of a linear spring that lacks to the largest
+/// one, over the latter; a = 1 counts displacement as M. F. Beatty and S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000)
+/// 1931-1965, count strain. That the reduction grows with the largest strain, and recovers: J. Diani, B. Fayolle, P.
+/// Gilormini, Eur. Polymer J. 45 (2009) 601-612. The type's make() throws std::invalid_argument for values that do not
+/// go together.
 class StressSoftening final : public ForceEffect {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
@@ -35,6 +37,7 @@ class StressSoftening final : public ForceEffect {
     double full_reach = 0.0;      ///< S_f [m]; greater than 0 beside an exponent
     double recovery_time = 0.0;   ///< T [s]; 0: permanent
     Side side = Side::both;
+    double ratio_power = 2.0;  ///< a [-]
   };
 
   explicit StressSoftening(const Parameters& parameters);

@@ -6,7 +6,7 @@ namespace {
 
 fit::Candidate bumpStop(const fit::Excitation& excitation) {
   fit::Candidate candidate{
-      "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}, false};
+      "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
       candidate.terms.push_back(

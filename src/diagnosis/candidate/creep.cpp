@@ -9,8 +9,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 fit::Candidate creep(const fit::Excitation& excitation) {
-  fit::Candidate candidate{
-      "creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}, false};
+  fit::Candidate candidate{"creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}};
   // The law of creep, which begins within the time of relaxation, and departures from it.
   const double longest = longestRelaxationTime(excitation);
   constexpr double kBegins = 0.2;      // of the longest time of relaxation

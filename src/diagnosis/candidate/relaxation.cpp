@@ -11,7 +11,7 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
   const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;
   fit::Candidate candidate{
-      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}, false};
+      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}};
   for (double frequency = slowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
     candidate.terms.push_back(
         fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));

@@ -6,7 +6,7 @@ namespace {
 
 fit::Candidate selfHeating(const fit::Excitation& excitation) {
   fit::Candidate candidate{
-      "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest", false, {}, false};
+      "self_heating", "heating by loss: stiffness falls over minutes of hard work, recovers at rest", false, {}};
   for (const double time : {10.0, 40.0, 160.0, 640.0}) {
     const double typical = 0.5 / (excitation.power * time);
     fit::BasisTerm term = fit::additiveTerm("self_heating", "energy_sensitivity", typical, {{"time_constant", {time}}});

@@ -31,8 +31,7 @@ fit::Candidate seriesCompliance(const fit::Excitation& excitation) {
           "frequency",
           true,
           {complianceTerm(excitation, 0.0, 1.0), complianceTerm(excitation, 0.0, -1.0),
-           complianceTerm(excitation, closing_force, 0.0)},
-          false};
+           complianceTerm(excitation, closing_force, 0.0)}};
 }
 
 const CandidateEntry kEntry(110, seriesCompliance);

@@ -40,13 +40,30 @@ void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
   add(2.0, 1.5, 8.0);
 }
 
+// By displacement in place of energy: what is lost deep within is not lost on the way there.
+void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
+  for (const double path : {0.0, 8.0}) {
+    for (const double exponent : {0.0, 1.0}) {
+      terms.push_back(factorTerm({{"width", {1.5}},
+                                  {"ratio_power", {1.0}},
+                                  {"path", {path * largest}},
+                                  {"reach_exponent", {exponent}},
+                                  {"full_reach", {largest}}}));
+    }
+  }
+}
+
 // Of one direction alone, and one that is lost again at rest.
 void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double side : {1.0, -1.0}) {
     terms.push_back(
         factorTerm({{"width", {0.5}}, {"path", {8.0 * excitation.largest_displacement}}, {"side", {side}}}));
   }
-  terms.push_back(factorTerm({{"width", {0.5}}, {"recovery_time", {0.2 * excitation.longest_duration}}}));
+  for (const double share : {0.03, 0.2, 1.0}) {
+    const double time = share * excitation.longest_duration;
+    terms.push_back(factorTerm({{"width", {0.5}}, {"recovery_time", {time}}}));
+    terms.push_back(factorTerm({{"width", {1.5}}, {"ratio_power", {1.0}}, {"recovery_time", {time}}}));
+  }
 }
 
 // What the first loading carries more than a factor on the settled force can tell.
@@ -59,9 +76,10 @@ void addFirstLoading(double stiffness, std::vector<fit::BasisTerm>& terms) {
 
 fit::Candidate stressSoftening(const fit::Excitation& excitation) {
   fit::Candidate candidate{
-      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}, false};
+      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
   addAtAnyReach(excitation.largest_displacement, candidate.terms);
   addByReach(excitation.largest_displacement, candidate.terms);
+  addByDisplacement(excitation.largest_displacement, candidate.terms);
   addOneSidedAndRecovering(excitation, candidate.terms);
   addFirstLoading(excitation.stiffness, candidate.terms);
   return candidate;

@@ -35,8 +35,7 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
                            "rates and stiffness that follow the temperature: the gap goes with the column "
                            "temperature_degC, which logs need for it",
                            false,
-                           {},
-                           false};
+                           {}};
   const double range = excitation.highest_temperature - excitation.lowest_temperature;
   if (excitation.has_temperature && range >= kLeastRange) {
     const double reference = std::round(0.5 * (excitation.lowest_temperature + excitation.highest_temperature));

@@ -1,4 +1,4 @@
-// Candidate effect: viscous damping, linear or not.
+// Candidate effect: viscous damping, linear or not, the same at any displacement or not.
 #include "diagnosis/candidate/registry.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -15,6 +15,13 @@ fit::Candidate viscousDamping(const fit::Excitation& excitation) {
     candidate.terms.push_back(
         fit::additiveTerm("power_dashpot", "damping", typical,
                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
+  }
+  for (const double power : {1.0, 4.0}) {  // a gap that the fluid is squeezed through closes
+    for (const double side : {1.0, -1.0}) {
+      candidate.terms.push_back(fit::additiveTerm(
+          "position_dashpot", "damping", typical,
+          {{"reference_displacement", {excitation.largest_displacement}}, {"power", {power}}, {"side", {side}}}));
+    }
   }
   return candidate;
 }

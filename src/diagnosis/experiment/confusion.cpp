@@ -179,7 +179,8 @@ Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
     HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise, size);
     single.members = {static_cast<int>(c)};
     single.terms = candidate.terms.size();
-    single.free_trends = candidate.free_trend;
+    single.free_trends = candidate.free_in_log.trend;
+    single.free_gains = candidate.free_in_log.gain;
     single.last_resort = candidate.last_resort;
     single.like_parameters = candidate.like_parameters;
     evidence.hypotheses.push_back(std::move(single));

@@ -20,15 +20,29 @@ constexpr double kMostFloors = 10.0;  // count: what decides one question beyond
 constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
 constexpr double kLeastNoise = 1e-4;  // of the force
 
-// Without what is free in a new log: its zero; a ramp, where trends are.
-Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, bool trends) {
+void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
+  const double square = direction.squaredNorm();
+  if (square > 0.0) {
+    columns -= direction / square * (direction.transpose() * columns).eval();
+  }
+}
+
+// Without what is free in a new log: its zero; a ramp, where trends are; a multiple of the force, where a gain is.
+Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, fit::FreeInLog free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
-  if (trends) {
-    const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0).normalized();
-    columns -= ramp * (ramp.transpose() * columns).eval();
+  const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);
+  Eigen::VectorXd gain = force.array() - force.mean();
+  if (free.trend) {
+    withoutDirection(ramp, columns);
+    gain -= ramp * (ramp.dot(gain) / ramp.squaredNorm());
+  }
+  if (free.gain) {
+    withoutDirection(gain, columns);
   }
   return columns;
 }
+
+Eigen::VectorXd withoutZero(const Eigen::VectorXd& force) { return force.array() - force.mean(); }
 
 double rms(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
@@ -87,11 +101,10 @@ double Discriminator::unrefitted(std::size_t motion) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t wrong = 0; wrong < says_.size(); ++wrong) {
       if (wrong != right) {
-        least = std::min(least, rms(withoutFree(force - says_[wrong].force[motion], false)));
+        least = std::min(least, rms(withoutZero(force - says_[wrong].force[motion])));
       }
     }
-    expected +=
-        explanations_[right].probability * std::min(kMostFloors, least / floorOf(rms(withoutFree(force, false))));
+    expected += explanations_[right].probability * std::min(kMostFloors, least / floorOf(rms(withoutZero(force))));
   }
   return expected;
 }
@@ -127,7 +140,7 @@ void Discriminator::findNormalEquations() {
     Normal& normal = normal_[e];
     normal.gram = blocks.sum.topLeftCorner(unknowns, unknowns);
     fitter_.stepBounds(fitted.hypothesis, fitted.fit.parameters, unknowns, normal.lower, normal.upper);
-    normal.trends = fitted.hypothesis.free_trends;
+    normal.free = fitted.hypothesis.free_in_log;
   }
 }
 
@@ -182,13 +195,14 @@ void Discriminator::sayDerivatives(std::size_t explanation) {
 double Discriminator::leftAfterRefit(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const Eigen::VectorXd& force = says_[right].force[motion];
-  const double deviation = rms(withoutFree(force, false));
+  const Eigen::VectorXd& said = says_[wrong].force[motion];
+  const double deviation = rms(withoutZero(force));
   const auto samples = static_cast<double>(force.size());
   const auto logs = static_cast<double>(fitter_.records().size());
   // Relative to the force of the new log, which weighs as much as each of the others.
   const double unit = 1.0 / (deviation * std::sqrt(samples));
-  const Eigen::VectorXd difference = unit * withoutFree(force - says_[wrong].force[motion], normal.trends);
-  const Eigen::MatrixXd columns = unit * withoutFree(says_[wrong].derivatives[motion], normal.trends);
+  const Eigen::VectorXd difference = unit * withoutFree(force - said, normal.free, said);
+  const Eigen::MatrixXd columns = unit * withoutFree(says_[wrong].derivatives[motion], normal.free, said);
   const Eigen::Index size = normal.gram.rows();
   Eigen::MatrixXd gram = logs * normal.gram;
   gram.topLeftCorner(columns.cols(), columns.cols()) += columns.transpose() * columns;
@@ -204,7 +218,7 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
   Discrimination result;
   result.experiment = played_.motions()[motion];
   for (std::size_t right = 0; right < explanations_.size(); ++right) {
-    const double deviation = rms(withoutFree(says_[right].force[motion], false));
+    const double deviation = rms(withoutZero(says_[right].force[motion]));
     const double noise = noise_.force / deviation;
     const auto joined = [&](double before, double now) {
       return std::sqrt((logs * before * before + now * now) / (logs + 1.0));

@@ -44,7 +44,7 @@ class Discriminator {
     Eigen::MatrixXd gram;   // of the logs, priors included
     Eigen::VectorXd lower;  // bounds of a step
     Eigen::VectorXd upper;
-    bool trends = false;
+    fit::FreeInLog free;
   };
   // What an explanation says of the motions.
   struct Says {

@@ -73,7 +73,7 @@ class Projected {
   Eigen::Index size_;
   Eigen::MatrixXd plain_;      // without priors
   Eigen::MatrixXd taken_;      // of each column, by each model parameter
-  Eigen::MatrixXd projected_;  // of basis terms and trends
+  Eigen::MatrixXd projected_;  // of basis terms and what is free in each log
 };
 
 // Places of the basis terms that stand for the shapes of an effect.
@@ -86,7 +86,7 @@ std::vector<std::size_t> shapesOf(std::size_t terms) {
   return places;
 }
 
-// What a candidate is fitted with: its basis terms, and trends where they belong to it.
+// What a candidate is fitted with: its basis terms, and what is free in each log with it.
 struct Fitted {
   std::vector<Eigen::Index> columns;
   std::vector<bool> is_signed;
@@ -98,13 +98,9 @@ Fitted fittedBy(const Screening& screening, std::size_t candidate) {
     fitted.columns.push_back(column);
     fitted.is_signed.push_back(screening.terms()[static_cast<std::size_t>(column - screening.modelSize())].lower < 0.0);
   }
-  if (screening.candidates()[candidate].free_trend) {
-    const Eigen::Index all = screening.blocks().sum.rows() - 1;
-    for (Eigen::Index column = screening.modelSize() + static_cast<Eigen::Index>(screening.terms().size());
-         column < all; ++column) {
-      fitted.columns.push_back(column);
-      fitted.is_signed.push_back(true);
-    }
+  for (const Eigen::Index column : screening.freeColumns(screening.candidates()[candidate].free_in_log)) {
+    fitted.columns.push_back(column);
+    fitted.is_signed.push_back(true);
   }
   return fitted;
 }

@@ -132,7 +132,7 @@ NextExperiment nextExperiment(const fit::Fitter& fitter, const Search& search, c
   if (judgement.verdict == Verdict::none) {
     return {"None is needed: the model agrees with the measurement as far as these logs can show.", {}};
   }
-  if (search.at(judgement.model).hypothesis.like_parameters) {
+  if (judgement.values_would_do && search.at(judgement.model).hypothesis.like_parameters) {
     return {"No motion tells a gain from wrong values: put a known weight on the load cell, and compare.", {}};
   }
   return Proposer(fitter, search, judgement, limits, threads).run();

@@ -14,19 +14,19 @@ namespace {
 constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
 
 // The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
-// contains in its place. A trend for each log follows whatever is slow: any laws without one are simpler, as many of
-// them. A law that can look like several others is the last one to be believed: any laws without it are simpler,
-// however many.
+// contains in its place. A trend for each log follows whatever is slow, a gain for each whatever depends on a log's
+// amplitude or frequency: any laws without either are simpler, as many of them. A law that can look like several others
+// is the last one to be believed: any laws without it are simpler, however many.
 std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
   const HypothesisEvidence& large = evidence.at(hypothesis);
-  const bool trend = evidence.single(member).free_trends;
+  const bool in_log = evidence.single(member).free_trends || evidence.single(member).free_gains;
   const bool like_others = evidence.single(member).last_resort;
   std::vector<int> simpler;
-  if (trend || like_others) {
+  if (in_log || like_others) {
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
       const HypothesisEvidence& other = evidence.at(h);
       const bool as_many = like_others || other.members.size() == large.members.size();
-      const bool without = !other.last_resort && (like_others || !other.free_trends);
+      const bool without = !other.last_resort && (like_others || !(other.free_trends || other.free_gains));
       if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
         simpler.push_back(h);
       }

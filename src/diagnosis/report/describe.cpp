@@ -105,12 +105,12 @@ class Describer {
       const FittedHypothesis& single = search_.singles[c];
       of_candidates_[c] = single.fit.blocks;
       if (hasUnseenLogs()) {
-        // Where it is not named, a drift is what a simulation predicts of it: its trends would take slow noise with
-        // them.
-        const bool without_trends = single.hypothesis.free_trends && &single != &judged_;
+        // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
+        // take slow noise, or a law's error, with it.
+        const bool as_predicted = single.hypothesis.free_in_log.any() && &single != &judged_;
         of_candidates_[c] =
-            without_trends ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
-                           : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
+            as_predicted ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
+                         : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
       }
     });
   }

@@ -33,7 +33,7 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
   for (fit::Candidate& candidate : all) {
     if (std::find(never.begin(), never.end(), candidate.effect) != never.end()) {
       candidate.terms.clear();
-      candidate.free_trend = false;
+      candidate.free_in_log = {};
     }
   }
   fit::findUnitEffects(all, *loops_->records(), threads);

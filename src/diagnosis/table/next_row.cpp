@@ -106,7 +106,7 @@ std::string nextRow(const MeasuredRows& measured, const Search& search, const Ju
   if (judgement.verdict == Verdict::none) {
     return "None is needed for what a table can show. " + recordALog();
   }
-  if (search.at(judgement.model).hypothesis.like_parameters) {
+  if (judgement.values_would_do && search.at(judgement.model).hypothesis.like_parameters) {
     return "No row tells a gain from wrong values: put a known weight on the load cell, and compare.";
   }
   const std::vector<Explanation> explanations = explanationsOf(search, judgement, Criteria{});

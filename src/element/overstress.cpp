@@ -1,0 +1,45 @@
+// Flow beyond a limit of the force.
+#include "rubber_suspension/element/overstress.h"
+
+#include <cmath>
+
+#include "rubber_suspension/element/implicit_flow.h"
+
+namespace rubber_suspension::element {
+
+double Overstress::initialise(double /*displacement*/, double* memory) const {
+  memory[0] = 0.0;
+  return 0.0;
+}
+
+// Memory: the spring's displacement in units of y.
+double Overstress::step(const Motion& motion, double* memory) const {
+  const Parameters& p = parameters_;
+  const double target = memory[0] + motion.increment / p.yield_displacement;
+  const double beyond = std::abs(target) - 1.0;
+  memory[0] =
+      beyond <= 0.0
+          ? target
+          : std::copysign(1.0 + flowRoot(beyond, p.reference_rate * motion.dt / p.yield_displacement, p.power), target);
+  return p.stiffness * p.yield_displacement * memory[0];
+}
+
+ElementType overstressType() {
+  return {
+      "overstress",
+      "Spring that flows beyond a limit of its force, the faster the farther beyond: F = k y (1 + (v/v_r)^(1/m)) at "
+      "a steady rate v, k y after a hold.",
+      {{"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k of the spring"},
+       {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
+        "displacement y of the spring at the limit k y"},
+       {"reference_rate", "m/s", Role::shape, Range::positive(), std::nullopt,
+        "rate v_r that doubles the force in flow"},
+       {"power", "1", Role::shape, Range::closed(0.25, 10.0), 2.0, "m, by which what is beyond the limit flows"}},
+      [](const ElementDescription& description) -> ElementPointer {
+        return std::make_shared<const Overstress>(
+            Overstress::Parameters{description.value("stiffness"), description.value("yield_displacement"),
+                                   description.value("reference_rate"), description.value("power")});
+      }};
+}
+
+}  // namespace rubber_suspension::element
