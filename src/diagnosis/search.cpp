@@ -24,6 +24,7 @@ constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
 constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
+constexpr double kClearlyBetter = 0.99;   // of a score
 constexpr double kFar =
     0.2;  // a logarithm of a model parameter: far enough for a second start from the configured ones
 
@@ -53,6 +54,18 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
   if (far || !additive) {
     start = fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations);
     keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
+  }
+}
+
+// Gains of each log from where one gain of all arrived, which is enough where they do no better.
+void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
+  FittedHypothesis common = single;
+  common.hypothesis.free_in_log.gain = false;
+  fitSingle(fitter, re_estimated, common);
+  keepBetter(fitter.fit(single.hypothesis, common.fit.parameters, kSingleIterations), single);
+  keepBetter(fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), kSingleIterations), single);
+  if (single.fit.score() > kClearlyBetter * common.fit.score()) {
+    single = std::move(common);
   }
 }
 
@@ -175,8 +188,10 @@ class Searcher {
     }
     std::stable_partition(order.begin(), order.end(),
                           [](const FittedHypothesis* single) { return !single->hypothesis.isAdditive(); });
-    fit::parallelFor(order.size(), threads_,
-                     [&](std::size_t i) { fitSingle(fitter_, result_.re_estimated, *order[i]); });
+    fit::parallelFor(order.size(), threads_, [&](std::size_t i) {
+      const auto fit = order[i]->hypothesis.free_in_log.gain ? fitGains : fitSingle;
+      fit(fitter_, result_.re_estimated, *order[i]);
+    });
     std::copy_if(
         result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
         [](const FittedHypothesis& single) { return !single.hypothesis.last_resort && single.hypothesis.competes(); });
@@ -288,13 +303,18 @@ std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& can
 void remakeHypotheses(Search& search) {
   for (auto* list : {&search.singles, &search.pairs, &search.triples}) {
     for (FittedHypothesis& fitted : *list) {
+      const fit::FreeInLog free = fitted.hypothesis.free_in_log;  // gains may be common
       fitted.hypothesis = fit::makeHypothesis(search.candidates, fitted.hypothesis.members);
+      fitted.hypothesis.free_in_log = free;
     }
   }
 }
 
 // Gains of logs that are not all within a tolerance of one.
 bool differ(const std::vector<double>& gains, double tolerance) {
+  if (gains.empty()) {
+    return false;
+  }
   const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
   return *most - *least > 2.0 * tolerance;
 }

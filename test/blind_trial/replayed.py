@@ -122,6 +122,13 @@ def without_trend(difference):
     return difference - columns @ np.linalg.lstsq(columns, difference, rcond=None)[0]
 
 
+def with_own_gain(simulated, force):
+    """With the log's own gain of the force's channel, which no simulation predicts."""
+    centred = simulated - simulated.mean()
+    square = centred @ centred
+    return simulated * (centred @ force / square) if square > 0.0 else simulated
+
+
 def after_rig(difference, force, zero=True):
     """What a log differs by once a zero, a gain and a delay of the force within a rig's tolerances are taken out of it:
     the gaps of a report are measured like that. Where an offset or drift is named, the zero stays."""
@@ -148,8 +155,12 @@ def further_gaps(binary, case, cases_folder):
         logs, zero = write_further(case, scratch), not {"force_offset", "force_drift"} & set(case.named)
 
         def left(what, path, force):
-            rest = after_rig(force - replay(binary, configs[what], info["component"], path), force, zero)
-            return without_trend(rest) if what == "augmented" and "force_drift" in case.named else rest
+            named = case.named if what == "augmented" else []
+            simulated = replay(binary, configs[what], info["component"], path)
+            if "sensor_gain" in named:
+                simulated = with_own_gain(simulated, force)
+            rest = after_rig(force - simulated, force, zero)
+            return without_trend(rest) if "force_drift" in named else rest
         gaps = {what: gap_of([(left(what, path, force), force) for path, force in logs]) for what in configs}
         gaps["same_re_estimated"] = None
         if info["hold_out"]:

@@ -379,6 +379,22 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) { single(e, kDrift).held_out = single(e, kOther).held_out = 0.011; },
      Verdict::named,
      {kOther}},
+    {"an effect goes before gains of each log that leave as little",
+     [](Evidence& e, Criteria&) {
+       single(e, kOther).free_gains = true;
+       single(e, kMany).held_out = 0.0112;
+       single(e, kOther).held_out = 0.011;
+     },
+     Verdict::named,
+     {kMany}},
+    {"gains of each log that leave less are named",
+     [](Evidence& e, Criteria&) {
+       single(e, kOther).free_gains = true;
+       single(e, kMany).held_out = 0.1;
+       single(e, kOther).held_out = 0.011;
+     },
+     Verdict::named,
+     {kOther}},
     {"a last resort gives way to any effect that explains as much",
      [](Evidence& e, Criteria&) { single(e, kLastResort).held_out = single(e, kOther).held_out = 0.02; },
      Verdict::named,

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "checked_diagnosis.h"
 #include "rig.h"
@@ -68,6 +70,54 @@ TEST(SensorGain, WithinTheToleranceIsNoCause) {
   component.rig->gain = {0.25, true};  // 2 standard deviations of it are more than ln 1.5
   const diagnosis::Diagnosis result = diagnoseWithGain(0.5, component);
   EXPECT_TRUE(result.effects.empty()) << result.sentence;
+}
+
+double gainFound(const diagnosis::Diagnosis& result, const std::string& log) {
+  const auto found = std::find_if(result.rig_findings.begin(), result.rig_findings.end(), [&](const auto& finding) {
+    return finding.log == log && finding.finding == "sensor_gain";
+  });
+  return found == result.rig_findings.end() ? 0.0 : found->value;
+}
+
+// An amplifier whose range was changed between logs; what the logs have in common is that of the values.
+TEST(SensorGain, IsNamedWhereItDiffersFromLogToLog) {
+  const diagnosis::Diagnosis result =
+      checkedDiagnosis(rigComponent(), {runWithGain("one", 1, 0.1), runWithGain("two", 2, -0.05)},
+                       {runWithGain("unseen", 3, 0.1), runWithGain("other", 4, -0.05)});
+  EXPECT_EQ(result.verdict, "named") << result.sentence;
+  EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
+  EXPECT_LT(result.gap.augmented, 1.05 * result.gap.noise_floor);
+  EXPECT_NEAR((1.0 + gainFound(result, "one")) / (1.0 + gainFound(result, "two")), 1.1 / 0.95, 0.005);
+  EXPECT_NEAR((1.0 + gainFound(result, "unseen")) / (1.0 + gainFound(result, "other")), 1.1 / 0.95, 0.005);
+}
+
+TEST(SensorGain, MayStandBesideAnotherEffect) {
+  const auto run = [](const std::string& name, unsigned seed, double gain) {
+    log::Log log = runRig(name, seed, rigFriction());
+    for (double& force : log.force) {
+      force *= 1.0 + gain;
+    }
+    return log;
+  };
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {run("one", 1, 0.15), run("two", 2, -0.15), run("three", 5, 0.15)}, {run("unseen", 3, -0.15)});
+  EXPECT_THAT(result.effects, ::testing::UnorderedElementsAre("friction", "sensor_gain")) << result.sentence;
+}
+
+// Gains of each log follow whatever depends on amplitude, too: stiffening by a fifth from the smallest log to the
+// largest.
+TEST(SensorGain, IsNoneOfAnEffectThatDependsOnAmplitude) {
+  const auto run = [](const std::string& name, unsigned seed, double share) {
+    log::Log log = runRig(name, seed, [](double, double, double) { return 0.0; });
+    for (std::size_t i = 0; i < log.stamp.size(); ++i) {
+      log.displacement[i] *= share;
+      log.force[i] = share * log.force[i] + 6e10 * std::pow(log.displacement[i], 3);
+    }
+    return log;
+  };
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {run("small", 1, 0.5), run("middle", 2, 0.75), run("large", 5, 1.0)}, {run("unseen", 3, 0.9)});
+  EXPECT_THAT(result.effects, ElementsAre("progressive_stiffness")) << result.sentence;
 }
 
 }  // namespace

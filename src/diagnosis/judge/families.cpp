@@ -31,6 +31,11 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
         simpler.push_back(h);
       }
     }
+    if (evidence.single(member).free_gains && !simpler.empty()) {  // the best one stands for all
+      return {*std::min_element(simpler.begin(), simpler.end(), [&](int a, int b) {
+        return weighing.left(evidence.at(a)) < weighing.left(evidence.at(b));
+      })};
+    }
     return simpler;
   }
   for (const int contained : evidence.containedIn(member)) {
@@ -41,13 +46,22 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
   return simpler;
 }
 
+// A gain of each log is as many numbers as there are logs: it has to gain as a further effect has to.
+bool isBetter(const Evidence& evidence, const Weighing& weighing, const Criteria& criteria, int member,
+              const HypothesisEvidence& large, const HypothesisEvidence& simpler) {
+  if (!evidence.single(member).free_gains) {
+    return weighing.errsLess(large, simpler);
+  }
+  return weighing.gainsEnough(large, simpler) && weighing.chanceOfGain(large, simpler) < criteria.chance;
+}
+
 // True if that changes anything.
-bool settle(const Weighing& weighing, int hypothesis, Evidence& evidence) {
+bool settle(const Weighing& weighing, const Criteria& criteria, int hypothesis, Evidence& evidence) {
   HypothesisEvidence& large = evidence.hypotheses[static_cast<std::size_t>(hypothesis)];
   const double before = large.at_least;
   for (const int member : large.members) {
     for (const int simpler : simplerThan(evidence, weighing, hypothesis, member)) {
-      if (!weighing.errsLess(large, evidence.at(simpler))) {
+      if (!isBetter(evidence, weighing, criteria, member, large, evidence.at(simpler))) {
         large.does_no_better = true;
         large.at_least = std::max(large.at_least, kLittleMore * weighing.left(evidence.at(simpler)));
       }
@@ -65,7 +79,7 @@ void settleFamilies(Evidence& evidence, const Criteria& criteria) {
   for (int i = 0; changed && i < kLongestChain; ++i) {
     changed = false;
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
-      changed = settle(weighing, h, evidence) || changed;
+      changed = settle(weighing, criteria, h, evidence) || changed;
     }
   }
 }

@@ -108,12 +108,15 @@ class Naming {
     return found;
   }
 
-  // Of the residual: what moved parameters cost both hypotheses alike must not hide a gain.
-  bool gainsEnough(int hypothesis, int over) const {
-    const auto rest = [&](int h) {
-      return std::max(evidence_.at(h).at_least, weighing_.left(evidence_.at(h).held_out));
-    };
-    return left(hypothesis) < left(over) && rest(hypothesis) < criteria_.needs_another * rest(over);
+  // Beside gains of each log, which may do nearly as well by themselves and stand back for a simpler law all the same,
+  // any other effect has to gain as one more effect has to.
+  bool needsOthersThanGains(int hypothesis) const {
+    const HypothesisEvidence& all = evidence_.at(hypothesis);
+    return !all.free_gains || std::all_of(all.members.begin(), all.members.end(), [&](int effect) {
+      const std::optional<int> others = evidence_.without(hypothesis, effect);
+      return evidence_.single(effect).free_gains || !others ||
+             weighing_.left(all.held_out) < criteria_.needs_another * weighing_.left(evidence_.at(*others).held_out);
+    });
   }
 
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
@@ -128,7 +131,7 @@ class Naming {
       if (!further || (left(chosen) < worth && !evidence_.at(chosen).free_trends)) {
         break;
       }
-      if (gainsEnough(*further, fewer) &&
+      if (needsOthersThanGains(*further) && weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) &&
           weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(fewer)) < criteria_.chance) {
         chosen = *further;
       }

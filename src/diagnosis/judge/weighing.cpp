@@ -157,6 +157,11 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
   return std::min(1.0, 3.0 * std::min({on_average, pValueBySigns(losses, 0, 1), pValueOfSomeLog(losses, 0, 1)}));
 }
 
+bool Weighing::gainsEnough(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
+  const auto rest = [this](const HypothesisEvidence& h) { return std::max(h.at_least, left(h.held_out)); };
+  return left(hypothesis) < left(over) && rest(hypothesis) < criteria_.needs_another * rest(over);
+}
+
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   const std::vector<gap::PartError> before = partsOf(over);
   const std::vector<gap::PartError> after = partsOf(hypothesis);

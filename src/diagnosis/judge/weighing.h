@@ -63,6 +63,10 @@ class Weighing {
   /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
+  /// True if the first leaves so little of what the other does as one more effect has to (Criteria::needs_another): of
+  /// the residual, since what moved parameters cost both alike must not hide a gain.
+  bool gainsEnough(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
+
   /// True if a hypothesis closes part of the gap that another leaves of data that took no part in the fit, beyond
   /// chance: the interval of what it closes excludes 0. True where parts of the errors are not known.
   bool closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
