@@ -68,6 +68,7 @@ PreparedLog prepare(const log::Log& log, Start start) {
   PreparedLog prepared{log::makeRecord(repaired(log, faults)), faults.findings};
   log::Record& record = prepared.record;
   Eigen::VectorXd counts = resampled(faults.usable(), log, record).cast<double>();
+  const Eigen::VectorXd usable = counts;
   counts.head(start == Start::counts ? 0 : samplesOfStart(record)).setZero();
   const auto all = static_cast<double>(record.size());
   if (counts.sum() < all) {
@@ -77,7 +78,8 @@ PreparedLog prepare(const log::Log& log, Start start) {
                                       faults.findings.empty() ? "too short" : faults.findings.front().text));
     }
     record.counts = counts;
-    record.force_deviation = standardDeviation(record.force, counts);
+    // Of the start, too: what follows it may be next to nothing, as a hold after a ramp.
+    record.force_deviation = standardDeviation(record.force, usable);
   }
   return prepared;
 }

@@ -379,6 +379,14 @@ const std::vector<Row> kRows = {
      [](Evidence& e, Criteria&) { single(e, kDrift).held_out = single(e, kOther).held_out = 0.011; },
      Verdict::named,
      {kOther}},
+    {"nothing is sought in a rest below the noise, whatever moved parameters cost",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.0105;
+       single(e, kMany).penalty = 0.03;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.0));
+     },
+     Verdict::named,
+     {kMany}},
     {"an effect goes before gains of each log that leave as little",
      [](Evidence& e, Criteria&) {
        single(e, kOther).free_gains = true;

@@ -128,7 +128,7 @@ class Naming {
       const std::optional<int> further = best(effects);
       // Nothing is sought in a rest that is smaller than the noise.
       const double worth = std::max(weighing_.insignificant(), evidence_.noise_floor);
-      if (!further || (left(chosen) < worth && !evidence_.at(chosen).free_trends)) {
+      if (!further || (weighing_.residualOf(evidence_.at(chosen)) < worth && !evidence_.at(chosen).free_trends)) {
         break;
       }
       if (needsOthersThanGains(*further) && weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) &&

@@ -157,9 +157,12 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
   return std::min(1.0, 3.0 * std::min({on_average, pValueBySigns(losses, 0, 1), pValueOfSomeLog(losses, 0, 1)}));
 }
 
+double Weighing::residualOf(const HypothesisEvidence& hypothesis) const {
+  return std::max(hypothesis.at_least, left(hypothesis.held_out));
+}
+
 bool Weighing::gainsEnough(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
-  const auto rest = [this](const HypothesisEvidence& h) { return std::max(h.at_least, left(h.held_out)); };
-  return left(hypothesis) < left(over) && rest(hypothesis) < criteria_.needs_another * rest(over);
+  return left(hypothesis) < left(over) && residualOf(hypothesis) < criteria_.needs_another * residualOf(over);
 }
 
 bool Weighing::closesForSure(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {

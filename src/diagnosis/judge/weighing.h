@@ -63,6 +63,9 @@ class Weighing {
   /// Probability of such a gain over another hypothesis where there is none; 0 where errors of blocks are not known.
   double chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
 
+  /// What it leaves of the residual above the floor: without what moved parameters cost.
+  double residualOf(const HypothesisEvidence& hypothesis) const;
+
   /// True if the first leaves so little of what the other does as one more effect has to (Criteria::needs_another): of
   /// the residual, since what moved parameters cost both alike must not hide a gain.
   bool gainsEnough(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
