@@ -38,6 +38,7 @@
 #include "rubber_suspension/element/spring_table.h"
 #include "rubber_suspension/element/springpot.h"
 #include "rubber_suspension/element/stress_softening.h"
+#include "rubber_suspension/element/thinning_dashpot.h"
 #include "rubber_suspension/element/thixotropic_maxwell.h"
 #include "rubber_suspension/element/time_delay.h"
 #include "rubber_suspension/element/variable_friction.h"
@@ -89,6 +90,7 @@ const std::vector<ElementType>& elementTypes() {
       bumpStopType(),
       dashpotType(),
       powerDashpotType(),
+      thinningDashpotType(),
       positionDashpotType(),
       maxwellType(),
       nonlinearMaxwellType(),

@@ -15,6 +15,7 @@
 #include "rubber_suspension/element/self_heating.h"
 #include "rubber_suspension/element/series_compliance.h"
 #include "rubber_suspension/element/stress_softening.h"
+#include "rubber_suspension/element/thinning_dashpot.h"
 #include "rubber_suspension/element/time_delay.h"
 
 namespace rubber_suspension::test {
@@ -149,6 +150,14 @@ TEST(PowerDashpot, OfPowerOneIsADashpot) {
     const double expected = reference.step(0.01, to);
     EXPECT_NEAR(driver.step(0.01, to), expected, 1e-9 * std::abs(expected));
   }
+}
+
+TEST(ThinningDashpot, HasALimitOfItsForce) {
+  const element::ThinningDashpot law(2e4, 0.05);
+  EXPECT_NEAR(law.force(1e-7), 2e4 * 1e-7, 2e4 * 1e-7 * 3e-6);  // |v|/v_h
+  EXPECT_DOUBLE_EQ(law.force(0.05), 0.5 * 2e4 * 0.05);
+  EXPECT_DOUBLE_EQ(law.force(-0.05), -0.5 * 2e4 * 0.05);
+  EXPECT_NEAR(law.force(1e5), 2e4 * 0.05, 1e-3);
 }
 
 TEST(PowerDashpot, FollowsThePowerOfTheRate) {

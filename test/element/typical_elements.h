@@ -57,6 +57,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"dashpot", {{"damping", {2e4}}, {"order", {2.0}}}},
       {"power_dashpot", {{"damping", {2e4}}, {"reference_rate", {0.05}}, {"exponent", {2.0}}}},
       {"power_dashpot", {{"damping", {2e4}}, {"reference_rate", {0.05}}, {"exponent", {0.6}}}},
+      {"thinning_dashpot", {{"damping", {2e4}}, {"half_rate", {0.02}}}},
       {"position_dashpot", {{"damping", {2e4}}, {"reference_displacement", {1e-3}}, {"power", {3.0}}}},
       {"position_dashpot",
        {{"damping", {2e4}}, {"reference_displacement", {5e-4}}, {"power", {1.0}}, {"side", {-1.0}}}},
@@ -173,8 +174,8 @@ inline bool isElastic(const element::ElementDescription& description) {
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
-                            "position_dashpot", "power_dashpot_behind_play", "overstress", "nonlinear_maxwell",
-                            "variable_friction", "viscoplastic_friction", "residual"});
+                            "position_dashpot", "thinning_dashpot", "power_dashpot_behind_play", "overstress",
+                            "nonlinear_maxwell", "variable_friction", "viscoplastic_friction", "residual"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;

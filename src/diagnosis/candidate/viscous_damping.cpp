@@ -16,6 +16,10 @@ fit::Candidate viscousDamping(const fit::Excitation& excitation) {
         fit::additiveTerm("power_dashpot", "damping", typical,
                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
   }
+  for (const double share : {0.3, 1.0}) {  // thins to a limit
+    candidate.terms.push_back(
+        fit::additiveTerm("thinning_dashpot", "damping", typical, {{"half_rate", {share * excitation.highest_rate}}}));
+  }
   for (const double power : {1.0, 4.0}) {  // a gap that the fluid is squeezed through closes
     for (const double side : {1.0, -1.0}) {
       candidate.terms.push_back(fit::additiveTerm(
