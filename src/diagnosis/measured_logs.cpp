@@ -13,6 +13,28 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
+
+// What each log's held-out blocks have left of the hypothesis that leaves least there, as a gap.
+std::vector<double> leastLeft(const Search& search, std::size_t logs) {
+  std::vector<double> least(logs, std::numeric_limits<double>::infinity());
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (const FittedHypothesis& fitted : *list) {
+      std::vector<double> squares(logs, 0.0);
+      std::vector<double> weights(logs, 0.0);
+      for (const gap::PartError& block : fitted.fit.blocks) {
+        squares[static_cast<std::size_t>(block.log)] += block.weight * block.error;
+        weights[static_cast<std::size_t>(block.log)] += block.weight;
+      }
+      for (std::size_t r = 0; r < logs; ++r) {
+        least[r] = weights[r] > 0.0 ? std::min(least[r], std::sqrt(squares[r] / weights[r])) : least[r];
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace
 
 std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements) {
   bool any = false;
@@ -51,8 +73,8 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 }
 
 // For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
-// what the noise of the displacement causes. A better model leaves less that is not noise: of several, the least
-// counts, log by log.
+// what the noise of the displacement causes, which is no more than what any model leaves. A better model leaves less
+// that is not noise: of several, the least counts, log by log.
 void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
   const std::vector<log::Record>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
@@ -61,7 +83,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  const std::vector<double>& caused = result.record_caused;
+  const std::vector<double> least = leastLeft(result, records.size());
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
@@ -72,8 +94,9 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
   result.record_noise.clear();
   for (std::size_t r = 0; r < records.size(); ++r) {
     const double left = std::min(result.record_rest[r], limit.of(records[r]));
-    by_displacement = by_displacement || caused[r] > left;
-    result.record_noise.push_back(std::max(left, caused[r]));
+    const double caused = std::min(result.record_caused[r], least[r]);
+    by_displacement = by_displacement || caused > left;
+    result.record_noise.push_back(std::max(left, caused));
   }
   result.noise = commonFloor(result.record_noise, records);
   result.noise_source = by_displacement

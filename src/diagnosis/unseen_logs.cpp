@@ -56,8 +56,11 @@ std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& 
                                 const std::vector<log::Record>& records, const NoiseLimit& limit) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = measurement::relativeFloor(records[r], records[r].force - simulated[r]);
-    floors[r] = std::max(std::min(left, limit.of(records[r])), floors[r]);
+    const log::Record& record = records[r];
+    const Eigen::VectorXd residual = record.force - simulated[r];
+    const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
+    const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
+    floors[r] = std::max(left, std::min(floors[r], all));
   }
   return floors;
 }

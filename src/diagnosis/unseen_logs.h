@@ -21,8 +21,8 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: with a slow trend of each log that it has
-/// free taken out, which is what such a hypothesis says of a log and no simulation predicts.
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
+/// log, which is what such a hypothesis says of a log and no simulation predicts.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 
