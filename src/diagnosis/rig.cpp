@@ -154,15 +154,20 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
 }
 
 std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
-                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training) {
-  const std::vector<double> zeros = meansLeft(training, gap::simulate(elements, training));
+                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training,
+                                    const std::vector<log::Record>& held_out) {
+  const std::vector<double> of_training = meansLeft(training, gap::simulate(elements, training));
+  const std::vector<double> of_held_out = meansLeft(held_out, gap::simulateEach(elements, held_out));
+  std::vector<double> zeros = of_training;
+  zeros.insert(zeros.end(), of_held_out.begin(), of_held_out.end());
   const double common = meanOf(zeros);
   double squares = 0.0;
   for (const log::Record& record : training) {
     squares += record.weight * std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
   }
-  const bool cause =
-      areCommon(zeros) || areBeyondTolerance(zeros, training, tolerances.force_zero, bergForce(elements));
+  const double friction = bergForce(elements);
+  const bool cause = areCommon(zeros) || (areBeyondTolerance(of_training, training, tolerances.force_zero, friction) &&
+                                          areBeyondTolerance(of_held_out, held_out, tolerances.force_zero, friction));
   return cause && std::sqrt(squares) > least ? std::optional(common) : std::nullopt;
 }
 

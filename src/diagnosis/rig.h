@@ -18,10 +18,11 @@ void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& t
                    std::vector<log::Record>& training, std::vector<log::Record>& held_out);
 
 /// Mean of the zeros of the force that a model leaves [N], where they are a cause: beyond the rig's tolerance, and what
-/// Berg's friction may start with, in all logs, or common to them, which zeros that nobody set are not; and more than
-/// `least` as a gap.
+/// Berg's friction may start with, in all logs, those held out among them, or common to them, which zeros that nobody
+/// set are not; and more than `least` as a gap.
 std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
-                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training);
+                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training,
+                                    const std::vector<log::Record>& held_out);
 
 /// Let the zero of the force count: it is no nuisance any more. Of the zeros that a model leaves, what is not common to
 /// all logs is the rig's, and taken out.

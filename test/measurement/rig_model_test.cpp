@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "measurement/examine.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 
@@ -178,6 +181,26 @@ TEST(FreeNuisances, AreNoneWhereTheZeroIsACause) {
   const Eigen::MatrixXd none = freeNuisances({record}, {}, true, {record.force}, {}).front();
   EXPECT_EQ(none.rows(), record.size());
   EXPECT_EQ(none.cols(), 0);
+}
+
+// A ramp that the recording begins in, then a hold: the start does not count, but the log's force is that of all of it.
+TEST(PrepareLog, ScalesByTheForceOfTheStartToo) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> noise(0.0, 20.0);
+  log::Log log;
+  log.name = "hold";
+  Eigen::VectorXd force(5000);
+  for (int i = 0; i < 5000; ++i) {
+    const double z = i < 250 ? 1e-3 * (1.0 - i / 250.0) : 0.0;
+    force[i] = 1e6 * z + noise(generator);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
+    log.displacement.push_back(z);
+    log.force.push_back(force[i]);
+  }
+  const log::Record record = prepareLog(log).record;
+  ASSERT_GT(record.counts.size(), 0) << "starts in motion";
+  EXPECT_EQ(record.counts[0], 0.0);
+  EXPECT_NEAR(record.force_deviation, std::sqrt((force.array() - force.mean()).square().mean()), 1.0);
 }
 
 TEST(RigModel, RefusesMasksOfOtherSize) {
