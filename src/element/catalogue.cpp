@@ -41,6 +41,7 @@
 #include "rubber_suspension/element/thinning_dashpot.h"
 #include "rubber_suspension/element/thixotropic_maxwell.h"
 #include "rubber_suspension/element/time_delay.h"
+#include "rubber_suspension/element/transition_shift.h"
 #include "rubber_suspension/element/variable_friction.h"
 #include "rubber_suspension/element/vertical_shift.h"
 #include "rubber_suspension/element/viscoplastic_friction.h"
@@ -114,6 +115,7 @@ const std::vector<ElementType>& elementTypes() {
       wlfShiftType(),
       arrheniusShiftType(),
       verticalShiftType(),
+      transitionShiftType(),
       freePlayType(),
       seriesComplianceType(),
       timeDelayType(),

@@ -126,7 +126,7 @@ std::size_t termsFor(const std::vector<log::Log>& logs) {
 }
 
 TEST(TemperatureEffect, NeedsATemperatureThatMovesInLogsThatAllHaveOne) {
-  EXPECT_EQ(termsFor(warmingLogs()), 2U);
+  EXPECT_EQ(termsFor(warmingLogs()), 3U) << "rates, stiffness, and the foot of the glass transition";
   EXPECT_EQ(termsFor({runAt("one", 1, room), runAt("two", 2, room)}), 0U);
   std::vector<log::Log> one_without = warmingLogs();
   one_without[1].temperature.clear();

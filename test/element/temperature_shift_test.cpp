@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rubber_suspension/element/arrhenius_shift.h"
+#include "rubber_suspension/element/transition_shift.h"
 #include "rubber_suspension/element/wlf_shift.h"
 
 namespace rubber_suspension {
@@ -87,6 +88,22 @@ TEST(VerticalShift, ProportionalToTheAbsoluteTemperature) {
   EXPECT_NEAR(vertical.at(80.0).force, 353.15 / 293.15, 1e-15);
   EXPECT_NEAR(vertical.at(-40.0).force, 233.15 / 293.15, 1e-15);
   EXPECT_NEAR(vertical.temperatures().lower, -273.15, 1e-9);
+}
+
+TEST(TransitionShift, RisesTowardsTheCold) {
+  const element::TransitionShift shift(0.2, 10.0, 20.0);
+  EXPECT_EQ(shift.at(20.0).force, 1.0);
+  EXPECT_EQ(shift.at(-30.0).time, 1.0);
+  EXPECT_DOUBLE_EQ(shift.at(10.0).force, 1.0 + 0.2 * (std::exp(1.0) - 1.0));
+  EXPECT_NEAR(shift.at(300.0).force, 0.8, 1e-12);
+}
+
+TEST(TransitionShift, HoldsWhereTheFactorIsPositive) {
+  const element::TransitionShift shift(2.0, 10.0, 20.0);
+  const double end = 20.0 + 10.0 * std::log(2.0);
+  EXPECT_NEAR(shift.temperatures().upper, end, 1e-12);
+  EXPECT_NEAR(shift.at(end).force, 0.0, 1e-12);
+  EXPECT_FALSE(shift.temperatures().contains(end));
 }
 
 TEST(VerticalShift, HoldsWhereTheFactorIsPositive) {

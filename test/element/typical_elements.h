@@ -111,6 +111,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"wlf_shift", {{"c1", {6.14}}, {"c2", {146.6}}, {"reference", {20.0}}}},
       {"arrhenius_shift", {{"activation_energy", {5e4}}, {"reference", {20.0}}, {"vertical", {3.4e-3}}}},
       {"vertical_shift", {{"coefficient", {-5e-3}}, {"reference", {20.0}}}},
+      {"transition_shift", {{"share", {0.1}}, {"width", {8.0}}, {"reference", {20.0}}}},
       {"sensor_gain", {{"gain", {0.08}}}},
       {"free_play", {{"gap", {2e-4}}}},
       {"free_play", {{"gap", {4e-4}}, {"share", {0.6}}}},

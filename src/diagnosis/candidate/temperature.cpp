@@ -30,6 +30,15 @@ fit::BasisTerm stiffness(double reference, double reach) {
   return term;
 }
 
+// Stiffness that rises the faster the colder it is.
+fit::BasisTerm transition(double reference, double width) {
+  fit::BasisTerm term =
+      fit::additiveTerm("transition_shift", "share", 0.05, {{"width", {width}}, {"reference", {reference}}});
+  term.additive = false;
+  term.upper = 0.9;
+  return term;
+}
+
 fit::Candidate temperature(const fit::Excitation& excitation) {
   fit::Candidate candidate{"temperature",
                            "rates and stiffness that follow the temperature: the gap goes with the column "
@@ -39,7 +48,7 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
   const double range = excitation.highest_temperature - excitation.lowest_temperature;
   if (excitation.has_temperature && range >= kLeastRange) {
     const double reference = std::round(0.5 * (excitation.lowest_temperature + excitation.highest_temperature));
-    candidate.terms = {rates(reference), stiffness(reference, range)};
+    candidate.terms = {rates(reference), stiffness(reference, range), transition(reference, 0.2 * range)};
   }
   return candidate;
 }
