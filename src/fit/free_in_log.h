@@ -8,6 +8,7 @@
 
 namespace rubber_suspension::fit {
 
+/// Which of them belong to a hypothesis.
 struct FreeInLog {
   bool trend = false;  ///< a slow trend
   bool gain = false;   ///< a gain of the force's channel

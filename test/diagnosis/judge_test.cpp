@@ -634,6 +634,16 @@ const std::vector<Row> kRows = {
      },
      Verdict::confounded,
      {kSimple}},
+    {"a hidden effect that leaves more of unseen logs than wrong values do is not named",
+     [](Evidence& e, Criteria&) {
+       hideSimpleEffect(e);
+       addUnseenLogs(e);
+       scatter(reEstimated(e), kEven);
+       scatter(single(e, kSimple), kEven);
+       single(e, kSimple).unseen->gap = 1.05 * reEstimated(e).unseen->gap;
+     },
+     Verdict::parameter_error,
+     {}},
     {"an effect that explains unseen logs goes before wrong values that do not",
      [](Evidence& e, Criteria&) {
        reEstimated(e).held_out = 0.0105;

@@ -48,7 +48,7 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
   const double range = excitation.highest_temperature - excitation.lowest_temperature;
   if (excitation.has_temperature && range >= kLeastRange) {
     const double reference = std::round(0.5 * (excitation.lowest_temperature + excitation.highest_temperature));
-    candidate.terms = {rates(reference), stiffness(reference, range), transition(reference, 0.2 * range)};
+    candidate.terms = {rates(reference), stiffness(reference, range), transition(reference, 0.5 * range)};
   }
   return candidate;
 }

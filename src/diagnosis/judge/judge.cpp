@@ -53,7 +53,7 @@ class Judge {
     if (weighing_.closesForSure(evidence_.at(judgement_.model), evidence_.reEstimated())) {
       return true;
     }
-    if (judgement_.verdict == Verdict::partly || !valuesWouldDo()) {
+    if (judgement_.verdict == Verdict::partly || !valuesWouldDo() || doesWorseUnseen()) {
       return false;
     }
     judgement_.verdict = Verdict::confounded;
@@ -87,6 +87,12 @@ class Judge {
       }
     }
     return true;
+  }
+
+  // What is named leaves more of unseen logs than re-estimated parameters do.
+  bool doesWorseUnseen() const {
+    return evidence_.has_unseen_logs &&
+           unseen(judgement_.model).gap > criteria_.floor_margin * unseen(Evidence::kReEstimated).gap;
   }
 
   // Re-estimated parameters leave next to nothing, here or on unseen logs.
