@@ -89,9 +89,10 @@ class Judge {
     return true;
   }
 
-  // What is named leaves more of unseen logs than re-estimated parameters do.
+  // What re-estimated parameters leave is accepted, and what is named leaves more of unseen logs.
   bool doesWorseUnseen() const {
     return evidence_.has_unseen_logs &&
+           !weighing_.isBeyondNoise(weighing_.residualOf(evidence_.reEstimated()), evidence_.noise_floor) &&
            unseen(judgement_.model).gap > criteria_.floor_margin * unseen(Evidence::kReEstimated).gap;
   }
 
