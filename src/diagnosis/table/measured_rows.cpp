@@ -36,6 +36,12 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
       candidate.free_in_log = {};
     }
   }
+  // A loop about its mean has no side: to its fundamental, damping that grows towards one is a dashpot.
+  for (fit::Candidate& candidate : all) {
+    const auto has_side = [](const fit::BasisTerm& term) { return term.at(term.typical).type == "position_dashpot"; };
+    candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(), has_side),
+                          candidate.terms.end());
+  }
   fit::findUnitEffects(all, *loops_->records(), threads);
   return all;
 }
