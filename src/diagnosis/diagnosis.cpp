@@ -152,7 +152,8 @@ void considerZeros(const io::ComponentDescription& component, const io::RigToler
   const Criteria criteria;
   const double least = std::max(criteria.insignificant_gap, criteria.within_noise * search.noise);
   const auto elements = augmentedDescription(judged.prepared->model, bestButZeros(search)).allElements();
-  const std::optional<double> zero = zeroWithCause(elements, least, tolerances, judged.prepared->training, judged.prepared->held_out);
+  const std::optional<double> zero =
+      zeroWithCause(elements, least, tolerances, judged.prepared->training, judged.prepared->held_out);
   if (!zero) {
     return;
   }

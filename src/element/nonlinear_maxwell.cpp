@@ -30,7 +30,7 @@ ElementType nonlinearMaxwellType() {
             "break frequency f_b at small amplitude"},
            {"displacement", "m", Role::shape, Range::positive(), std::nullopt,
             "displacement y at which the dashpot yields"},
-           {"power", "1", Role::shape, Range::closed(0.5, 10.0), 1.0,
+           {"power", "1", Role::choice, Range::closed(0.5, 10.0), 1.0,
             "p; the larger, the more y is a limit of the spring's displacement"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const NonlinearMaxwell>(

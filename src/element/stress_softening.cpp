@@ -121,7 +121,7 @@ ElementType stressSofteningType() {
             "time over which softening is lost again; 0: permanent"},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
             "1: softens at z > 0 only, -1: at z < 0 only, 0: both"},
-           {"ratio_power", "1", Role::shape, Range::closed(0.5, 8.0), 2.0,
+           {"ratio_power", "1", Role::choice, Range::closed(0.5, 8.0), 2.0,
             "power a of the displacement over the reach by which the transition goes; 2: by energy, 1: by "
             "displacement"}},
           [](const ElementDescription& description) -> ElementPointer {

@@ -1,4 +1,4 @@
-// One implicit step of a flow that a power of the force drives.
+// One implicit step of a flow that a power of the force drives. Throws nothing.
 #pragma once
 
 namespace rubber_suspension::element {

@@ -6,7 +6,7 @@
 namespace rubber_suspension::element {
 
 /// F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt: the damping is c at z_r on that side, 0 at the same distance
-/// on the other, and goes on growing beyond; the larger the power p, the later. Sums of both sides and of a linear
+/// on the other, and continues to grow beyond; the larger the power p, the later. Sums of both sides and of a linear
 /// dashpot compose what a closing gap does, as in a squeeze film or a hydraulic stop, and dissipate as long as none is
 /// negative. The rate at a sample is that of SmoothDashpot. Memory: as SmoothDashpot. Source: the damping of a squeeze
 /// film grows with the inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the
