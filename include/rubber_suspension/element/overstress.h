@@ -10,8 +10,9 @@ namespace rubber_suspension::element {
 /// a hold keeps k y. The force is linear in k, the others given.
 ///
 /// The flow of a step is that at its end (flowRoot()): exact in steady flow, of first order in the step else, and it
-/// dissipates at any step. Memory: the force. Source: overstress, P. Perzyna, Adv. Appl. Mech. 9 (1966) 243-377; for
-/// elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109.
+/// dissipates at any step. Memory: the displacement of the spring over y. Source: overstress, P. Perzyna, Adv. Appl.
+/// Mech. 9 (1966) 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71
+/// (2001) 89-109.
 class Overstress final : public ParallelElement {
  public:
   struct Parameters {
