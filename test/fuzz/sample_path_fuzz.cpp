@@ -47,13 +47,19 @@ class Bytes {
   std::size_t left_;
 };
 
-/// The typical elements that the bits of the mask choose; always a spring, so that there is a component.
-Component chosenComponent(std::uint64_t mask) {
+/// The elements that the bytes choose of the typical ones: how many, then which, each of them once; always a spring, so
+/// that there is a component.
+Component chosenComponent(Bytes& bytes) {
   const std::vector<ElementDescription> all = rubber_suspension::test::typicalElements();
+  std::vector<bool> is_chosen(all.size(), false);
+  is_chosen.front() = true;
   std::vector<ElementDescription> chosen = {all.front()};
-  require(all.size() <= 64, "the mask has a bit for each element");
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    if ((mask >> i & 1U) != 0) {
+  std::uint8_t choices = 0;
+  bytes.read(choices);
+  for (std::uint8_t choice = 0; choices > 0 && bytes.read(choice); --choices) {
+    const std::size_t i = choice % all.size();
+    if (!is_chosen[i]) {
+      is_chosen[i] = true;
       chosen.push_back(all[i]);
     }
   }
@@ -119,9 +125,7 @@ void feed(const Component& component, Bytes bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  std::uint64_t mask = 0;
-  if (bytes.read(mask)) {
-    feed(chosenComponent(mask), bytes);
-  }
+  const Component component = chosenComponent(bytes);
+  feed(component, bytes);
   return 0;
 }
