@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/smooth_rate.h"
 
 namespace rubber_suspension::element {
 
@@ -31,27 +32,12 @@ class Dashpot final : public ParallelElement {
   double damping_;
 };
 
-/// F = c dz/dt for a displacement that is smooth between samples: the rate at the sample, extrapolated linearly from
-/// the mean rates of the last two steps, has no lag (error of phase of order (w dt)^3). It doubles the noise of the
-/// rate. Memory: mean rate and length of the step before (0 after a rest).
-class SmoothDashpot final : public ParallelElement {
+/// F = c dz/dt for a displacement that is smooth between samples: without lag.
+class SmoothDashpot final : public SmoothRateDashpot {
  public:
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}
 
-  std::size_t memorySize() const override { return 2; }
-  double initialise(double /*displacement*/, double* memory) const override {
-    memory[0] = memory[1] = 0.0;
-    return 0.0;
-  }
-  double step(const Motion& motion, double* memory) const override {
-    const double rate = motion.increment / motion.dt;
-    const double ahead = memory[1] > 0.0 ? motion.dt / (motion.dt + memory[1]) : 0.0;
-    const double at_end = rate + ahead * (rate - memory[0]);
-    memory[0] = rate;
-    memory[1] = motion.dt;
-    return damping_ * at_end;
-  }
-  Part part() const override { return Part::viscous; }
+  double step(const Motion& motion, double* memory) const override { return damping_ * rateAfter(motion, memory); }
   std::optional<std::complex<double>> complexStiffness(double omega) const override {
     return std::complex<double>(0.0, omega * damping_);
   }

@@ -3,30 +3,24 @@
 
 #include <cmath>
 
-#include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/smooth_rate.h"
 
 namespace rubber_suspension::element {
 
 /// F = c v/(1 + |v|/v_h), v = dz/dt: a linear dashpot at slow motion, half of its damping at the rate v_h, and a force
-/// of c v_h at most. The rate at a sample is that of SmoothDashpot. Memory: as SmoothDashpot. Source: M. M. Cross, J.
-/// Colloid Sci. 20 (1965) 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
-class ThinningDashpot final : public ParallelElement {
+/// of c v_h at most. The rate at a sample is that of SmoothRateDashpot. Source: M. M. Cross, J. Colloid Sci. 20 (1965)
+/// 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
+class ThinningDashpot final : public SmoothRateDashpot {
  public:
   ThinningDashpot(double damping /* c [N s/m] */, double half_rate /* v_h [m/s] */)
       : damping_(damping), half_rate_(half_rate) {}
 
-  std::size_t memorySize() const override { return rate_.memorySize(); }
-  double initialise(double displacement, double* memory) const override {
-    return rate_.initialise(displacement, memory);
-  }
-  double step(const Motion& motion, double* memory) const override { return force(rate_.step(motion, memory)); }
-  Part part() const override { return Part::viscous; }
+  double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
 
   /// Force [N] at a rate [m/s].
   double force(double rate) const { return damping_ * rate / (1.0 + std::abs(rate) / half_rate_); }
 
  private:
-  SmoothDashpot rate_{1.0};  // its force is the rate [m/s]
   double damping_;
   double half_rate_;
 };
