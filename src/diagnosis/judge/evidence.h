@@ -33,6 +33,9 @@ struct HypothesisEvidence {
   double largest_change = 0.0;       ///< largest |ln(value/configured)| of a model parameter
   std::vector<double> block_errors;  ///< mean square error of each of those blocks; may be empty
   std::optional<UnseenErrors> unseen;
+
+  /// Whether each log frees something of its own.
+  bool freesInLogs() const { return free_trends || free_gains; }
 };
 
 /// All of it. The first two hypotheses add no effect; then follow the single effects in their order, then pairs and

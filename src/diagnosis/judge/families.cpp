@@ -19,14 +19,14 @@ constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one
 // is the last one to be believed: any laws without it are simpler, however many.
 std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
   const HypothesisEvidence& large = evidence.at(hypothesis);
-  const bool in_log = evidence.single(member).free_trends || evidence.single(member).free_gains;
+  const bool in_log = evidence.single(member).freesInLogs();
   const bool like_others = evidence.single(member).last_resort;
   std::vector<int> simpler;
   if (in_log || like_others) {
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
       const HypothesisEvidence& other = evidence.at(h);
       const bool as_many = like_others || other.members.size() == large.members.size();
-      const bool without = !other.last_resort && (like_others || !(other.free_trends || other.free_gains));
+      const bool without = !other.last_resort && (like_others || !other.freesInLogs());
       if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
         simpler.push_back(h);
       }
