@@ -1,4 +1,5 @@
 // The dashpot whose damping grows towards one side.
+#include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/position_dashpot.h"
 
 #include <gtest/gtest.h>
