@@ -862,7 +862,8 @@ def backlash_dahl(rng, scale, name, law_name):
         for i, x in enumerate(z.tolist()):
             moved = max(x - gap, min(x + gap, stand)) - stand
             stand += moved
-            f = 0.0 if moved == 0.0 else f + moved * (1.0 - math.copysign(1.0, moved) * f / zy)
+            in_contact = abs(x - stand) > gap * (1.0 - 1e-9)  # at rest, too: friction holds there
+            f = f + moved * (1.0 - math.copysign(1.0, moved) * f / zy) if in_contact else 0.0
             f = max(-zy, min(zy, f))
             out[i] = f / scale.amplitude
         return out
