@@ -15,8 +15,19 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+// What the held-out blocks of all logs have left of the hypothesis that leaves least, as a gap.
+double leastLeft(const Search& search) {
+  double least = search.re_estimated.fit.held_out;
+  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
+    for (const FittedHypothesis& fitted : *list) {
+      least = std::min(least, fitted.fit.held_out);
+    }
+  }
+  return least;
+}
+
 // What each log's held-out blocks have left of the hypothesis that leaves least there, as a gap.
-std::vector<double> leastLeft(const Search& search, std::size_t logs) {
+std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
   for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
     for (const FittedHypothesis& fitted : *list) {
@@ -74,7 +85,8 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 
 // For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
 // what the noise of the displacement causes, which is no more than what any model leaves. A better model leaves less
-// that is not noise: of several, the least counts, log by log.
+// that is not noise: of several, the least counts, log by log. All of it is no more than what any model leaves of all
+// logs; of a single log, trends or gains that are free in it may leave less than its noise.
 void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
   const std::vector<log::Record>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
@@ -83,10 +95,11 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  const std::vector<double> least = leastLeft(result, records.size());
+  const std::vector<log::Record> free = freed(best.hypothesis, records, forces);
+  const std::vector<double> least = leastLeftOfLogs(result, records.size());
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = measurement::relativeFloor(records[r], records[r].force - forces[r]);
+    const double left = measurement::relativeFloor(free[r], records[r].force - forces[r]);
     result.record_rest[r] = std::min(result.record_rest[r], left);
   }
   const NoiseLimit limit = noiseLimit(result.record_rest, records);
@@ -99,6 +112,13 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_noise.push_back(std::max(left, caused));
   }
   result.noise = commonFloor(result.record_noise, records);
+  const double too_much = result.noise / leastLeft(result);
+  if (too_much > 1.0 && std::isfinite(too_much)) {  // never 0
+    for (double& noise : result.record_noise) {
+      noise /= too_much;
+    }
+    result.noise /= too_much;
+  }
   result.noise_source = by_displacement
                             ? "spectrum of the residual outside the band of the excitation, and noise of the "
                               "displacement through the model"

@@ -123,6 +123,21 @@ void sortByScore(std::vector<FittedHypothesis>& list) {
             [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
 }
 
+// For each effect the places of simpler ones that its law contains.
+std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::vector<int>> contains(candidates.size());
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    for (const std::string& simpler : candidates[c].contains) {
+      const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                      [&](const fit::Candidate& other) { return other.effect == simpler; });
+      if (found != candidates.end()) {
+        contains[c].push_back(static_cast<int>(found - candidates.begin()));
+      }
+    }
+  }
+  return contains;
+}
+
 class Searcher {
  public:
   Searcher(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress)
@@ -143,6 +158,7 @@ class Searcher {
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
         say("fitting triples", 0.75);
         fitTriples();
+        fitPartsOf(result_.triples.front());
         measured_.estimateNoise(result_.triples.front(), result_);
       }
     }
@@ -219,11 +235,70 @@ class Searcher {
     addPairs(ranked_[0], kLastResortsFitted);
     addPairs(ranked_[1], 0);
     addPairs(bestLastResort(), 0);
-    fit::parallelFor(result_.pairs.size(), threads_, [&](std::size_t i) {
-      FittedHypothesis& pair = result_.pairs[i];
+    fitPairsFrom(0);
+    fitSimplerPairs();
+  }
+
+  // Until the best pair has all of them beside it.
+  void fitSimplerPairs() {
+    std::size_t fitted = 0;
+    do {
+      fitted = result_.pairs.size();
+      addSets(withSimplerLaws(result_.pairs.front().hypothesis.members));
+      fitPairsFrom(fitted);
+    } while (result_.pairs.size() > fitted);
+  }
+
+  // Fits those from a place on and sorts all, best first.
+  void fitPairsFrom(std::size_t first) {
+    fit::parallelFor(result_.pairs.size() - first, threads_, [&](std::size_t i) {
+      FittedHypothesis& pair = result_.pairs[first + i];
       fitFurther(fitter_, result_.candidates, bestMember(result_, pair.hypothesis.members), pair);
     });
     sortByScore(result_.pairs);
+  }
+
+  // A set of effects with a simpler law in the place of each that contains one: what the judgement compares it with.
+  std::vector<std::vector<int>> withSimplerLaws(const std::vector<int>& members) const {
+    const std::vector<std::vector<int>> contained = containedIn(result_.candidates);
+    std::vector<std::vector<int>> sets;
+    for (const int member : members) {
+      for (const int simpler : contained[static_cast<std::size_t>(member)]) {
+        if (std::find(members.begin(), members.end(), simpler) == members.end()) {
+          sets.push_back(members);
+          std::replace(sets.back().begin(), sets.back().end(), member, simpler);
+          std::sort(sets.back().begin(), sets.back().end());
+        }
+      }
+    }
+    return sets;
+  }
+
+  // Those pairs of them that are not yet in the list, and may do what parameters do not.
+  void addSets(const std::vector<std::vector<int>>& sets) {
+    std::vector<Screened> wanted;
+    for (const std::vector<int>& members : sets) {
+      const bool compete = std::all_of(members.begin(), members.end(), [&](int member) {
+        return result_.candidates[static_cast<std::size_t>(member)].competes();
+      });
+      if (compete) {
+        wanted.push_back({members, 0.0});
+      }
+    }
+    choose(result_.candidates, wanted, wanted.size(), result_.pairs);
+  }
+
+  // The pairs within a triple: without them it is not known what each of the three is for.
+  void fitPartsOf(const FittedHypothesis& triple) {
+    std::vector<std::vector<int>> sets;
+    for (const int member : triple.hypothesis.members) {
+      sets.push_back(triple.hypothesis.members);
+      sets.back().erase(std::find(sets.back().begin(), sets.back().end(), member));
+    }
+    const std::size_t fitted = result_.pairs.size();
+    addSets(sets);
+    fitPairsFrom(fitted);
+    fitSimplerPairs();
   }
 
   // Pairs of a single effect and what goes best with it, and so many with effects that can look like several others.
@@ -282,21 +357,6 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
     evidence.block_errors.push_back(block.error);
   }
   return evidence;
-}
-
-// For each effect the places of simpler ones that its law contains.
-std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& candidates) {
-  std::vector<std::vector<int>> contains(candidates.size());
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    for (const std::string& simpler : candidates[c].contains) {
-      const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                      [&](const fit::Candidate& other) { return other.effect == simpler; });
-      if (found != candidates.end()) {
-        contains[c].push_back(static_cast<int>(found - candidates.begin()));
-      }
-    }
-  }
-  return contains;
 }
 
 // From the candidates as they are now.

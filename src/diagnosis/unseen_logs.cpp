@@ -29,27 +29,33 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit) {
   const gap::Forces predicted = predict(model, fitted, records);
+  const std::vector<log::Record> free = freed(fitted.hypothesis, records, predicted);
   UnseenErrors errors;
-  errors.parts = partErrorsOf(fitted.hypothesis, records, predicted);
+  errors.parts = gap::partErrors(free, predicted);
   for (gap::PartError& part : errors.parts) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   errors.gap = gap::gapOfParts(errors.parts);
   errors.noise_floor =
-      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, records, limit), records);
+      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, free, limit), records);
   return errors;
+}
+
+std::vector<log::Record> freed(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                               const gap::Forces& simulated) {
+  if (!hypothesis.free_in_log.any()) {
+    return records;
+  }
+  std::vector<log::Record> result;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    result.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
+  }
+  return result;
 }
 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated) {
-  if (!hypothesis.free_in_log.any()) {
-    return gap::partErrors(records, simulated);
-  }
-  std::vector<log::Record> freed;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
-  }
-  return gap::partErrors(freed, simulated);
+  return gap::partErrors(freed(hypothesis, records, simulated), simulated);
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,

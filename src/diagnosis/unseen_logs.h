@@ -21,8 +21,12 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
-/// log, which is what such a hypothesis says of a log and no simulation predicts.
+/// The records with what a hypothesis has free in each log among their nuisances, which is what such a hypothesis says
+/// of a log and no simulation predicts.
+std::vector<log::Record> freed(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                               const gap::Forces& simulated);
+
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis, the records being freed().
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 

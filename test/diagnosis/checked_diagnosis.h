@@ -3,13 +3,45 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "diagnosis/report/contradictions.h"
+#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
+
+/// The floor is no more than any fitted model leaves, and what the best hypotheses are compared with has been fitted:
+/// the best pair with a simpler law in the place of one that contains it, each pair within the best triple.
+inline void checkEvidence(const diagnosis::Evidence& evidence) {
+  const diagnosis::HypothesisEvidence* pair = nullptr;
+  const diagnosis::HypothesisEvidence* triple = nullptr;
+  for (std::size_t h = diagnosis::Evidence::kReEstimated; h < evidence.hypotheses.size(); ++h) {
+    const diagnosis::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
+    EXPECT_LE(evidence.noise_floor, (1.0 + 1e-9) * hypothesis.held_out) << "hypothesis " << h;
+    pair = pair == nullptr && hypothesis.members.size() == 2 ? &hypothesis : pair;
+    triple = triple == nullptr && hypothesis.members.size() == 3 ? &hypothesis : triple;
+  }
+  const auto competes = [&](int effect) {
+    const diagnosis::HypothesisEvidence& single = evidence.single(effect);
+    return single.terms > 0 && !single.like_parameters;
+  };
+  for (const int member : pair != nullptr ? pair->members : std::vector<int>{}) {
+    const int other = pair->members.front() == member ? pair->members.back() : pair->members.front();
+    for (const int simpler : evidence.containedIn(member)) {
+      if (simpler != other && competes(simpler) && competes(other)) {
+        EXPECT_TRUE(evidence.find({other, simpler}).has_value()) << other << " beside " << simpler;
+      }
+    }
+  }
+  for (const int member : triple != nullptr ? triple->members : std::vector<int>{}) {
+    std::vector<int> others = triple->members;
+    others.erase(std::find(others.begin(), others.end(), member));
+    EXPECT_TRUE(evidence.find(others).has_value()) << others[0] << " beside " << others[1];
+  }
+}
 
 inline diagnosis::Diagnosis checkedDiagnosis(const io::ComponentDescription& component,
                                              const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
@@ -17,6 +49,9 @@ inline diagnosis::Diagnosis checkedDiagnosis(const io::ComponentDescription& com
   diagnosis::Diagnosis result = diagnosis::diagnose(component, logs, hold_out, options);
   for (const std::string& contradiction : diagnosis::contradictions(result)) {
     ADD_FAILURE() << contradiction << ": " << result.sentence;
+  }
+  if (result.workings) {
+    checkEvidence(diagnosis::evidenceOf(result.workings->search));
   }
   return result;
 }

@@ -118,6 +118,34 @@ TEST(Diagnosis, NamesADriftThatIsNewInEachLog) {
   EXPECT_EQ(result.effects, std::vector<std::string>{"force_drift"}) << result.sentence;
 }
 
+// A spectrum of relaxation times without an end on the short side: a fractional derivative of the displacement as the
+// sum of Gruenwald and Letnikov (Podlubny, Fractional Differential Equations, 1999, Eq. 2.54) has it.
+TEST(Diagnosis, NamesRelaxationAloneWhereItsSpectrumHasNoEnd) {
+  constexpr double kOrder = 0.4;
+  constexpr double kStiffness = 1e6;  // [N/m] of the law, over a step of the log
+  std::vector<double> displacement;
+  std::vector<double> weights;
+  const auto fractional = [&](double time, double z, double) {
+    if (time == 0.0) {
+      displacement.clear();
+      weights = {1.0};
+    }
+    displacement.push_back(z);
+    double force = 0.0;
+    for (std::size_t k = 0; k < displacement.size(); ++k) {
+      force += weights[k] * (displacement[displacement.size() - 1 - k] - displacement.front());
+    }
+    weights.push_back(weights.back() * (1.0 - (kOrder + 1.0) / static_cast<double>(weights.size())));
+    return kStiffness * force;
+  };
+  constexpr double kNoise = 3.0;  // [N]
+  const diagnosis::Diagnosis result =
+      checkedDiagnosis(rigComponent(), {runRig("one", 1, fractional, kNoise), runRig("two", 2, fractional, kNoise)},
+                       {runRig("unseen", 3, fractional, kNoise)});
+  EXPECT_THAT(result.effects, ::testing::ElementsAre("relaxation")) << result.sentence;
+  EXPECT_GT(result.closed, 0.95);
+}
+
 TEST(Diagnosis, NamesDryFriction) {
   double force = 0.0;
   double last = 0.0;
