@@ -95,7 +95,7 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  const std::vector<log::Record> free = freed(best.hypothesis, records, forces);
+  const std::vector<log::Record> free = freed(freeOfNoise(best.hypothesis), records, forces);
   const std::vector<double> least = leastLeftOfLogs(result, records.size());
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {

@@ -29,33 +29,35 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit) {
   const gap::Forces predicted = predict(model, fitted, records);
-  const std::vector<log::Record> free = freed(fitted.hypothesis, records, predicted);
   UnseenErrors errors;
-  errors.parts = gap::partErrors(free, predicted);
+  errors.parts = partErrorsOf(fitted.hypothesis, records, predicted);
   for (gap::PartError& part : errors.parts) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   errors.gap = gap::gapOfParts(errors.parts);
-  errors.noise_floor =
-      commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted, free, limit), records);
+  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted,
+                                               freed(freeOfNoise(fitted.hypothesis), records, predicted), limit),
+                                   records);
   return errors;
 }
 
-std::vector<log::Record> freed(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+std::vector<log::Record> freed(fit::FreeInLog free, const std::vector<log::Record>& records,
                                const gap::Forces& simulated) {
-  if (!hypothesis.free_in_log.any()) {
+  if (!free.any()) {
     return records;
   }
   std::vector<log::Record> result;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    result.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
+    result.push_back(fit::withFreeInLog(free, records[r], simulated[r]));
   }
   return result;
 }
 
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, hypothesis.free_in_log.gain}; }
+
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated) {
-  return gap::partErrors(freed(hypothesis, records, simulated), simulated);
+  return gap::partErrors(freed(hypothesis.free_in_log, records, simulated), simulated);
 }
 
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,

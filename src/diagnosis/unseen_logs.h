@@ -6,6 +6,7 @@
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/rig_noise.h"
 #include "diagnosis/search.h"
+#include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
@@ -21,10 +22,13 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// The records with what a hypothesis has free in each log among their nuisances, which is what such a hypothesis says
+/// The records with what is free in each log among their nuisances, which is what a hypothesis with such freedom says
 /// of a log and no simulation predicts.
-std::vector<log::Record> freed(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+std::vector<log::Record> freed(fit::FreeInLog free, const std::vector<log::Record>& records,
                                const gap::Forces& simulated);
+
+/// What a noise floor has free of it: gains, which are no noise. Trends take slow noise with them.
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis, the records being freed().
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
