@@ -15,12 +15,13 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// What the held-out blocks of all logs have left of the hypothesis that leaves least, as a gap.
+// What the held-out blocks of all logs have left of the hypothesis that leaves least, as a gap; but for those with
+// trends, which take slow noise with them.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
     for (const FittedHypothesis& fitted : *list) {
-      least = std::min(least, fitted.fit.held_out);
+      least = fitted.hypothesis.free_in_log.trend ? least : std::min(least, fitted.fit.held_out);
     }
   }
   return least;
@@ -86,7 +87,7 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
 // For each log, the larger one of the noise of what the best model leaves outside the band of the excitation, and of
 // what the noise of the displacement causes, which is no more than what any model leaves. A better model leaves less
 // that is not noise: of several, the least counts, log by log. All of it is no more than what any model leaves of all
-// logs; of a single log, trends or gains that are free in it may leave less than its noise.
+// logs.
 void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) const {
   const std::vector<log::Record>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);

@@ -158,10 +158,8 @@ class Naming {
     findSets(chosen);
     // What is left of the force: what moved parameters cost weighs on the choice, not on this.
     const double rest_left = weighing_.left(evidence_.at(chosen).held_out);
-    const double no_noise = weighing_.left(
-        gap::residualAboveFloor(evidence_.at(chosen).held_out, weighing_.slowNoiseBeside(evidence_.at(chosen))));
     const double closed = 1.0 - rest_left / weighing_.left(evidence_.reEstimated().held_out);
-    const bool rest = (no_noise > weighing_.insignificant() && closed < criteria_.partly) ||
+    const bool rest = (rest_left > weighing_.insignificant() && closed < criteria_.partly) ||
                       weighing_.isBeyondNoise(rest_left, evidence_.noise_floor);
     const bool ambiguous = std::any_of(judgement_.confounded.begin(), judgement_.confounded.end(),
                                        [](const std::vector<int>& set) { return set.size() > 1; });

@@ -92,19 +92,6 @@ double Weighing::slowNoise() const {
   return most;
 }
 
-double Weighing::slowNoiseBeside(const HypothesisEvidence& hypothesis) const {
-  double most = 0.0;
-  for (int effect = 0; effect < evidence_.effects() && !hypothesis.free_trends; ++effect) {
-    std::vector<int> members = hypothesis.members;
-    members.push_back(effect);
-    const std::optional<int> fitted = evidence_.find(members);
-    if (fitted && evidence_.single(effect).free_trends && !mayBeACause(evidence_.at(*fitted))) {
-      most = std::max(most, explainedByTrends(evidence_.at(*fitted)));
-    }
-  }
-  return most;
-}
-
 double Weighing::leftUnseen(const UnseenErrors& errors) {
   return gap::residualAboveFloor(errors.gap, errors.noise_floor);
 }

@@ -45,10 +45,6 @@ class Weighing {
   /// What only trends explain, and little enough to be slow noise of the rig, as a gap.
   double slowNoise() const;
 
-  /// The same beside a hypothesis: of what is left, what trends explain and the rig may do; 0 where no trends were
-  /// fitted beside it.
-  double slowNoiseBeside(const HypothesisEvidence& hypothesis) const;
-
   /// True if so much is left that it counts as not explained.
   bool isBeyondNoise(double rest, double floor) const { return rest > criteria_.beyondNoise(floor); }
   bool isBeyondNoise(const UnseenErrors& errors) const;
