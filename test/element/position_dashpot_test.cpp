@@ -1,10 +1,10 @@
 // The dashpot whose damping grows towards one side.
-#include "rubber_suspension/element/dashpot.h"
 #include "rubber_suspension/element/position_dashpot.h"
 
 #include <gtest/gtest.h>
 
 #include "element/driver.h"
+#include "rubber_suspension/element/dashpot.h"
 
 namespace rubber_suspension::test {
 namespace {
