@@ -1,4 +1,4 @@
-// Dashpots whose displacement is smooth between samples.
+// Dashpots whose displacement is smooth between samples. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
