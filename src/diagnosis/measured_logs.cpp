@@ -9,6 +9,7 @@
 #include "diagnosis/friction_noise.h"
 #include "diagnosis/rig_noise.h"
 #include "diagnosis/unseen_logs.h"
+#include "fit/free_in_log.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 
@@ -96,11 +97,14 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     result.record_caused =
         frictionNoise(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters), records);
   }
-  const std::vector<log::Record> free = freed(freeOfNoise(best.hypothesis), records, forces);
+  const fit::FreeInLog free = freeOfNoise(best.hypothesis);
   const std::vector<double> least = leastLeftOfLogs(result, records.size());
   result.record_rest.resize(records.size(), std::numeric_limits<double>::infinity());
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double left = measurement::relativeFloor(free[r], records[r].force - forces[r]);
+    const Eigen::VectorXd residual = records[r].force - forces[r];
+    const double left = free.any()
+                            ? measurement::relativeFloor(fit::withFreeInLog(free, records[r], forces[r]), residual)
+                            : measurement::relativeFloor(records[r], residual);
     result.record_rest[r] = std::min(result.record_rest[r], left);
   }
   const NoiseLimit limit = noiseLimit(result.record_rest, records);

@@ -35,40 +35,38 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   errors.gap = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(), predicted,
-                                               freed(freeOfNoise(fitted.hypothesis), records, predicted), limit),
+  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(),
+                                               freeOfNoise(fitted.hypothesis), predicted, records, limit),
                                    records);
   return errors;
 }
 
-std::vector<log::Record> freed(fit::FreeInLog free, const std::vector<log::Record>& records,
-                               const gap::Forces& simulated) {
-  if (!free.any()) {
-    return records;
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                                         const gap::Forces& simulated) {
+  if (!hypothesis.free_in_log.any()) {
+    return gap::partErrors(records, simulated);
   }
-  std::vector<log::Record> result;
+  std::vector<log::Record> freed;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    result.push_back(fit::withFreeInLog(free, records[r], simulated[r]));
+    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
   }
-  return result;
+  return gap::partErrors(freed, simulated);
 }
 
 fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, hypothesis.free_in_log.gain}; }
 
-std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
-                                         const gap::Forces& simulated) {
-  return gap::partErrors(freed(hypothesis.free_in_log, records, simulated), simulated);
-}
-
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
-                                const std::vector<log::Record>& records, const NoiseLimit& limit) {
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const NoiseLimit& limit) {
   std::vector<double> floors = frictionNoise(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const log::Record& record = records[r];
-    const Eigen::VectorXd residual = record.force - simulated[r];
-    const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
-    const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
-    floors[r] = std::max(left, std::min(floors[r], all));
+    const Eigen::VectorXd residual = records[r].force - simulated[r];
+    const auto floor = [&](const log::Record& record) {
+      const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
+      const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
+      return std::max(left, std::min(floors[r], all));
+    };
+    floors[r] = free.any() ? floor(fit::withFreeInLog(free, records[r], simulated[r])) : floor(records[r]);
   }
   return floors;
 }

@@ -22,21 +22,19 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const NoiseLimit& limit);
 
-/// The records with what is free in each log among their nuisances, which is what a hypothesis with such freedom says
-/// of a log and no simulation predicts.
-std::vector<log::Record> freed(fit::FreeInLog free, const std::vector<log::Record>& records,
-                               const gap::Forces& simulated);
-
-/// What a noise floor has free of it: gains, which are no noise. Trends take slow noise with them.
-fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
-
-/// Errors of tenths of each record (gap::partErrors()) under a hypothesis, the records being freed().
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
+/// log, which is what such a hypothesis says of a log and no simulation predicts.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
                                          const gap::Forces& simulated);
 
-/// Noise floor of each record, by what a component leaves of its force, up to a limit.
-std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
-                                const std::vector<log::Record>& records, const NoiseLimit& limit);
+/// What a noise floor has free of that: gains, which are no noise. Trends take slow noise with them.
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
+
+/// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
+/// log.
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const NoiseLimit& limit);
 
 /// Floor of several records, each by its weight.
 double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);

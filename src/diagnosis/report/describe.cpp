@@ -130,10 +130,9 @@ class Describer {
     if (hasUnseenLogs()) {
       before_ = unseenParts(Evidence::kReEstimated);
       after_ = unseenParts(judgement_.model);
-      const gap::Forces predicted = predict(prepared_.model, judged_, prepared_.held_out);
       const std::vector<double> floors =
-          noiseFloors(result_.augmented.allElements(), predicted,
-                      freed(freeOfNoise(judged_.hypothesis), prepared_.held_out, predicted),
+          noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
+                      predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                       noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
