@@ -22,6 +22,7 @@
 #include "diagnosis/report/describe.h"
 #include "diagnosis/rig.h"
 #include "diagnosis/search.h"
+#include "diagnosis/search_evidence.h"
 #include "diagnosis/unseen_logs.h"
 #include "diagnosis/workings.h"
 #include "fit/parallel.h"
@@ -135,11 +136,9 @@ const FittedHypothesis& bestButZeros(const Search& search) {
            });
   };
   const FittedHypothesis* best = &search.re_estimated;
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      const bool counts = fitted.hypothesis.competes() && !tells(fitted);
-      best = counts && fitted.fit.score() < best->fit.score() ? &fitted : best;
-    }
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    const bool counts = fitted->hypothesis.competes() && !tells(*fitted);
+    best = counts && fitted->fit.score() < best->fit.score() ? fitted : best;
   }
   return *best;
 }
@@ -217,10 +216,8 @@ std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, 
 double leastScore(const Judged& judged) {
   const Search& search = judged.workings->search;
   double least = search.re_estimated.fit.score();
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      least = fitted.hypothesis.competes() ? std::min(least, fitted.fit.score()) : least;
-    }
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    least = fitted->hypothesis.competes() ? std::min(least, fitted->fit.score()) : least;
   }
   return least;
 }

@@ -20,10 +20,8 @@ namespace {
 // trends, which take slow noise with them.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      least = fitted.hypothesis.free_in_log.trend ? least : std::min(least, fitted.fit.held_out);
-    }
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    least = fitted->hypothesis.free_in_log.trend ? least : std::min(least, fitted->fit.held_out);
   }
   return least;
 }
@@ -31,17 +29,15 @@ double leastLeft(const Search& search) {
 // What each log's held-out blocks have left of the hypothesis that leaves least there, as a gap.
 std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      std::vector<double> squares(logs, 0.0);
-      std::vector<double> weights(logs, 0.0);
-      for (const gap::PartError& block : fitted.fit.blocks) {
-        squares[static_cast<std::size_t>(block.log)] += block.weight * block.error;
-        weights[static_cast<std::size_t>(block.log)] += block.weight;
-      }
-      for (std::size_t r = 0; r < logs; ++r) {
-        least[r] = weights[r] > 0.0 ? std::min(least[r], std::sqrt(squares[r] / weights[r])) : least[r];
-      }
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    std::vector<double> squares(logs, 0.0);
+    std::vector<double> weights(logs, 0.0);
+    for (const gap::PartError& block : fitted->fit.blocks) {
+      squares[static_cast<std::size_t>(block.log)] += block.weight * block.error;
+      weights[static_cast<std::size_t>(block.log)] += block.weight;
+    }
+    for (std::size_t r = 0; r < logs; ++r) {
+      least[r] = weights[r] > 0.0 ? std::min(least[r], std::sqrt(squares[r] / weights[r])) : least[r];
     }
   }
   return least;

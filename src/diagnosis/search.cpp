@@ -11,91 +11,18 @@
 #include "diagnosis/judge/weighing.h"
 #include "diagnosis/measured.h"
 #include "diagnosis/screening.h"
+#include "diagnosis/search_evidence.h"
+#include "diagnosis/starts.h"
 #include "fit/parallel.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr int kBaseIterations = 14;
-constexpr int kSingleIterations = 6;
-constexpr int kFurtherIterations = 3;
-constexpr int kAloneIterations = 4;
 constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
 constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
-constexpr double kClearlyBetter = 0.99;   // of a score
-constexpr double kFar =
-    0.2;  // a logarithm of a model parameter: far enough for a second start from the configured ones
-
-void keepBetter(fit::Fit fit, FittedHypothesis& fitted) {
-  if (fitted.fit.blocks.empty() || fit.score() < fitted.fit.score()) {
-    fitted.fit = std::move(fit);
-  }
-}
-
-// A single effect, from where the model parameters alone arrived, and from where it gets with the configured ones kept
-// if these are far from there or if it changes what the others do; in the latter case from no effect, too.
-void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
-  const fit::Hypothesis& hypothesis = single.hypothesis;
-  if (hypothesis.terms.empty()) {
-    single.fit = re_estimated.fit;
-    return;
-  }
-  const fit::ParameterVector configured = fitter.configured(hypothesis);
-  fit::ParameterVector start = configured;
-  start.model = re_estimated.fit.parameters.model;
-  keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
-  const bool far = start.largestChange() > kFar;
-  const bool additive = hypothesis.isAdditive();
-  if (far && !additive) {
-    keepBetter(fitter.fit(hypothesis, configured, kSingleIterations), single);
-  }
-  if (far || !additive) {
-    start = fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations);
-    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
-  }
-}
-
-// Gains of each log from where one gain of all arrived, which is enough where they do no better.
-void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
-  FittedHypothesis common = single;
-  common.hypothesis.free_in_log.gain = false;
-  fitSingle(fitter, re_estimated, common);
-  keepBetter(fitter.fit(single.hypothesis, common.fit.parameters, kSingleIterations), single);
-  keepBetter(fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), kSingleIterations), single);
-  if (single.fit.score() > kClearlyBetter * common.fit.score()) {
-    single = std::move(common);
-  }
-}
-
-// Several effects, from where some of them arrived.
-void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                const FittedHypothesis& from, FittedHypothesis& further) {
-  const fit::Hypothesis& hypothesis = further.hypothesis;
-  const std::vector<int>& fitted = from.hypothesis.members;
-  fit::ParameterVector start = fitter.configured(hypothesis);
-  std::vector<bool> active(hypothesis.terms.size(), true);
-  start.model = from.fit.parameters.model;
-  std::size_t place = 0;
-  std::size_t place_from = 0;
-  for (const int member : hypothesis.members) {
-    const bool known = std::find(fitted.begin(), fitted.end(), member) != fitted.end();
-    for (const fit::BasisTerm& term : candidates[static_cast<std::size_t>(member)].terms) {
-      if (known) {
-        const double scale = from.fit.parameters.scales[static_cast<Eigen::Index>(place_from++)];
-        start.scales[static_cast<Eigen::Index>(place)] = scale;
-        active[place] = term.additive || scale != 0.0;
-      }
-      ++place;
-    }
-  }
-  keepBetter(fitter.fit(hypothesis, start, kFurtherIterations, active), further);
-  if (start.largestChange() > kFar && hypothesis.isAdditive()) {
-    start = fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1);
-    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), further);
-  }
-}
 
 // The best fit among those of the members alone.
 const FittedHypothesis& bestMember(const Search& result, const std::vector<int>& members) {
@@ -121,21 +48,6 @@ void choose(const std::vector<fit::Candidate>& candidates, const std::vector<Scr
 void sortByScore(std::vector<FittedHypothesis>& list) {
   std::sort(list.begin(), list.end(),
             [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
-}
-
-// For each effect the places of simpler ones that its law contains.
-std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& candidates) {
-  std::vector<std::vector<int>> contains(candidates.size());
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    for (const std::string& simpler : candidates[c].contains) {
-      const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                      [&](const fit::Candidate& other) { return other.effect == simpler; });
-      if (found != candidates.end()) {
-        contains[c].push_back(static_cast<int>(found - candidates.begin()));
-      }
-    }
-  }
-  return contains;
 }
 
 class Searcher {
@@ -342,23 +254,6 @@ class Searcher {
   std::vector<FittedHypothesis> ranked_;  // singles but for last resorts, best first
 };
 
-HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
-  HypothesisEvidence evidence;
-  evidence.members = fitted.hypothesis.members;
-  evidence.terms = fitted.hypothesis.terms.size();
-  evidence.free_trends = fitted.hypothesis.free_in_log.trend;
-  evidence.free_gains = fitted.hypothesis.free_in_log.gain;
-  evidence.last_resort = fitted.hypothesis.last_resort;
-  evidence.like_parameters = fitted.hypothesis.like_parameters;
-  evidence.held_out = fitted.fit.held_out;
-  evidence.penalty = fitted.fit.penalty;
-  evidence.largest_change = fitted.fit.parameters.largestChange();
-  for (const gap::PartError& block : fitted.fit.blocks) {
-    evidence.block_errors.push_back(block.error);
-  }
-  return evidence;
-}
-
 // From the candidates as they are now.
 void remakeHypotheses(Search& search) {
   for (auto* list : {&search.singles, &search.pairs, &search.triples}) {
@@ -368,15 +263,6 @@ void remakeHypotheses(Search& search) {
       fitted.hypothesis.free_in_log = free;
     }
   }
-}
-
-// Gains of logs that are not all within a tolerance of one.
-bool differ(const std::vector<double>& gains, double tolerance) {
-  if (gains.empty()) {
-    return false;
-  }
-  const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
-  return *most - *least > 2.0 * tolerance;
 }
 
 }  // namespace
@@ -395,6 +281,15 @@ const FittedHypothesis& Search::at(int hypothesis) const {
   return triples.at(place);
 }
 
+std::vector<const FittedHypothesis*> Search::withEffects() const {
+  std::vector<const FittedHypothesis*> all;
+  for (const auto* list : {&singles, &pairs, &triples}) {
+    std::transform(list->begin(), list->end(), std::back_inserter(all),
+                   [](const FittedHypothesis& fitted) { return &fitted; });
+  }
+  return all;
+}
+
 void forgetUnitEffects(Search& search) {
   for (fit::Candidate& candidate : search.candidates) {
     for (fit::BasisTerm& term : candidate.terms) {
@@ -407,43 +302,6 @@ void forgetUnitEffects(Search& search) {
 void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads) {
   fit::findUnitEffects(search.candidates, records, threads);
   remakeHypotheses(search);
-}
-
-Evidence evidenceOf(const Search& search) {
-  Evidence evidence;
-  HypothesisEvidence configured;
-  configured.held_out = search.configured_gap;
-  evidence.hypotheses = {configured, evidenceOf(search.re_estimated)};
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      evidence.hypotheses.push_back(evidenceOf(fitted));
-    }
-  }
-  for (const gap::PartError& block : search.re_estimated.fit.blocks) {
-    evidence.block_logs.push_back(block.log);
-    evidence.block_weights.push_back(block.weight);
-  }
-  evidence.testable = search.testable;
-  evidence.contains = containedIn(search.candidates);
-  evidence.element_level = search.element_level.held_out;
-  evidence.noise_floor = search.noise;
-  evidence.discretisation = search.discretisation;
-  return evidence;
-}
-
-void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
-                              Evidence& evidence) {
-  const double most = io::kTolerated * std::max(tolerance.value, criteria.values_err_by);
-  for (std::size_t h = Evidence::kFirstSingle; h < evidence.hypotheses.size(); ++h) {
-    const FittedHypothesis& fitted = search.at(static_cast<int>(h));
-    HypothesisEvidence& hypothesis = evidence.hypotheses[h];
-    if (fitted.hypothesis.free_in_log.gain) {
-      hypothesis.like_parameters = !differ(fitted.fit.gains, io::kTolerated * tolerance.value);
-    }
-    if (hypothesis.like_parameters && hypothesis.members.size() == 1) {
-      hypothesis.within_tolerance = fitted.fit.parameters.scales.array().log1p().abs().maxCoeff() <= most;
-    }
-  }
 }
 
 Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress) {

@@ -10,7 +10,6 @@
 #include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
-#include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -46,19 +45,15 @@ struct Search {
 
   /// A hypothesis by its index in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
+
+  /// Singles, pairs and triples, in the order of the evidence.
+  std::vector<const FittedHypothesis*> withEffects() const;
 };
 
 /// Let go of the unit effects of all candidates, most of what a search keeps, and find them again, the same to the last
 /// bit.
 void forgetUnitEffects(Search& search);
 void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads);
-
-/// The numbers of a search, without errors on unseen logs.
-Evidence evidenceOf(const Search& search);
-
-/// What a sensor may be off by without anybody calling it a fault is told as what the rig did.
-void markGainsWithinTolerance(const io::RigTolerance& tolerance, const Search& search, const Criteria& criteria,
-                              Evidence& evidence);
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnosis/report/contradictions.h"
+#include "diagnosis/search_evidence.h"
 #include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 

@@ -14,14 +14,10 @@ constexpr std::size_t kMost = 4;  // explanations compared: each has to be fitte
 
 const FittedHypothesis* find(const Search& search, std::vector<int> members) {
   std::sort(members.begin(), members.end());
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (const FittedHypothesis& fitted : *list) {
-      if (fitted.hypothesis.members == members) {
-        return &fitted;
-      }
-    }
-  }
-  return nullptr;
+  const std::vector<const FittedHypothesis*> all = search.withEffects();
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const FittedHypothesis* fitted) { return fitted->hypothesis.members == members; });
+  return found == all.end() ? nullptr : *found;
 }
 
 // The best explanation that is not the one judged, of as many effects, or of one.

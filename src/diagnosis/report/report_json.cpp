@@ -105,8 +105,8 @@ ordered_json hypothesesJson(const Search& search) {
                       {"departure", number(fitted.fit.penalty)}});
   };
   add(search.re_estimated);
-  for (const auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    std::for_each(list->begin(), list->end(), add);
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    add(*fitted);
   }
   return result;
 }

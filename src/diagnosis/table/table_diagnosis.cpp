@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "diagnosis/refused.h"
+#include "diagnosis/search_evidence.h"
 #include "diagnosis/table/describe_table.h"
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
