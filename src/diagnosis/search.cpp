@@ -7,7 +7,9 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
+#include <set>
 
+#include "diagnosis/judge/judge.h"
 #include "diagnosis/judge/weighing.h"
 #include "diagnosis/measured.h"
 #include "diagnosis/screening.h"
@@ -24,12 +26,14 @@ constexpr std::size_t kAdditionsFitted = 2;
 constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
 
-// The best fit among those of the members alone.
-const FittedHypothesis& bestMember(const Search& result, const std::vector<int>& members) {
+// The best fit of a part of a set: of one of its members, or of the pairs of a triple.
+const FittedHypothesis& bestPart(const Search& result, const std::vector<int>& members) {
   const FittedHypothesis* best = &result.singles[static_cast<std::size_t>(members.front())];
-  for (const int member : members) {
-    const FittedHypothesis& single = result.singles[static_cast<std::size_t>(member)];
-    best = single.fit.score() < best->fit.score() ? &single : best;
+  for (const FittedHypothesis* fitted : result.withEffects()) {
+    const std::vector<int>& part = fitted->hypothesis.members;
+    const bool within =
+        part.size() < members.size() && std::includes(members.begin(), members.end(), part.begin(), part.end());
+    best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
   }
   return *best;
 }
@@ -70,7 +74,6 @@ class Searcher {
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
         say("fitting triples", 0.75);
         fitTriples();
-        fitPartsOf(result_.triples.front());
         measured_.estimateNoise(result_.triples.front(), result_);
       }
     }
@@ -147,30 +150,75 @@ class Searcher {
     addPairs(ranked_[0], kLastResortsFitted);
     addPairs(ranked_[1], 0);
     addPairs(bestLastResort(), 0);
-    fitPairsFrom(0);
-    fitSimplerPairs();
+    addSets(withLawsApart(ranked_[0].hypothesis.members), result_.pairs);
+    fitFrom(0, result_.pairs);
+    fitSimpler(result_.pairs);
   }
 
-  // Until the best pair has all of them beside it.
-  void fitSimplerPairs() {
-    std::size_t fitted = 0;
-    do {
-      fitted = result_.pairs.size();
-      addSets(withSimplerLaws(result_.pairs.front().hypothesis.members));
-      fitPairsFrom(fitted);
-    } while (result_.pairs.size() > fitted);
+  // The best pair, and the one that would be named, which need not be the best: each with what goes best with it.
+  void fitTriples() {
+    addTriples(*std::find_if(result_.pairs.begin(), result_.pairs.end(),
+                             [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; }));
+    const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
+    if (named.hypothesis.members.size() == 2 && !named.hypothesis.last_resort) {
+      addTriples(named);
+    }
+    fitFrom(0, result_.triples);
+    fitSimpler(result_.triples);
+    fitPartsOf(result_.triples.front());
   }
 
   // Fits those from a place on and sorts all, best first.
-  void fitPairsFrom(std::size_t first) {
-    fit::parallelFor(result_.pairs.size() - first, threads_, [&](std::size_t i) {
-      FittedHypothesis& pair = result_.pairs[first + i];
-      fitFurther(fitter_, result_.candidates, bestMember(result_, pair.hypothesis.members), pair);
+  void fitFrom(std::size_t first, std::vector<FittedHypothesis>& list) {
+    fit::parallelFor(list.size() - first, threads_, [&](std::size_t i) {
+      FittedHypothesis& fitted = list[first + i];
+      fitFurther(fitter_, result_.candidates, bestPart(result_, fitted.hypothesis.members), fitted);
     });
-    sortByScore(result_.pairs);
+    sortByScore(list);
   }
 
-  // A set of effects with a simpler law in the place of each that contains one: what the judgement compares it with.
+  // Until the best of a list has beside it all that the judgement compares it with: a simpler law in the place of each
+  // that contains one.
+  void fitSimpler(std::vector<FittedHypothesis>& list) {
+    std::size_t fitted = 0;
+    do {
+      fitted = list.size();
+      addSets(withSimplerLaws(list.front().hypothesis.members), list);
+      fitFrom(fitted, list);
+    } while (list.size() > fitted);
+  }
+
+  // A set with several simpler laws in the place of one that contains them: each may be stronger than it allows.
+  std::vector<std::vector<int>> withLawsApart(const std::vector<int>& members) const {
+    std::vector<std::vector<int>> sets;
+    for (const int member : members) {
+      std::set<int> apart(members.begin(), members.end());
+      apart.erase(member);
+      for (const int simpler : largestWithin(member)) {
+        apart.insert(simpler);
+      }
+      if (apart.size() == members.size() + 1) {
+        sets.emplace_back(apart.begin(), apart.end());
+      }
+    }
+    return sets;
+  }
+
+  // The simpler laws that one contains, but for those that another one of them contains.
+  std::vector<int> largestWithin(int member) const {
+    const std::vector<std::vector<int>> contained = containedIn(result_.candidates);
+    std::vector<int> laws = contained[static_cast<std::size_t>(member)];
+    const auto within = [&](int law) {
+      return std::any_of(laws.begin(), laws.end(), [&](int other) {
+        const std::vector<int>& smaller = contained[static_cast<std::size_t>(other)];
+        return std::find(smaller.begin(), smaller.end(), law) != smaller.end();
+      });
+    };
+    std::vector<int> largest;
+    std::copy_if(laws.begin(), laws.end(), std::back_inserter(largest), [&](int law) { return !within(law); });
+    return largest;
+  }
+
   std::vector<std::vector<int>> withSimplerLaws(const std::vector<int>& members) const {
     const std::vector<std::vector<int>> contained = containedIn(result_.candidates);
     std::vector<std::vector<int>> sets;
@@ -186,8 +234,8 @@ class Searcher {
     return sets;
   }
 
-  // Those pairs of them that are not yet in the list, and may do what parameters do not.
-  void addSets(const std::vector<std::vector<int>>& sets) {
+  // Those of them that are not yet in the list, and may do what parameters do not.
+  void addSets(const std::vector<std::vector<int>>& sets, std::vector<FittedHypothesis>& list) const {
     std::vector<Screened> wanted;
     for (const std::vector<int>& members : sets) {
       const bool compete = std::all_of(members.begin(), members.end(), [&](int member) {
@@ -197,7 +245,7 @@ class Searcher {
         wanted.push_back({members, 0.0});
       }
     }
-    choose(result_.candidates, wanted, wanted.size(), result_.pairs);
+    choose(result_.candidates, wanted, wanted.size(), list);
   }
 
   // The pairs within a triple: without them it is not known what each of the three is for.
@@ -208,9 +256,9 @@ class Searcher {
       sets.back().erase(std::find(sets.back().begin(), sets.back().end(), member));
     }
     const std::size_t fitted = result_.pairs.size();
-    addSets(sets);
-    fitPairsFrom(fitted);
-    fitSimplerPairs();
+    addSets(sets, result_.pairs);
+    fitFrom(fitted, result_.pairs);
+    fitSimpler(result_.pairs);
   }
 
   // Pairs of a single effect and what goes best with it, and so many with effects that can look like several others.
@@ -234,15 +282,10 @@ class Searcher {
         });
   }
 
-  void fitTriples() {
-    const FittedHypothesis& pair =
-        *std::find_if(result_.pairs.begin(), result_.pairs.end(),
-                      [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; });
+  void addTriples(const FittedHypothesis& pair) {
     const Screening screening(fitter_, result_.candidates, pair, threads_);
     choose(result_.candidates, screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
-    fit::parallelFor(result_.triples.size(), threads_,
-                     [&](std::size_t i) { fitFurther(fitter_, result_.candidates, pair, result_.triples[i]); });
-    sortByScore(result_.triples);
+    addSets(withLawsApart(pair.hypothesis.members), result_.triples);
   }
 
   const Measured& measured_;

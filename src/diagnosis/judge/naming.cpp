@@ -119,6 +119,12 @@ class Naming {
     });
   }
 
+  // Nothing is sought in a rest that is smaller than the noise, or that an engineer accepts.
+  bool isLittle(const HypothesisEvidence& hypothesis) const {
+    return weighing_.residualOf(hypothesis) < std::max(weighing_.insignificant(), evidence_.noise_floor) ||
+           weighing_.isAccepted(hypothesis);
+  }
+
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
   // over the best hypothesis of fewer effects, even where that gained too little itself.
   int withFurtherEffects(int single) const {
@@ -126,9 +132,7 @@ class Naming {
     int fewer = single;
     for (std::size_t effects = 2; effects <= criteria_.most_effects; ++effects) {
       const std::optional<int> further = best(effects);
-      // Nothing is sought in a rest that is smaller than the noise.
-      const double worth = std::max(weighing_.insignificant(), evidence_.noise_floor);
-      if (!further || (weighing_.residualOf(evidence_.at(chosen)) < worth && !evidence_.at(chosen).free_trends)) {
+      if (!further || (isLittle(evidence_.at(chosen)) && !evidence_.at(chosen).free_trends)) {
         break;
       }
       if (needsOthersThanGains(*further) && weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) &&

@@ -100,6 +100,11 @@ bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
   return isBeyondNoise(leftUnseen(errors), errors.noise_floor);
 }
 
+bool Weighing::isAccepted(const HypothesisEvidence& hypothesis) const {
+  return left(hypothesis.held_out) <= criteria_.beyond_noise &&
+         (!hypothesis.unseen || leftUnseen(*hypothesis.unseen) <= criteria_.beyond_noise);
+}
+
 bool Weighing::knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   return !over.block_errors.empty() && hypothesis.block_errors.size() == over.block_errors.size() &&
          over.block_errors.size() == evidence_.block_logs.size();
