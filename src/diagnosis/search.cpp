@@ -160,7 +160,7 @@ class Searcher {
     addTriples(*std::find_if(result_.pairs.begin(), result_.pairs.end(),
                              [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; }));
     const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
-    if (named.hypothesis.members.size() == 2 && !named.hypothesis.last_resort) {
+    if (named.hypothesis.members.size() == 2) {
       addTriples(named);
     }
     fitFrom(0, result_.triples);

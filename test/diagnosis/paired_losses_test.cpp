@@ -92,15 +92,34 @@ Losses gains(const std::vector<double>& of_logs) {
   return losses;
 }
 
-TEST(PValueOfSomeLog, AGainInEveryLogIsNoChanceHoweverItDiffers) {
+TEST(PValueOfTwoLogs, AGainThatASecondLogRepeatsIsNoChanceHoweverItDiffers) {
   const Losses losses = gains({0.6, 0.6, 1.9});
-  EXPECT_LT(pValueOfSomeLog(losses, 0, 1), 1e-4);
+  EXPECT_LT(pValueOfTwoLogs(losses, 0, 1), 1e-4);
   EXPECT_GT(compare(losses, 0, 1).pValueOfNoGain(), 0.05);  // two degrees of freedom and a log that stands out
 }
 
-TEST(PValueOfSomeLog, OneLogWithoutGainIsEnoughToDoubt) {
-  EXPECT_GT(pValueOfSomeLog(gains({0.6, 0.0, 1.9}), 0, 1), 0.4);
-  EXPECT_GT(pValueOfSomeLog(gains({0.6, -0.6, 1.9}), 0, 1), 0.99);
+TEST(PValueOfTwoLogs, ALogWithoutGainSaysNothingAgainstIt) {
+  EXPECT_LT(pValueOfTwoLogs(gains({0.6, 0.0, 1.9, 0.0}), 0, 1), 1e-4);
+}
+
+TEST(PValueOfTwoLogs, OneLogIsNotEnough) {
+  EXPECT_GT(pValueOfTwoLogs(gains({0.0, 0.0, 1.9}), 0, 1), 0.5);
+  EXPECT_EQ(pValueOfTwoLogs(gains({1.9}), 0, 1), 0.5);
+}
+
+TEST(PValueOfTwoLogs, ALogThatSpeaksLouderForTheOtherOutweighsThem) {
+  EXPECT_EQ(pValueOfTwoLogs(gains({0.6, -1.9, 0.6}), 0, 1), 1.0);
+}
+
+TEST(PValueOfTwoLogs, IsRarelySmallWhereNothingDiffers) {
+  constexpr int kTrials = 2000;
+  int below = 0;
+  for (unsigned seed = 0; seed < kTrials; ++seed) {
+    below += pValueOfTwoLogs(simulated({0.0, 0.0}, 0.0, 0.3, seed), 0, 1) < 0.1 ? 1 : 0;
+  }
+  // Two of six uniform p-values below 0.1/5: binomial, 0.0057; three standard deviations of 0.0017 above it. Those of
+  // t with nine degrees of freedom are uniform.
+  EXPECT_LT(below / static_cast<double>(kTrials), 0.0057 + 3 * 0.0017);
 }
 
 TEST(LogarithmicLoss, CountsFactorsAboveTheNoise) {

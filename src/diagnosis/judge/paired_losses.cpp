@@ -9,6 +9,28 @@
 #include <set>
 
 namespace rubber_suspension::diagnosis {
+namespace {
+
+// The blocks of one log as a sample of their own.
+Losses blocksOf(int log, const Losses& losses) {
+  std::vector<Eigen::Index> blocks;
+  for (std::size_t b = 0; b < losses.cluster.size(); ++b) {
+    if (losses.cluster[b] == log) {
+      blocks.push_back(static_cast<Eigen::Index>(b));
+    }
+  }
+  Losses result;
+  result.loss.resize(losses.loss.rows(), static_cast<Eigen::Index>(blocks.size()));
+  result.weight.resize(static_cast<Eigen::Index>(blocks.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    result.loss.col(static_cast<Eigen::Index>(i)) = losses.loss.col(blocks[i]);
+    result.weight[static_cast<Eigen::Index>(i)] = losses.weight[blocks[i]];
+    result.cluster.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+}  // namespace
 
 double PairedDifference::pValueOfNoGain() const {
   if (degrees_of_freedom < 1 || !std::isfinite(standard_error)) {
@@ -70,27 +92,20 @@ double pValueBySigns(const Losses& losses, Eigen::Index one, Eigen::Index other)
   return static_cast<double>(as_good) / static_cast<double>(choices);
 }
 
-double pValueOfSomeLog(const Losses& losses, Eigen::Index one, Eigen::Index other) {
+double pValueOfTwoLogs(const Losses& losses, Eigen::Index one, Eigen::Index other) {
   const std::set<int> logs(losses.cluster.begin(), losses.cluster.end());
-  double largest = 0.0;
+  std::vector<double> of_logs;
   for (const int log : logs) {
-    std::vector<Eigen::Index> blocks;
-    for (std::size_t b = 0; b < losses.cluster.size(); ++b) {
-      if (losses.cluster[b] == log) {
-        blocks.push_back(static_cast<Eigen::Index>(b));
-      }
-    }
-    Losses of_log;
-    of_log.loss.resize(losses.loss.rows(), static_cast<Eigen::Index>(blocks.size()));
-    of_log.weight.resize(static_cast<Eigen::Index>(blocks.size()));
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      of_log.loss.col(static_cast<Eigen::Index>(i)) = losses.loss.col(blocks[i]);
-      of_log.weight[static_cast<Eigen::Index>(i)] = losses.weight[blocks[i]];
-      of_log.cluster.push_back(static_cast<int>(i));
-    }
-    largest = std::max(largest, compare(of_log, one, other).pValueOfNoGain());
+    of_logs.push_back(compare(blocksOf(log, losses), one, other).pValueOfNoGain());
   }
-  return largest;
+  if (of_logs.size() < 2) {
+    return 0.5;
+  }
+  std::sort(of_logs.begin(), of_logs.end());
+  const auto count = static_cast<double>(of_logs.size());
+  const double gain = std::min(1.0, (count - 1.0) * of_logs[1]);
+  const double loss = std::min(1.0, count * (1.0 - of_logs.back()));
+  return loss < gain ? 1.0 : gain;
 }
 
 Eigen::MatrixXd logarithmicLoss(const Eigen::MatrixXd& mean_square_error, double floor) {

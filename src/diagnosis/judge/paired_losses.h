@@ -37,9 +37,11 @@ double pValueBySigns(const Losses& losses, Eigen::Index one, Eigen::Index other)
 constexpr int kFewestSigns = 6;  ///< three times 2^-6 is the first below 0.05
 constexpr int kMostSigns = 14;   ///< all choices are tried; a mean of more clusters is normal
 
-/// p-value of the hypothesis that there is a log in which the first is no better than the second: the largest of those
-/// of the single logs, whose blocks are the sample (intersection-union test; Berger, Technometrics 24, 1982).
-double pValueOfSomeLog(const Losses& losses, Eigen::Index one, Eigen::Index other);
+/// p-value of the hypothesis that the first is better in one log at most: a gain that a second log repeats is not what
+/// a single log has. The blocks of each log are its sample; of n logs, n - 1 times the second least p-value (partial
+/// conjunction; Benjamini and Heller, Biometrics 64, 2008, Eq. 3). Logs that do not excite an effect say nothing against
+/// it; 1 where a log speaks louder for the second. 0.5 where there is one log only.
+double pValueOfTwoLogs(const Losses& losses, Eigen::Index one, Eigen::Index other);
 
 /// Logarithms of mean square errors as losses: half of ln(error + floor). A block counts by the factor that a model
 /// gains there, whatever its size; `floor` (mean square of the noise) keeps blocks of mere noise from counting.

@@ -147,9 +147,9 @@ bool Weighing::errsLess(const HypothesisEvidence& hypothesis, const HypothesisEv
   return -gain.mean > std::max(gain.standard_error, std::log1p(criteria_.clearly_less));
 }
 
-// Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in every single
-// log by its blocks. Over few logs the first sees nothing where one gains far more than the others, which a log does
-// that was made to show it.
+// Of three tests, any of which is enough: on average over the logs, by Student's t and by signs, and in two logs by
+// their blocks. Over few logs the first sees nothing where some gain far more than the others, which logs do that were
+// made to show it.
 double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {
   if (!knowsBlocks(hypothesis, over)) {
     return 0.0;
@@ -159,7 +159,7 @@ double Weighing::chanceOfGain(const HypothesisEvidence& hypothesis, const Hypoth
     return on_average;
   }
   const Losses losses = lossesOf(hypothesis, over);
-  return std::min(1.0, 3.0 * std::min({on_average, pValueBySigns(losses, 0, 1), pValueOfSomeLog(losses, 0, 1)}));
+  return std::min(1.0, 3.0 * std::min({on_average, pValueBySigns(losses, 0, 1), pValueOfTwoLogs(losses, 0, 1)}));
 }
 
 double Weighing::residualOf(const HypothesisEvidence& hypothesis) const {
