@@ -1,7 +1,7 @@
 # What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and
 # probabilities agree. Only what report.json shows; how the reports look to a reader is tested elsewhere.
 """Invariants of a report."""
-REST = (5.0, 0.02)      # a rest is beyond the noise if it is more than so many floors, and more than this of the force
+REST = (1.0, 0.02)      # a rest is beyond the noise if it is more than so many floors, and more than this of the force
 SLACK = 1e-3            # of sums, fractions and gaps, which are rounded
 NAMING = ("named", "confounded", "partly")
 QUIET = ("none", "parameter_error", "unknown", "check_bench")
@@ -9,7 +9,7 @@ QUIET = ("none", "parameter_error", "unknown", "check_bench")
 
 def beyond_noise(report, which):
     gap, floor = report["gap"][which], report["gap"]["noise_floor"]
-    return gap > max(REST[0] * floor, REST[1])
+    return gap ** 2 - floor ** 2 > (1.0 + SLACK) * max(REST[0] * floor, REST[1]) ** 2
 
 
 def verdict_has_its_effects(report):

@@ -120,7 +120,10 @@ class Judge {
   void acceptLittle() {
     const double configured = weighing_.left(evidence_.at(Evidence::kAsConfigured).held_out);
     const double rest = weighing_.left(evidence_.reEstimated().held_out);
-    if (judgement_.verdict != Verdict::unknown || !weighing_.isAccepted(evidence_.reEstimated())) {
+    if (judgement_.verdict != Verdict::unknown || rest > criteria_.beyond_noise) {
+      return;
+    }
+    if (evidence_.has_unseen_logs && Weighing::leftUnseen(unseen(Evidence::kReEstimated)) > criteria_.beyond_noise) {
       return;
     }
     const bool parameters = rest < criteria_.needs_another * configured || configured > criteria_.beyond_noise;

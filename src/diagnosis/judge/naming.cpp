@@ -119,12 +119,6 @@ class Naming {
     });
   }
 
-  // Nothing is sought in a rest that is smaller than the noise, or that an engineer accepts.
-  bool isLittle(const HypothesisEvidence& hypothesis) const {
-    return weighing_.residualOf(hypothesis) < std::max(weighing_.insignificant(), evidence_.noise_floor) ||
-           weighing_.isAccepted(hypothesis);
-  }
-
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
   // over the best hypothesis of fewer effects, even where that gained too little itself.
   int withFurtherEffects(int single) const {
@@ -132,7 +126,8 @@ class Naming {
     int fewer = single;
     for (std::size_t effects = 2; effects <= criteria_.most_effects; ++effects) {
       const std::optional<int> further = best(effects);
-      if (!further || (isLittle(evidence_.at(chosen)) && !evidence_.at(chosen).free_trends)) {
+      // Nothing is sought in a rest that counts as explained.
+      if (!further || !(weighing_.isBeyondNoise(evidence_.at(chosen)) || evidence_.at(chosen).free_trends)) {
         break;
       }
       if (needsOthersThanGains(*further) && weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) &&

@@ -100,9 +100,9 @@ bool Weighing::isBeyondNoise(const UnseenErrors& errors) const {
   return isBeyondNoise(leftUnseen(errors), errors.noise_floor);
 }
 
-bool Weighing::isAccepted(const HypothesisEvidence& hypothesis) const {
-  return left(hypothesis.held_out) <= criteria_.beyond_noise &&
-         (!hypothesis.unseen || leftUnseen(*hypothesis.unseen) <= criteria_.beyond_noise);
+bool Weighing::isBeyondNoise(const HypothesisEvidence& hypothesis) const {
+  return isBeyondNoise(residualOf(hypothesis), evidence_.noise_floor) ||
+         (hypothesis.unseen && isBeyondNoise(*hypothesis.unseen));
 }
 
 bool Weighing::knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const {

@@ -49,8 +49,8 @@ class Weighing {
   bool isBeyondNoise(double rest, double floor) const { return rest > criteria_.beyondNoise(floor); }
   bool isBeyondNoise(const UnseenErrors& errors) const;
 
-  /// True if so little is left, here and on unseen logs, that an engineer accepts it.
-  bool isAccepted(const HypothesisEvidence& hypothesis) const;
+  /// The same of a hypothesis, on the logs of the fit or on unseen ones.
+  bool isBeyondNoise(const HypothesisEvidence& hypothesis) const;
 
   /// What is left of unseen logs above their floor.
   static double leftUnseen(const UnseenErrors& errors);
