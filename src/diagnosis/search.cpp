@@ -146,7 +146,7 @@ class Searcher {
   }
 
   void fitPairs(const std::vector<Screened>& screened) {
-    choose(result_.candidates, screened, kPairsFitted, result_.pairs);
+    addBest(screened, kPairsFitted, result_.pairs);
     addPairs(ranked_[0], kLastResortsFitted);
     addPairs(ranked_[1], 0);
     addPairs(bestLastResort(), 0);
@@ -155,17 +155,45 @@ class Searcher {
     fitSimpler(result_.pairs);
   }
 
-  // The best pair, and the one that would be named, which need not be the best: each with what goes best with it.
   void fitTriples() {
-    addTriples(*std::find_if(result_.pairs.begin(), result_.pairs.end(),
-                             [](const FittedHypothesis& fitted) { return !fitted.hypothesis.last_resort; }));
-    const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
-    if (named.hypothesis.members.size() == 2) {
-      addTriples(named);
+    for (const FittedHypothesis* pair : worthAThird()) {
+      addTriples(*pair);
     }
     fitFrom(0, result_.triples);
     fitSimpler(result_.triples);
     fitPartsOf(result_.triples.front());
+  }
+
+  // The best pair, the best one without a trend, and the one that would be named, which need not be the best.
+  std::set<const FittedHypothesis*> worthAThird() const {
+    std::set<const FittedHypothesis*> pairs;
+    for (const bool trends : {true, false}) {
+      const auto best = std::find_if(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
+        return !pair.hypothesis.last_resort && (trends || !pair.hypothesis.free_in_log.trend);
+      });
+      if (best != result_.pairs.end()) {
+        pairs.insert(&*best);
+      }
+    }
+    const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
+    if (named.hypothesis.members.size() == 2) {
+      pairs.insert(&named);
+    }
+    return pairs;
+  }
+
+  // The best of a screening, among them the best of those without a trend, which follows whatever is slow: the
+  // judgement compares the others with them.
+  void addBest(const std::vector<Screened>& screened, std::size_t most, std::vector<FittedHypothesis>& list) const {
+    choose(result_.candidates, screened, most, list);
+    const auto of_laws = std::find_if(screened.begin(), screened.end(), [&](const Screened& set) {
+      return std::none_of(set.members.begin(), set.members.end(), [&](int member) {
+        return result_.candidates[static_cast<std::size_t>(member)].free_in_log.trend;
+      });
+    });
+    if (of_laws != screened.end()) {
+      choose(result_.candidates, {*of_laws}, 1, list);
+    }
   }
 
   // Fits those from a place on and sorts all, best first.
@@ -268,7 +296,7 @@ class Searcher {
     }
     const Screening screening(fitter_, result_.candidates, single, threads_);
     const std::vector<int>& members = single.hypothesis.members;
-    choose(result_.candidates, screening.additions(members), kAdditionsFitted, result_.pairs);
+    addBest(screening.additions(members), kAdditionsFitted, result_.pairs);
     if (last_resorts > 0) {
       choose(result_.candidates, screening.additions(members, Joining::last_resorts), last_resorts, result_.pairs);
     }
@@ -284,7 +312,7 @@ class Searcher {
 
   void addTriples(const FittedHypothesis& pair) {
     const Screening screening(fitter_, result_.candidates, pair, threads_);
-    choose(result_.candidates, screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
+    addBest(screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
     addSets(withLawsApart(pair.hypothesis.members), result_.triples);
   }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"
@@ -34,9 +35,12 @@ inline RigEffect rigFriction() {
   };
 }
 
-/// A log of 20 s at 250 Hz: a sine whose amplitude and frequency go through their ranges without a jump.
-inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {
-  constexpr double kStep = 0.004;
+/// Displacement [m] and rate [m/s] at a time [s]; asked for each sample once, in order.
+using RigMotion = std::function<std::pair<double, double>(double time)>;
+
+/// A log of 5000 samples of a motion at a time step [s], with noise [N] of the generator.
+inline log::Log runMotion(const std::string& name, std::mt19937& generator, const RigMotion& motion,
+                          const RigEffect& effect, double noise, double step) {
   constexpr int kSamples = 5000;
   const auto elements = rigComponent().allElements();
   double spring = 0.0;
@@ -50,32 +54,40 @@ inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& 
       frequency = element.value("break_frequency");
     }
   }
-  std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, noise);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  double phase = 2.0 * element::kPi * uniform(generator);
   log::Log log;
   log.name = name;
   double relaxing = 0.0;
   double before = 0.0;
-  const double decay = std::exp(-kStep * 2.0 * element::kPi * frequency);
+  const double decay = std::exp(-step * 2.0 * element::kPi * frequency);
   for (int i = 0; i < kSamples; ++i) {
-    const double time = kStep * i;
-    const double amplitude = 0.0011 + 0.0009 * std::sin(0.7 * time + static_cast<double>(seed));
-    const double f = 3.5 + 2.8 * std::sin(0.45 * time + 2.0 * static_cast<double>(seed));
-    phase += 2.0 * element::kPi * f * kStep;
-    const double z = amplitude * std::sin(phase);
+    const double time = step * i;
+    const auto [z, rate] = motion(time);
     if (i == 0) {
       before = z;
     }
-    relaxing = decay * relaxing + stiffness * (z - before) / (kStep * 2.0 * element::kPi * frequency) * (1.0 - decay);
-    const double rate = amplitude * 2.0 * element::kPi * f * std::cos(phase);
-    log.stamp.push_back(static_cast<std::int64_t>(i) * 4000000);
+    relaxing = decay * relaxing + stiffness * (z - before) / (step * 2.0 * element::kPi * frequency) * (1.0 - decay);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * std::llround(step * 1e9));
     log.displacement.push_back(z);
     log.force.push_back(spring * z + relaxing + effect(time, z, rate) + normal(generator));
     before = z;
   }
   return log;
+}
+
+/// A log of 20 s at 250 Hz: a sine whose amplitude and frequency go through their ranges without a jump.
+inline log::Log runRig(const std::string& name, unsigned seed, const RigEffect& effect, double noise = 20.0) {
+  constexpr double kStep = 0.004;
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  double phase = 2.0 * element::kPi * uniform(generator);
+  const auto motion = [&](double time) {
+    const double amplitude = 0.0011 + 0.0009 * std::sin(0.7 * time + static_cast<double>(seed));
+    const double f = 3.5 + 2.8 * std::sin(0.45 * time + 2.0 * static_cast<double>(seed));
+    phase += 2.0 * element::kPi * f * kStep;
+    return std::make_pair(amplitude * std::sin(phase), amplitude * 2.0 * element::kPi * f * std::cos(phase));
+  };
+  return runMotion(name, generator, motion, effect, noise, kStep);
 }
 
 }  // namespace rubber_suspension

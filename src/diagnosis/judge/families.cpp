@@ -13,9 +13,16 @@ namespace {
 
 constexpr double kLittleMore = 1.0 + 1e-6;  // the simpler law is the better one, and by no more
 
+// True if a hypothesis frees in logs no more than another one does for its effects but one.
+bool freesLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& large, const HypothesisEvidence& one) {
+  const bool trends = large.free_trends && !one.free_trends;
+  const bool gains = large.free_gains && !one.free_gains;
+  return (trends || !hypothesis.free_trends) && (gains || !hypothesis.free_gains);
+}
+
 // The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
 // contains in its place. A trend for each log follows whatever is slow, a gain for each whatever depends on a log's
-// amplitude or frequency: any laws without either are simpler, as many of them. A law that can look like several others
+// amplitude or frequency: any laws without are simpler, as many of them. A law that can look like several others
 // is the last one to be believed: any laws without it are simpler, however many.
 std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
   const HypothesisEvidence& large = evidence.at(hypothesis);
@@ -26,7 +33,7 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
       const HypothesisEvidence& other = evidence.at(h);
       const bool as_many = like_others || other.members.size() == large.members.size();
-      const bool without = !other.last_resort && (like_others || !other.freesInLogs());
+      const bool without = !other.last_resort && (like_others || freesLess(other, large, evidence.single(member)));
       if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
         simpler.push_back(h);
       }
