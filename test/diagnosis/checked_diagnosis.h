@@ -14,8 +14,33 @@
 
 namespace rubber_suspension {
 
+/// What the best hypothesis of so many effects is compared with has been fitted: one with a simpler law in the place of
+/// each that contains one, and one of as many laws where it frees trends.
+inline void checkWhatIsComparedWith(const diagnosis::Evidence& evidence, const diagnosis::HypothesisEvidence& best) {
+  const auto competes = [&](int effect) {
+    const diagnosis::HypothesisEvidence& single = evidence.single(effect);
+    return single.terms > 0 && !single.like_parameters;
+  };
+  const std::vector<int>& members = best.members;
+  if (!std::all_of(members.begin(), members.end(), competes)) {
+    return;
+  }
+  for (const int member : members) {
+    for (const int simpler : evidence.containedIn(member)) {
+      if (competes(simpler) && std::find(members.begin(), members.end(), simpler) == members.end()) {
+        std::vector<int> instead = members;
+        std::replace(instead.begin(), instead.end(), member, simpler);
+        EXPECT_TRUE(evidence.find(instead).has_value()) << simpler << " in the place of " << member;
+      }
+    }
+  }
+  EXPECT_TRUE(std::any_of(evidence.hypotheses.begin(), evidence.hypotheses.end(), [&](const auto& other) {
+    return other.members.size() == members.size() && !other.free_trends;
+  }));
+}
+
 /// The floor is no more than any fitted model leaves, and what the best hypotheses are compared with has been fitted:
-/// the best pair with a simpler law in the place of one that contains it, each pair within the best triple.
+/// also each pair within the best triple.
 inline void checkEvidence(const diagnosis::Evidence& evidence) {
   const diagnosis::HypothesisEvidence* pair = nullptr;
   const diagnosis::HypothesisEvidence* triple = nullptr;
@@ -27,16 +52,9 @@ inline void checkEvidence(const diagnosis::Evidence& evidence) {
     pair = pair == nullptr && hypothesis.members.size() == 2 ? &hypothesis : pair;
     triple = triple == nullptr && hypothesis.members.size() == 3 ? &hypothesis : triple;
   }
-  const auto competes = [&](int effect) {
-    const diagnosis::HypothesisEvidence& single = evidence.single(effect);
-    return single.terms > 0 && !single.like_parameters;
-  };
-  for (const int member : pair != nullptr ? pair->members : std::vector<int>{}) {
-    const int other = pair->members.front() == member ? pair->members.back() : pair->members.front();
-    for (const int simpler : evidence.containedIn(member)) {
-      if (simpler != other && competes(simpler) && competes(other)) {
-        EXPECT_TRUE(evidence.find({other, simpler}).has_value()) << other << " beside " << simpler;
-      }
+  for (const diagnosis::HypothesisEvidence* best : {pair, triple}) {
+    if (best != nullptr) {
+      checkWhatIsComparedWith(evidence, *best);
     }
   }
   for (const int member : triple != nullptr ? triple->members : std::vector<int>{}) {
