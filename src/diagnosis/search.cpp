@@ -14,6 +14,7 @@
 #include "diagnosis/measured.h"
 #include "diagnosis/screening.h"
 #include "diagnosis/search_evidence.h"
+#include "diagnosis/sets.h"
 #include "diagnosis/starts.h"
 #include "fit/parallel.h"
 
@@ -64,6 +65,7 @@ class Searcher {
     reEstimate();
     say("fitting single effects", 0.1);
     result_.candidates = measured_.candidates(result_.excitation, threads_);
+    contained_ = containedIn(result_.candidates);
     fitSingles();
     say("screening all pairs", 0.4);
     const std::vector<Screened> pairs = screenPairs();
@@ -74,7 +76,6 @@ class Searcher {
       if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
         say("fitting triples", 0.75);
         fitTriples();
-        measured_.estimateNoise(result_.triples.front(), result_);
       }
     }
     return std::move(result_);
@@ -150,7 +151,7 @@ class Searcher {
     addPairs(ranked_[0], kLastResortsFitted);
     addPairs(ranked_[1], 0);
     addPairs(bestLastResort(), 0);
-    addSets(withLawsApart(ranked_[0].hypothesis.members), result_.pairs);
+    addSets(withLawsApart(ranked_[0].hypothesis.members, contained_), result_.pairs);
     fitFrom(0, result_.pairs);
     fitSimpler(result_.pairs);
   }
@@ -159,9 +160,13 @@ class Searcher {
     for (const FittedHypothesis* pair : worthAThird()) {
       addTriples(*pair);
     }
+    if (result_.triples.empty()) {
+      return;
+    }
     fitFrom(0, result_.triples);
     fitSimpler(result_.triples);
     fitPartsOf(result_.triples.front());
+    measured_.estimateNoise(result_.triples.front(), result_);
   }
 
   // The best pair, the best one without a trend, and the one that would be named, which need not be the best.
@@ -211,59 +216,13 @@ class Searcher {
     std::size_t fitted = 0;
     do {
       fitted = list.size();
-      addSets(withSimplerLaws(list.front().hypothesis.members), list);
+      addSets(withSimplerLaws(list.front().hypothesis.members, contained_), list);
       fitFrom(fitted, list);
     } while (list.size() > fitted);
   }
 
-  // A set with several simpler laws in the place of one that contains them: each may be stronger than it allows.
-  std::vector<std::vector<int>> withLawsApart(const std::vector<int>& members) const {
-    std::vector<std::vector<int>> sets;
-    for (const int member : members) {
-      std::set<int> apart(members.begin(), members.end());
-      apart.erase(member);
-      for (const int simpler : largestWithin(member)) {
-        apart.insert(simpler);
-      }
-      if (apart.size() == members.size() + 1) {
-        sets.emplace_back(apart.begin(), apart.end());
-      }
-    }
-    return sets;
-  }
-
-  // The simpler laws that one contains, but for those that another one of them contains.
-  std::vector<int> largestWithin(int member) const {
-    const std::vector<std::vector<int>> contained = containedIn(result_.candidates);
-    std::vector<int> laws = contained[static_cast<std::size_t>(member)];
-    const auto within = [&](int law) {
-      return std::any_of(laws.begin(), laws.end(), [&](int other) {
-        const std::vector<int>& smaller = contained[static_cast<std::size_t>(other)];
-        return std::find(smaller.begin(), smaller.end(), law) != smaller.end();
-      });
-    };
-    std::vector<int> largest;
-    std::copy_if(laws.begin(), laws.end(), std::back_inserter(largest), [&](int law) { return !within(law); });
-    return largest;
-  }
-
-  std::vector<std::vector<int>> withSimplerLaws(const std::vector<int>& members) const {
-    const std::vector<std::vector<int>> contained = containedIn(result_.candidates);
-    std::vector<std::vector<int>> sets;
-    for (const int member : members) {
-      for (const int simpler : contained[static_cast<std::size_t>(member)]) {
-        if (std::find(members.begin(), members.end(), simpler) == members.end()) {
-          sets.push_back(members);
-          std::replace(sets.back().begin(), sets.back().end(), member, simpler);
-          std::sort(sets.back().begin(), sets.back().end());
-        }
-      }
-    }
-    return sets;
-  }
-
   // Those of them that are not yet in the list, and may do what parameters do not.
-  void addSets(const std::vector<std::vector<int>>& sets, std::vector<FittedHypothesis>& list) const {
+  void addSets(const Sets& sets, std::vector<FittedHypothesis>& list) const {
     std::vector<Screened> wanted;
     for (const std::vector<int>& members : sets) {
       const bool compete = std::all_of(members.begin(), members.end(), [&](int member) {
@@ -278,13 +237,8 @@ class Searcher {
 
   // The pairs within a triple: without them it is not known what each of the three is for.
   void fitPartsOf(const FittedHypothesis& triple) {
-    std::vector<std::vector<int>> sets;
-    for (const int member : triple.hypothesis.members) {
-      sets.push_back(triple.hypothesis.members);
-      sets.back().erase(std::find(sets.back().begin(), sets.back().end(), member));
-    }
     const std::size_t fitted = result_.pairs.size();
-    addSets(sets, result_.pairs);
+    addSets(withoutOne(triple.hypothesis.members), result_.pairs);
     fitFrom(fitted, result_.pairs);
     fitSimpler(result_.pairs);
   }
@@ -313,7 +267,7 @@ class Searcher {
   void addTriples(const FittedHypothesis& pair) {
     const Screening screening(fitter_, result_.candidates, pair, threads_);
     addBest(screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
-    addSets(withLawsApart(pair.hypothesis.members), result_.triples);
+    addSets(withLawsApart(pair.hypothesis.members, contained_), result_.triples);
   }
 
   const Measured& measured_;
@@ -322,6 +276,7 @@ class Searcher {
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
+  Sets contained_;                        // for each effect, the simpler ones that its law contains
   std::vector<FittedHypothesis> ranked_;  // singles but for last resorts, best first
 };
 

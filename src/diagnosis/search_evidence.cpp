@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "diagnosis/sets.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -35,20 +36,6 @@ bool differ(const std::vector<double>& gains, double tolerance) {
 }
 
 }  // namespace
-
-std::vector<std::vector<int>> containedIn(const std::vector<fit::Candidate>& candidates) {
-  std::vector<std::vector<int>> contains(candidates.size());
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    for (const std::string& simpler : candidates[c].contains) {
-      const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                      [&](const fit::Candidate& other) { return other.effect == simpler; });
-      if (found != candidates.end()) {
-        contains[c].push_back(static_cast<int>(found - candidates.begin()));
-      }
-    }
-  }
-  return contains;
-}
 
 Evidence evidenceOf(const Search& search) {
   Evidence evidence;
