@@ -87,6 +87,7 @@ Component::Component(const std::vector<element::ElementDescription>& elements) {
       series_.add(*compliance);
     } else if (const auto* shift = std::get_if<std::shared_ptr<const element::TemperatureShift>>(&element)) {
       shifts_.push_back(*shift);
+      temperatures_ = element::intersection(temperatures_, (*shift)->temperatures());
     } else {
       place(std::get<std::shared_ptr<const element::ParallelElement>>(element), basic_laws);
     }
@@ -232,18 +233,10 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
   }
 }
 
-element::Range Component::temperatures() const {
-  element::Range range;
-  for (const auto& shift : shifts_) {
-    range = element::intersection(range, shift->temperatures());
-  }
-  return range;
-}
-
 element::Shift Component::shiftAt(double temperature) const {
-  if (!shifts_.empty() && !temperatures().contains(temperature)) {
+  if (!shifts_.empty() && !temperatures_.contains(temperature)) {
     throw std::invalid_argument(fmt::format("temperature: {:g} degC is out of range; accepted: {} degC", temperature,
-                                            describe(temperatures())));
+                                            describe(temperatures_)));
   }
   element::Shift sum;
   for (const auto& law : shifts_) {

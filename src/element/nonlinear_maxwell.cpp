@@ -11,6 +11,9 @@ double NonlinearMaxwell::yielded(double force, double relaxation_times) const {
   if (power_ == 1.0) {
     return force / (1.0 + relaxation_times * share);
   }
+  if (power_ == 3.0) {  // the same as below in half of the time
+    return force / std::cbrt(1.0 + 3.0 * relaxation_times * share * share * share);
+  }
   return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);
 }
 

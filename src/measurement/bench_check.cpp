@@ -204,12 +204,13 @@ double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octa
   return weights > 0.0 ? distance / weights : 2.0;
 }
 
-// The late force of least distance, an eighth to three quarters of a typical period: samples and distance.
+// The late force of least distance, from so much of a typical period to three quarters of it: samples and distance.
 std::pair<double, double> bestDelay(const std::vector<Octave>& measured, const std::vector<Octave>& simulated,
-                                    double period) {
+                                    double period, double least_share) {
   std::pair<double, double> best = {0.0, 2.0};
-  for (double share = -0.75; share <= 0.75; share += 0.025) {
-    if (std::abs(share) < 0.124) {
+  for (int i = -30; i <= 30; ++i) {
+    const double share = 0.025 * i;
+    if (std::abs(share) < least_share) {
       continue;
     }
     const double delay = share * period;
@@ -368,13 +369,14 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   const std::vector<Octave> expected = CrossSpectrum(record.displacement, simulated).octaves();
   const double sign = phaseDistance(measured, expected, [](double phase, double) { return phase + element::kPi; });
   const double swap = phaseDistance(measured, expected, [](double phase, double) { return -phase; });
-  const auto [delay, late] = bestDelay(measured, expected, e.period);
-  // As stiff as configured, and not with the columns exchanged: nothing but a delay. What the effect time_delay reaches
-  // is found among the effects.
+  // As stiff as configured, and not with the columns exchanged: nothing but a delay, however short. What the effect
+  // time_delay reaches is found among the effects.
   constexpr double kMostBehind = 15.0;     // samples, or
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
+  constexpr double kClearlyLate = 0.124;   // of a period, where the sign or the columns may be wrong as well
   const bool only_delay = e.isElastic() && plausible(e.ratio) && !looksSwapped(component, record, e);
+  const auto [delay, late] = bestDelay(measured, expected, e.period, only_delay ? 0.0 : kClearlyLate);
   if (only_delay && delay <= std::max(kMostBehind, kLongestBehind / record.dt) && delay >= -kMostAhead) {
     return std::nullopt;
   }

@@ -93,7 +93,7 @@ class Component {
   bool shiftsWithTemperature() const { return !shifts_.empty(); }
 
   /// The temperatures [degC] at which its shifts hold.
-  element::Range temperatures() const;
+  const element::Range& temperatures() const { return temperatures_; }
 
   /// The temperature [degC] of the steps that follow, until another is set; what the component remembers stays. Does
   /// nothing where the temperature is the same or the component has no shift; factors are computed here alone.
@@ -189,6 +189,7 @@ class Component {
   std::vector<Placed<element::ParallelElement>> rig_;
 
   std::vector<std::shared_ptr<const element::TemperatureShift>> shifts_;
+  element::Range temperatures_;  // at which all of them hold
   std::size_t temperature_slot_ = 0;
 
   bool kernel_alone_ = true;  // nothing but the kernel
