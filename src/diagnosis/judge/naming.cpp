@@ -139,6 +139,13 @@ class Naming {
     return chosen;
   }
 
+  // Other values leave no more than counts as explained, and gained what an effect would have to.
+  bool valuesLeaveLittle() const {
+    return !weighing_.isBeyondNoise(evidence_.reEstimated()) &&
+           weighing_.residualOf(evidence_.reEstimated()) <
+               criteria_.needs_another * weighing_.residualOf(evidence_.at(Evidence::kAsConfigured));
+  }
+
   void nameBest() {
     judgement_.verdict = Verdict::unknown;
     const std::optional<int> single = best(1);
@@ -146,7 +153,8 @@ class Naming {
       return;
     }
     const int chosen = withFurtherEffects(*single);
-    if (1.0 - left(chosen) / gap_ >= criteria_.unknown) {
+    const double most = valuesLeaveLittle() ? criteria_.needs_another : 1.0 - criteria_.unknown;
+    if (left(chosen) <= most * gap_) {
       name(chosen);
     }
   }
