@@ -235,8 +235,8 @@ void Component::simulate(ComponentState& state, double dt, const double* displac
 
 element::Shift Component::shiftAt(double temperature) const {
   if (!shifts_.empty() && !temperatures_.contains(temperature)) {
-    throw std::invalid_argument(fmt::format("temperature: {:g} degC is out of range; accepted: {} degC", temperature,
-                                            describe(temperatures_)));
+    throw std::invalid_argument(
+        fmt::format("temperature: {:g} degC is out of range; accepted: {} degC", temperature, describe(temperatures_)));
   }
   element::Shift sum;
   for (const auto& law : shifts_) {

@@ -50,8 +50,8 @@ struct Criteria {
   double shows_nothing = 1.1;  ///< times the floor of unseen logs: such logs do not speak against wrong values
 
   // What is left beyond both is a rest that is not explained, whatever share is closed: `partly`; or, where model
-  // parameters alone or nothing was to explain it, `unknown`. A vehicle engineer accepts 2 % of the force, and less than
-  // the noise is there in cannot be told from it.
+  // parameters alone or nothing was to explain it, `unknown`. A vehicle engineer accepts 2 % of the force, and what is
+  // less than the noise cannot be told from it.
   double beyond_noise = 0.02;          ///< of the force
   double beyond_noise_of_floor = 1.0;  ///< times the floor
 
