@@ -92,6 +92,29 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   }
 }
 
+// A spring without loss gives energy however little its force is late: that is the effect, up to what it reaches.
+TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
+  const Elements spring = {{"spring", {{"stiffness", {1e6}}}}};
+  const auto late = [](double delay) {
+    constexpr double kFrequency = 3.2;  // [Hz]
+    log::Log log;
+    for (int i = 0; i < 8000; ++i) {
+      const double time = 0.0005 * i;
+      log.stamp.push_back(static_cast<std::int64_t>(i) * 500000);
+      log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * kFrequency * time));
+      log.force.push_back(1e3 * std::sin(2.0 * element::kPi * kFrequency * (time - delay)));
+    }
+    return log::makeRecord(log);
+  };
+  for (const double delay : {0.0025, 0.012, 0.02}) {
+    EXPECT_TRUE(checkBench(spring, {late(delay), late(delay)}).empty()) << delay;
+  }
+  const std::vector<RigFinding> findings = checkBench(spring, {late(0.06), late(0.06)});
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].finding, finding::kDelay);
+  EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // a step of the search, a fortieth of a cycle
+}
+
 // A sign is reversed, and columns are exchanged, in all logs of a bench: loops that give energy in one of three are
 // those of an effect.
 TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
