@@ -94,7 +94,7 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
 
 // A spring without loss gives energy however little its force is late: that is the effect, up to what it reaches.
 TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
-  const Elements spring = {{"spring", {{"stiffness", {1e6}}}}};
+  const Elements spring = {{"spring", {{"stiffness", {2.3e5}}}}};
   const auto late = [](double delay) {
     constexpr double kFrequency = 3.2;  // [Hz]
     log::Log log;
@@ -102,7 +102,7 @@ TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
       const double time = 0.0005 * i;
       log.stamp.push_back(static_cast<std::int64_t>(i) * 500000);
       log.displacement.push_back(1e-3 * std::sin(2.0 * element::kPi * kFrequency * time));
-      log.force.push_back(1e3 * std::sin(2.0 * element::kPi * kFrequency * (time - delay)));
+      log.force.push_back(230.0 * std::sin(2.0 * element::kPi * kFrequency * (time - delay)));
     }
     return log::makeRecord(log);
   };
