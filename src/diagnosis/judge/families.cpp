@@ -22,7 +22,7 @@ bool freesLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& l
 
 // The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
 // contains in its place. A trend for each log follows whatever is slow, a gain for each whatever depends on a log's
-// amplitude or frequency: any laws without are simpler, as many of them. A law that can look like several others
+// amplitude or frequency: any laws that do not are simpler, as many of them. A law that can look like several others
 // is the last one to be believed: any laws without it are simpler, however many.
 std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing, int hypothesis, int member) {
   const HypothesisEvidence& large = evidence.at(hypothesis);

@@ -39,8 +39,8 @@ constexpr int kMostSigns = 14;   ///< all choices are tried; a mean of more clus
 
 /// p-value of the hypothesis that the first is better in one log at most: a gain that a second log repeats is not what
 /// a single log has. The blocks of each log are its sample; of n logs, n - 1 times the second least p-value (partial
-/// conjunction; Benjamini and Heller, Biometrics 64, 2008, Eq. 3). Logs that do not excite an effect say nothing
-/// against it; 1 where a log speaks louder for the second. 0.5 where there is one log only.
+/// conjunction by Bonferroni's bound; Benjamini and Heller, Biometrics 64, 2008). Logs that do not excite an effect say
+/// nothing against it; 1 where a log speaks louder for the second. 0.5 where there is one log only.
 double pValueOfTwoLogs(const Losses& losses, Eigen::Index one, Eigen::Index other);
 
 /// Logarithms of mean square errors as losses: half of ln(error + floor). A block counts by the factor that a model
