@@ -48,6 +48,7 @@ struct Candidate {
   /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
   /// gains that differ from log to log.
   bool like_parameters = false;
+  bool history = false;  ///< changes the stiffness from log to log by what was before, as a gain of each log does
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

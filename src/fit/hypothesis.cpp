@@ -80,6 +80,7 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
     hypothesis.free_in_log = hypothesis.free_in_log | candidate.free_in_log;
     hypothesis.last_resort = hypothesis.last_resort || candidate.last_resort;
     hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
+    hypothesis.history = hypothesis.history || candidate.history;
   }
   return hypothesis;
 }

@@ -139,6 +139,16 @@ void driftBesideAnother(Evidence& evidence) {
   evidence.hypotheses.push_back(fitted({kMany, kDrift}, 0.0102));
 }
 
+// An effect that changes from log to log by what was before leaves 6 %, and with a gain of each log beside it so much.
+void gainBesideHistory(Evidence& evidence, double held_out) {
+  single(evidence, kMany).held_out = 0.06;
+  single(evidence, kMany).history = true;
+  single(evidence, kOther).free_gains = true;
+  HypothesisEvidence both = fitted({kMany, kOther}, held_out);
+  both.history = both.free_gains = true;
+  evidence.hypotheses.push_back(both);
+}
+
 struct Row {
   std::string rule;
   std::function<void(Evidence&, Criteria&)> change;  // of the unexplained gap
@@ -392,6 +402,14 @@ const std::vector<Row> kRows = {
        single(e, kMany).held_out = 0.03;
        e.hypotheses.push_back(fitted({kMany, kOther}, 0.0105));
      },
+     Verdict::named,
+     {kMany, kOther}},
+    {"a gain of each log beside an effect that changes from log to log may be what its law leaves",
+     [](Evidence& e, Criteria&) { gainBesideHistory(e, 0.03); },
+     Verdict::partly,
+     {kMany}},
+    {"and is named where it gains what two further effects would",
+     [](Evidence& e, Criteria&) { gainBesideHistory(e, 0.0105); },
      Verdict::named,
      {kMany, kOther}},
     {"a third effect has to gain over the best two, even where these are not named",

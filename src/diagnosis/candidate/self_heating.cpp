@@ -13,6 +13,7 @@ fit::Candidate selfHeating(const fit::Excitation& excitation) {
     term.additive = false;
     candidate.terms.push_back(term);
   }
+  candidate.history = true;
   return candidate;
 }
 

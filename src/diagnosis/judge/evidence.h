@@ -23,6 +23,7 @@ struct HypothesisEvidence {
   std::size_t terms = 0;             ///< numbers that they add to the model
   bool free_trends = false;          ///< a slow trend per log is free, too
   bool free_gains = false;           ///< a gain per log is free, too
+  bool history = false;              ///< changes the stiffness from log to log by what was before
   bool last_resort = false;          ///< may look like several other effects
   bool like_parameters = false;      ///< re-estimated parameters do the same: never named by itself
   bool within_tolerance = false;     ///< of such a one: no more than the rig may do

@@ -44,6 +44,7 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
                         {"terms", hypothesis.terms},
                         {"free_trends", hypothesis.free_trends},
                         {"free_gains", hypothesis.free_gains},
+                        {"history", hypothesis.history},
                         {"last_resort", hypothesis.last_resort},
                         {"like_parameters", hypothesis.like_parameters},
                         {"within_tolerance", hypothesis.within_tolerance},
@@ -63,6 +64,7 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("terms").get_to(hypothesis.terms);
   value.at("free_trends").get_to(hypothesis.free_trends);
   hypothesis.free_gains = value.value("free_gains", false);
+  hypothesis.history = value.value("history", false);
   value.at("last_resort").get_to(hypothesis.last_resort);
   hypothesis.like_parameters = value.value("like_parameters", false);
   hypothesis.within_tolerance = value.value("within_tolerance", false);

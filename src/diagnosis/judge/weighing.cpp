@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -54,10 +55,25 @@ bool Weighing::closedByParameters() const {
 }
 
 bool Weighing::mayBeACause(const HypothesisEvidence& hypothesis) const {
-  if (hypothesis.like_parameters || !hypothesis.free_trends) {
-    return !hypothesis.like_parameters;
+  if (hypothesis.like_parameters || gainsAreHistory(hypothesis)) {
+    return false;
+  }
+  if (!hypothesis.free_trends) {
+    return true;
   }
   return explainedByTrends(hypothesis) > evidence_.slow_noise;
+}
+
+bool Weighing::gainsAreHistory(const HypothesisEvidence& hypothesis) const {
+  if (!hypothesis.free_gains || !hypothesis.history) {
+    return false;
+  }
+  std::vector<int> others;
+  std::copy_if(hypothesis.members.begin(), hypothesis.members.end(), std::back_inserter(others),
+               [this](int member) { return !evidence_.single(member).free_gains; });
+  const std::optional<int> without = evidence_.find(others);
+  const double most = criteria_.needs_another * criteria_.needs_another;
+  return without && left(hypothesis.held_out) > most * left(evidence_.at(*without).held_out);
 }
 
 double Weighing::explainedByTrends(const HypothesisEvidence& hypothesis) const {

@@ -35,7 +35,8 @@ class Weighing {
   /// True if re-estimated model parameters leave noise only.
   bool closedByParameters() const;
 
-  /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be.
+  /// True unless the hypothesis frees trends that explain no more than slow noise of the rig may be, or a gain of each
+  /// log that may be what heating or softening beside it do.
   bool mayBeACause(const HypothesisEvidence& hypothesis) const;
 
   /// What only the trends of a hypothesis explain, as a gap: not the model, nor its other effects, nor the same ones
@@ -93,6 +94,10 @@ class Weighing {
   Losses lossesOf(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   bool knowsBlocks(const HypothesisEvidence& hypothesis, const HypothesisEvidence& over) const;
   std::vector<gap::PartError> partsOf(const HypothesisEvidence& hypothesis) const;
+
+  // Gains of each log beside heating or softening, which change from log to log, too, and whose laws leave something:
+  // they have to gain what two further effects would.
+  bool gainsAreHistory(const HypothesisEvidence& hypothesis) const;
 
   const Evidence& evidence_;
   const Criteria& criteria_;
