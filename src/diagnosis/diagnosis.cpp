@@ -222,9 +222,17 @@ double leastScore(const Judged& judged) {
   return least;
 }
 
+// What the best of all hypotheses leaves of unseen logs; 0 where there are none.
+double leastUnseen(const Judged& judged) {
+  const std::vector<UnseenErrors>& unseen = judged.workings->unseen;
+  const auto least = std::min_element(unseen.begin(), unseen.end(),
+                                      [](const UnseenErrors& x, const UnseenErrors& y) { return x.gap < y.gap; });
+  return least == unseen.end() ? 0.0 : least->gap;
+}
+
 // Zeros of the displacement show through laws that are not linear, and delays through all: they are known once these
 // are, and taken out. Under a law that is not the right one they would be wrong: they stay where nothing explains the
-// logs better without them.
+// logs better without them, or unseen logs as well.
 void takeOutRig(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                 const DiagnosisOptions& options, Judged& judged, std::vector<RigFinding>& findings) {
   auto elements = bestWithoutZeros(judged, tolerances, options.threads);
@@ -241,7 +249,8 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   takeOut(of_held_out, delay, held_out);
   forgetUnitEffects(judged.workings->search);  // two searches are not in memory at once
   Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  if (leastScore(without) >= leastScore(judged)) {
+  if (leastScore(without) >= leastScore(judged) ||
+      leastUnseen(without) > Criteria().floor_margin * leastUnseen(judged)) {
     without = {};
     findUnitEffects(judged.workings->search, judged.prepared->training, options.threads);
     return;
