@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <set>
 
 #include "diagnosis/judge/judge.h"

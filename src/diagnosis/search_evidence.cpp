@@ -2,7 +2,6 @@
 #include "diagnosis/search_evidence.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "diagnosis/sets.h"
 
