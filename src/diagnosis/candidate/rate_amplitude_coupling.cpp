@@ -59,6 +59,7 @@ fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
                            false,
                            {}};
   candidate.last_resort = true;
+  candidate.contains = {"backlash"};  // after each reversal its force builds up as a damper's that has to close a gap
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
   addThixotropy(excitation, candidate.terms);

@@ -20,6 +20,15 @@ bool freesLess(const HypothesisEvidence& hypothesis, const HypothesisEvidence& l
   return (trends || !hypothesis.free_trends) && (gains || !hypothesis.free_gains);
 }
 
+// True if each effect of a hypothesis gains what a further one has to: else fewer would be named.
+bool needsAllOf(const Evidence& evidence, const Weighing& weighing, int hypothesis) {
+  const HypothesisEvidence& all = evidence.at(hypothesis);
+  return all.members.size() < 2 || std::all_of(all.members.begin(), all.members.end(), [&](int member) {
+           const std::optional<int> fewer = evidence.without(hypothesis, member);
+           return !fewer || weighing.gainsEnough(all, evidence.at(*fewer));
+         });
+}
+
 // The hypotheses that stand for one where it errs no less than they do: with the simpler law that one of its laws
 // contains in its place. A trend for each log follows whatever is slow, a gain for each whatever depends on a log's
 // amplitude or frequency: any laws that do not are simpler, as many of them. A law that can look like several others
@@ -29,12 +38,18 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
   const bool in_log = evidence.single(member).freesInLogs();
   const bool like_others = evidence.single(member).last_resort;
   std::vector<int> simpler;
+  for (const int contained : evidence.containedIn(member)) {
+    if (const auto found = evidence.inPlaceOf(hypothesis, member, contained)) {
+      simpler.push_back(*found);
+    }
+  }
   if (in_log || like_others) {
     for (int h = Evidence::kFirstSingle; h < static_cast<int>(evidence.hypotheses.size()); ++h) {
       const HypothesisEvidence& other = evidence.at(h);
       const bool as_many = like_others || other.members.size() == large.members.size();
       const bool without = !other.last_resort && (like_others || freesLess(other, large, evidence.single(member)));
-      if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
+      if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out) &&
+          (!like_others || needsAllOf(evidence, weighing, h))) {
         simpler.push_back(h);
       }
     }
@@ -42,12 +57,6 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
       return {*std::min_element(simpler.begin(), simpler.end(), [&](int a, int b) {
         return weighing.left(evidence.at(a)) < weighing.left(evidence.at(b));
       })};
-    }
-    return simpler;
-  }
-  for (const int contained : evidence.containedIn(member)) {
-    if (const auto found = evidence.inPlaceOf(hypothesis, member, contained)) {
-      simpler.push_back(*found);
     }
   }
   return simpler;
