@@ -73,9 +73,10 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and Berg's friction.
+// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and what small
+// reversals make of Berg's friction.
 double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  std::vector<double> shares = frictionDrift(component.allElements(), records);
+  std::vector<double> shares = frictionNoise(component.allElements(), records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     shares[r] = std::hypot(records[r].slow_noise / records[r].force_deviation, shares[r]);
   }
@@ -121,9 +122,7 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
       judged.workings->unseen.push_back(*hypothesis.unseen);
     }
   }
-  if (options.evidence) {
-    judged.workings->evidence = std::move(evidence);
-  }
+  judged.workings->evidence = std::move(evidence);
   return judged;
 }
 
@@ -263,6 +262,20 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   }
 }
 
+// Where nothing is named, what part of the gap the motion causes at all counts: no effect has to explain more.
+void considerMotion(const DiagnosisOptions& options, Judged& judged) {
+  Workings& workings = *judged.workings;
+  if (workings.judgement.verdict != Verdict::unknown) {
+    return;
+  }
+  const PreparedCase& prepared = *judged.prepared;
+  const auto component = augmentedDescription(prepared.model, workings.search.re_estimated);
+  const gap::Forces force = gap::simulate(component.allElements(), prepared.training, gap::asRecorded);
+  workings.surrogate = fitSurrogate(component, {prepared.training, force, prepared.held_out}, options.threads);
+  workings.evidence->caused_by_motion = shareOfMotion(*workings.surrogate, workings.evidence->noise_floor);
+  workings.judgement = judge(*workings.evidence);
+}
+
 // `recorded`: the whole logs that the gap as recorded is of.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Excerpts& excerpts,
                            const std::vector<LogSurvey>& recorded, const DiagnosisOptions& options) {
@@ -284,6 +297,10 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
   considerZeros(component, tolerances, options, judged);
   takeOutRig(component, tolerances, options, judged, findings);
+  considerMotion(options, judged);
+  if (!options.evidence) {
+    judged.workings->evidence.reset();
+  }
   return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
 }
 

@@ -15,6 +15,7 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
   evidence.history = fitted.hypothesis.history;
+  evidence.sensor = fitted.hypothesis.sensor;
   evidence.last_resort = fitted.hypothesis.last_resort;
   evidence.like_parameters = fitted.hypothesis.like_parameters;
   evidence.held_out = fitted.fit.held_out;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "diagnosis/judge/paired_losses.h"
 #include "rubber_suspension/gap/gap.h"
@@ -18,11 +19,11 @@ constexpr double kLargerPart = 0.5;     // of the squared rest: only the larger 
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
-void addHeldOut(const io::ComponentDescription& augmented, const io::ComponentDescription& with_surrogate,
+void addHeldOut(const io::ComponentDescription& component, const io::ComponentDescription& with_surrogate,
                 const std::vector<log::Record>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
   for (std::size_t r = 0; r < held_out.size(); ++r) {
     const std::vector<log::Record> one = {held_out[r]};
-    const auto before = gap::partErrors(one, gap::simulateEach(augmented.allElements(), one));
+    const auto before = gap::partErrors(one, gap::simulateEach(component.allElements(), one));
     const auto after = gap::partErrors(one, gap::simulateEach(with_surrogate.allElements(), one));
     for (std::size_t p = 0; p < before.size(); ++p) {
       unseen.push_back({first + static_cast<int>(r), before[p].weight, before[p].error, after[p].error});
@@ -69,23 +70,36 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   surrogate.function_of_the_motion = surrogate.chance < kChance && surrogate.share > kLargerPart;
 }
 
-Surrogate makeSurrogate(const io::ComponentDescription& augmented, const SurrogateLogs& logs, double noise_floor,
-                        int threads) {
+FittedSurrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, int threads) {
   const fit::SurrogateFit fit = fit::fitSurrogate(logs.training, logs.force, threads);
-  Surrogate surrogate;
-  surrogate.component = augmented;
-  surrogate.component.add.push_back(fit.element);
-  std::vector<fit::UnseenBlock> unseen;
-  std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(unseen),
+  FittedSurrogate fitted;
+  fitted.component = component;
+  fitted.component.add.push_back(fit.element);
+  std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(fitted.of_logs),
                [](const fit::UnseenBlock& block) { return block.weight > 0.0; });
   const double share = static_cast<double>(logs.training.size());
-  for (fit::UnseenBlock& block : unseen) {  // each log counts 1, as those held out do
+  for (fit::UnseenBlock& block : fitted.of_logs) {  // each log counts 1, as those held out do
     block.weight *= share;
     block.after = fit.predicts ? block.after : block.before;
   }
-  addHeldOut(augmented, surrogate.component, logs.held_out, static_cast<int>(logs.training.size()), unseen);
-  judgeRest(unseen, noise_floor, logs.training.size() + logs.held_out.size() >= kFewestLogs, surrogate);
+  addHeldOut(component, fitted.component, logs.held_out, static_cast<int>(logs.training.size()), fitted.of_held_out);
+  fitted.count_logs = logs.training.size() + logs.held_out.size() >= kFewestLogs;
+  return fitted;
+}
+
+Surrogate judgeSurrogate(FittedSurrogate fitted, double noise_floor) {
+  std::vector<fit::UnseenBlock> unseen = std::move(fitted.of_logs);
+  unseen.insert(unseen.end(), fitted.of_held_out.begin(), fitted.of_held_out.end());
+  Surrogate surrogate;
+  surrogate.component = std::move(fitted.component);
+  judgeRest(unseen, noise_floor, fitted.count_logs, surrogate);
   return surrogate;
+}
+
+double shareOfMotion(const FittedSurrogate& fitted, double noise_floor) {
+  Surrogate of_logs;
+  judgeRest(fitted.of_logs, noise_floor, fitted.count_logs, of_logs);
+  return std::max(of_logs.share, judgeSurrogate(fitted, noise_floor).share);
 }
 
 std::string describeRest(const Surrogate& surrogate) {

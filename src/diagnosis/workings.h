@@ -8,6 +8,7 @@
 
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/search.h"
+#include "diagnosis/surrogate.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
@@ -50,9 +51,10 @@ struct Workings {
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
-  gap::Forces force_surrogate;       ///< empty without a surrogate
-  std::vector<UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
-  std::optional<Evidence> evidence;  ///< where it was asked for
+  gap::Forces force_surrogate;               ///< empty without a surrogate
+  std::vector<UnseenErrors> unseen;          ///< of each hypothesis of the evidence; empty without hold-outs
+  std::optional<Evidence> evidence;          ///< where it was asked for
+  std::optional<FittedSurrogate> surrogate;  ///< over the model with re-estimated values, where nothing is named
 };
 
 }  // namespace rubber_suspension::diagnosis

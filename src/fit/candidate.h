@@ -49,6 +49,7 @@ struct Candidate {
   /// gains that differ from log to log.
   bool like_parameters = false;
   bool history = false;  ///< changes the stiffness from log to log by what was before, as a gain of each log does
+  bool sensor = false;   ///< an error of the force channel: nothing that the motion causes
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

@@ -81,6 +81,7 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
     hypothesis.last_resort = hypothesis.last_resort || candidate.last_resort;
     hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
     hypothesis.history = hypothesis.history || candidate.history;
+    hypothesis.sensor = hypothesis.sensor || candidate.sensor;
   }
   return hypothesis;
 }

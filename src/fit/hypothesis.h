@@ -18,6 +18,7 @@ struct Hypothesis {
   bool last_resort = false;      ///< to be named only where it errs less than the best of the others
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
   bool history = false;          ///< changes the stiffness from log to log by what was before
+  bool sensor = false;           ///< has an error of the force channel, which the motion does not cause
 
   /// Whether it competes with others: it has terms, and may do what parameters do not.
   bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }

@@ -8,13 +8,12 @@ fit::Candidate forceDrift(const fit::Excitation& excitation) {
   fit::BasisTerm term = fit::additiveTerm("force_drift", "rate", 0.02 * excitation.force / excitation.longest_duration);
   term.lower = -term.upper;
   term.on_rig = true;
-  return {"force_drift",
-          "drift of the load cell: open loops, whatever the displacement",
-          true,
-          {term},
-          {true, false},
-          false,
-          {"force_offset"}};
+  fit::Candidate candidate{
+      "force_drift", "drift of the load cell: open loops, whatever the displacement", true, {term}};
+  candidate.free_in_log.trend = true;
+  candidate.contains = {"force_offset"};
+  candidate.sensor = true;
+  return candidate;
 }
 
 const CandidateEntry kEntry(150, forceDrift);

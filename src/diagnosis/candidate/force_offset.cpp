@@ -8,7 +8,9 @@ fit::Candidate forceOffset(const fit::Excitation& excitation) {
   fit::BasisTerm term = fit::additiveTerm("force_offset", "offset", 0.02 * excitation.force);
   term.lower = -term.upper;
   term.on_rig = true;
-  return {"force_offset", "zero of the load cell: error of the mean only", true, {term}};
+  fit::Candidate candidate{"force_offset", "zero of the load cell: error of the mean only", true, {term}};
+  candidate.sensor = true;
+  return candidate;
 }
 
 const CandidateEntry kEntry(140, forceOffset);

@@ -39,6 +39,9 @@ struct Criteria {
   /// 0.29, 1 - 2^-0.5, of the root mean square.
   double unknown = 0.29;
   double partly = 0.7;  ///< closed by less than this: explained in part
+  /// Of the squared gap: where some function of the motion predicts less, what it does not predict is no rest of an
+  /// effect but noise, beside which a cause may close a small part of the gap.
+  double larger_part = 0.5;
 
   // Probabilities over what is left: sharpness, and the blur within which nothing can be told apart, as parts of the
   // noise floor and of the gap. Fitted by maximum likelihood to cases of virtual rigs that take part in no trial.

@@ -24,6 +24,7 @@ struct HypothesisEvidence {
   bool free_trends = false;          ///< a slow trend per log is free, too
   bool free_gains = false;           ///< a gain per log is free, too
   bool history = false;              ///< changes the stiffness from log to log by what was before
+  bool sensor = false;               ///< has an error of the force channel, which the motion does not cause
   bool last_resort = false;          ///< may look like several other effects
   bool like_parameters = false;      ///< re-estimated parameters do the same: never named by itself
   bool within_tolerance = false;     ///< of such a one: no more than the rig may do
@@ -55,9 +56,12 @@ struct Evidence {
   double noise_floor = 0.0;                ///< of the logs of the fit
   double slow_noise = 0.0;                 ///< what a rig may add by slow noise and drift, as a gap
   double discretisation = 0.0;             ///< what the model errs by at the time steps of the logs
-  bool has_unseen_logs = false;            ///< whether `unseen` of a hypothesis can be had
-  int resamplings = 400;                   ///< of parts of the logs, for intervals
-  unsigned seed = 1;                       ///< of these
+  /// Part of the squared gap above the floor that some function of the motion predicts where it was not fitted, over
+  /// the model with re-estimated values; 1 where it is not known.
+  double caused_by_motion = 1.0;
+  bool has_unseen_logs = false;  ///< whether `unseen` of a hypothesis can be had
+  int resamplings = 400;         ///< of parts of the logs, for intervals
+  unsigned seed = 1;             ///< of these
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
   const HypothesisEvidence& reEstimated() const { return at(kReEstimated); }

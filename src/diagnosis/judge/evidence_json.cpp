@@ -45,6 +45,7 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
                         {"free_trends", hypothesis.free_trends},
                         {"free_gains", hypothesis.free_gains},
                         {"history", hypothesis.history},
+                        {"sensor", hypothesis.sensor},
                         {"last_resort", hypothesis.last_resort},
                         {"like_parameters", hypothesis.like_parameters},
                         {"within_tolerance", hypothesis.within_tolerance},
@@ -65,6 +66,7 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   value.at("free_trends").get_to(hypothesis.free_trends);
   hypothesis.free_gains = value.value("free_gains", false);
   hypothesis.history = value.value("history", false);
+  hypothesis.sensor = value.value("sensor", false);
   value.at("last_resort").get_to(hypothesis.last_resort);
   hypothesis.like_parameters = value.value("like_parameters", false);
   hypothesis.within_tolerance = value.value("within_tolerance", false);
@@ -98,6 +100,7 @@ NamedEvidence evidenceOf(const ordered_json& value) {
   evidence.noise_floor = numberOf(value.at("noise_floor"));
   evidence.slow_noise = numberOf(value.at("slow_noise"));
   evidence.discretisation = numberOf(value.at("discretisation"));
+  evidence.caused_by_motion = value.value("caused_by_motion", 1.0);
   value.at("has_unseen_logs").get_to(evidence.has_unseen_logs);
   value.at("resamplings").get_to(evidence.resamplings);
   value.at("seed").get_to(evidence.seed);
@@ -117,6 +120,7 @@ std::string toJson(const NamedEvidence& named) {
                               {"noise_floor", evidence.noise_floor},
                               {"slow_noise", evidence.slow_noise},
                               {"discretisation", evidence.discretisation},
+                              {"caused_by_motion", evidence.caused_by_motion},
                               {"element_level", evidence.element_level},
                               {"has_unseen_logs", evidence.has_unseen_logs},
                               {"resamplings", evidence.resamplings},

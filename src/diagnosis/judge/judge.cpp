@@ -8,6 +8,7 @@
 #include "diagnosis/judge/further_logs.h"
 #include "diagnosis/judge/naming.h"
 #include "diagnosis/judge/posterior.h"
+#include "diagnosis/judge/unmoved.h"
 #include "diagnosis/judge/weighing.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -212,6 +213,14 @@ bool agrees(const Evidence& evidence, const Criteria& criteria) {
           weighing.closedByParameters());
 }
 
+Judgement judgeOnce(const Evidence& evidence, const Criteria& criteria) {
+  Evidence settled = withFurtherLogs(evidence);
+  settleFamilies(settled, criteria);
+  Judgement judgement = Judge(settled, criteria).run();
+  judgement.only_unseen_logs_differ = judgement.verdict == Verdict::unknown && agrees(evidence, criteria);
+  return judgement;
+}
+
 }  // namespace
 
 std::string toString(Verdict verdict) {
@@ -228,10 +237,15 @@ void Judgement::withdraw(Verdict without_effects, int without_model) {
 }
 
 Judgement judge(const Evidence& evidence, const Criteria& criteria) {
-  Evidence settled = withFurtherLogs(evidence);
-  settleFamilies(settled, criteria);
-  Judgement judgement = Judge(settled, criteria).run();
-  judgement.only_unseen_logs_differ = judgement.verdict == Verdict::unknown && agrees(evidence, criteria);
+  Judgement judgement = judgeOnce(evidence, criteria);
+  if (judgement.verdict == Verdict::unknown && largerPartIsUnmoved(evidence, criteria)) {
+    Judgement of_the_rest = judgeOnce(withUnmovedAsNoise(evidence, criteria), criteria);
+    if (!of_the_rest.effects.empty() && !anyOfSensor(evidence, of_the_rest.effects) &&
+        closesBeyondNoise(evidence, criteria, of_the_rest.model)) {
+      of_the_rest.verdict = Verdict::partly;
+      return of_the_rest;
+    }
+  }
   return judgement;
 }
 

@@ -324,10 +324,14 @@ class Describer {
       return;
     }
     Workings& w = *workings_;
-    const gap::Forces of_training(w.force_augmented.begin(),
-                                  w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
-    Surrogate surrogate = makeSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
-                                        result_.gap.noise_floor, options_.threads);
+    if (!w.surrogate || !judgement_.effects.empty()) {
+      const gap::Forces of_training(w.force_augmented.begin(),
+                                    w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
+      w.surrogate =
+          fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out}, options_.threads);
+    }
+    Surrogate surrogate = judgeSurrogate(std::move(*w.surrogate), result_.gap.noise_floor);
+    w.surrogate.reset();
     w.force_surrogate = simulate(surrogate.component);
     result_.sentence += " " + describeRest(surrogate);
     result_.surrogate = std::move(surrogate);
