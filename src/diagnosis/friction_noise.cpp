@@ -35,8 +35,6 @@ log::Record cameFrom(log::Record record, double displacement) {
   return record;
 }
 
-double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
-
 }  // namespace
 
 std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
@@ -67,9 +65,9 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
   return result;
 }
 
-std::vector<double> frictionDrift(const std::vector<element::ElementDescription>& elements,
-                                  const std::vector<log::Record>& records) {
-  std::vector<double> result = frictionNoise(elements, records);
+std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDescription>& elements,
+                                            const std::vector<log::Record>& records) {
+  std::vector<Eigen::MatrixXd> starts(records.size());
   const auto friction = bergFriction(elements, 0.0, 1.0);
   for (std::size_t r = 0; !friction.empty() && r < records.size(); ++r) {
     const log::Record& record = records[r];
@@ -77,13 +75,11 @@ std::vector<double> frictionDrift(const std::vector<element::ElementDescription>
       continue;  // what was before the excerpt is known
     }
     const Eigen::VectorXd from_rest = gap::simulate(friction, {record}).front();
-    double most = 0.0;
-    for (const double extreme : {record.displacement.minCoeff(), record.displacement.maxCoeff()}) {
-      most = std::max(most, deviation(gap::simulate(friction, {cameFrom(record, extreme)}).front() - from_rest));
-    }
-    result[r] = std::hypot(result[r], most / record.force_deviation);
+    starts[r].resize(record.size(), 2);
+    starts[r].col(0) = gap::simulate(friction, {cameFrom(record, record.displacement.maxCoeff())}).front() - from_rest;
+    starts[r].col(1) = gap::simulate(friction, {cameFrom(record, record.displacement.minCoeff())}).front() - from_rest;
   }
-  return result;
+  return starts;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,6 +1,7 @@
 // What small reversals and the time before a log make of a model with Berg's friction.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
@@ -15,10 +16,10 @@ namespace rubber_suspension::diagnosis {
 std::vector<double> frictionNoise(const std::vector<element::ElementDescription>& elements,
                                   const std::vector<log::Record>& records);
 
-/// What Berg's friction may add to each log that is slow and no drift, in the same units: frictionNoise(), and what it
-/// forgets in the course of the log of where the component came from, be it the log's lowest or highest displacement.
-/// What it does not forget is a zero.
-std::vector<double> frictionDrift(const std::vector<element::ElementDescription>& elements,
-                                  const std::vector<log::Record>& records);
+/// What a motion before each log may have left in Berg's friction, which forgets it in the course of the log: the force
+/// that it adds over the log where the component came from the highest displacement of it, and from the lowest [N], one
+/// column each. Without columns for models without such friction, and for excerpts, whose past is known.
+std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDescription>& elements,
+                                            const std::vector<log::Record>& records);
 
 }  // namespace rubber_suspension::diagnosis

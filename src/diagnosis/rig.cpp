@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "diagnosis/friction_noise.h"
 #include "diagnosis/rig_noise.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
@@ -103,13 +104,30 @@ bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log:
   return true;
 }
 
+// The nuisances, and what is new of further columns: orthonormal (Gram and Schmidt).
+Eigen::MatrixXd withColumns(const log::Record& record, const Eigen::MatrixXd& columns) {
+  constexpr double kMatters = 1e-3;  // of the force: less is no nuisance
+  log::Record with = record;
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    const Eigen::VectorXd column = with.withoutRig(columns.col(j));
+    const double norm = column.norm();
+    if (norm > kMatters * record.force_deviation * std::sqrt(record.counted())) {
+      with.nuisances.conservativeResize(column.size(), with.nuisances.cols() + 1);
+      with.nuisances.rightCols<1>() = column / norm;
+    }
+  }
+  return with.nuisances;
+}
+
 void setNuisances(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                   bool zero_counts, std::vector<log::Record>& records) {
   const auto nuisances = measurement::freeNuisances(
       records, tolerances, zero_counts, gap::simulate(elements, records),
       [&](const std::vector<Eigen::VectorXd>& displacements) { return simulateAt(elements, records, displacements); });
+  const auto starts = frictionStarts(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].nuisances = nuisances[r];
+    records[r].nuisances = withColumns(records[r], starts[r]);
     records[r].slow_noise = io::kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
   }
 }

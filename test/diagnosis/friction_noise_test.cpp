@@ -1,7 +1,11 @@
-// What Berg's friction may add to a log that is slow and no drift.
+// What a motion before a log leaves in Berg's friction.
 #include "diagnosis/friction_noise.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "rig.h"
 #include "rubber_suspension/log/record.h"
@@ -21,30 +25,32 @@ std::vector<log::Record> records() {
   return {log::makeRecord(runRig("one", 1, [](double, double, double) { return 0.0; }))};
 }
 
-TEST(FrictionDrift, IsNoneWithoutBergsFriction) {
-  EXPECT_EQ(diagnosis::frictionDrift(rigComponent().allElements(), records()), std::vector<double>{0.0});
+double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
+// Root mean square of what such friction forgets in the course of the log, over its force.
+double forgotten(double displacement) {
+  const Eigen::MatrixXd starts = diagnosis::frictionStarts(elementsWithBerg(displacement), records())[0];
+  return std::max(deviation(starts.col(0)), deviation(starts.col(1))) / kMaximumForce;
+}
+
+TEST(FrictionStarts, AreNoneWithoutBergsFriction) {
+  EXPECT_EQ(diagnosis::frictionStarts(rigComponent().allElements(), records())[0].cols(), 0);
+}
+
+TEST(FrictionStarts, AreNoneWhereThePastIsKnown) {
+  auto logs = records();
+  logs[0].lead_in = Eigen::Vector3d::Zero();
+  EXPECT_EQ(diagnosis::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
 }
 
 // Motion of up to 2 mm slides such friction to and fro: from the first turns on, nothing tells where it came from.
-TEST(FrictionDrift, IsNextToNoneWhereMotionSlides) {
-  const auto logs = records();
-  const double whole = kMaximumForce / logs[0].force_deviation;
-  EXPECT_LT(diagnosis::frictionDrift(elementsWithBerg(1e-5), logs)[0], 0.06 * whole);
-}
+TEST(FrictionStarts, AreNextToNoneWhereMotionSlides) { EXPECT_LT(forgotten(1e-5), 0.06); }
 
 // Friction that 2 mm hardly move, 200 mm to half its force, is a spring: what it carries from before is a zero.
-TEST(FrictionDrift, IsFarLessThanTheForceWhereFrictionHardlyMoves) {
-  const auto logs = records();
-  const double whole = kMaximumForce / logs[0].force_deviation;
-  EXPECT_LT(diagnosis::frictionDrift(elementsWithBerg(0.2), logs)[0], 1e-3 * whole);
-}
+TEST(FrictionStarts, AreAZeroWhereFrictionHardlyMoves) { EXPECT_LT(forgotten(0.2), 1e-3); }
 
 // In between it forgets in the course of the log.
-TEST(FrictionDrift, IsLargestInBetween) {
-  const auto logs = records();
-  const double between = diagnosis::frictionDrift(elementsWithBerg(5e-3), logs)[0];
-  EXPECT_GT(between, diagnosis::frictionDrift(elementsWithBerg(0.2), logs)[0]);
-}
+TEST(FrictionStarts, AreLargestInBetween) { EXPECT_GT(forgotten(5e-3), forgotten(0.2)); }
 
 }  // namespace
 }  // namespace rubber_suspension
