@@ -78,6 +78,7 @@ std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDe
     starts[r].resize(record.size(), 2);
     starts[r].col(0) = gap::simulate(friction, {cameFrom(record, record.displacement.maxCoeff())}).front() - from_rest;
     starts[r].col(1) = gap::simulate(friction, {cameFrom(record, record.displacement.minCoeff())}).front() - from_rest;
+    starts[r].rowwise() -= starts[r].colwise().mean().eval();
   }
   return starts;
 }
