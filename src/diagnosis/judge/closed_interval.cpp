@@ -128,15 +128,16 @@ class FurtherLogs {
   std::discrete_distribution<std::size_t> pick_;
 };
 
-// What is left of all logs together is no more than noise.
-bool leavesNoise(const std::vector<LogErrors>& logs) {
-  double rest = 0.0;
+// What is left of all logs together is no more than their noise may be, as far as its floor is known.
+bool mayLeaveNoise(const std::vector<LogErrors>& logs) {
+  const double most = std::exp(1.96 * kFloorError);  // times the floor
+  double left = 0.0;
   double noise = 0.0;
   for (const LogErrors& log : logs) {
-    rest += log.weight * std::max(0.0, log.after - square(log.floor));
-    noise += log.weight * square(log.floor);
+    left += log.weight * std::max(log.after, square(log.floor));
+    noise += log.weight * square(most * log.floor);
   }
-  return rest < noise;
+  return left < noise;
 }
 
 }  // namespace
@@ -176,7 +177,7 @@ std::array<double, 2> closedOnFurtherLogs(const std::vector<LogErrors>& logs, in
   std::vector<double> fractions(static_cast<std::size_t>(resamplings));
   std::generate(fractions.begin(), fractions.end(), [&] { return further.draw(); });
   std::array<double, 2> interval = interval95(std::move(fractions));
-  if (leavesNoise(counted)) {
+  if (mayLeaveNoise(counted)) {
     interval[1] = std::max(interval[1], 1.0);
   }
   return interval;
