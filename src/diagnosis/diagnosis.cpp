@@ -211,22 +211,24 @@ std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, 
   return elements[best];
 }
 
-// What the best of all hypotheses leaves.
-double leastScore(const Judged& judged) {
+// What the best of all hypotheses leaves of the logs of the fit, and of unseen ones: 0 where there are none.
+struct Least {
+  double score = 0.0;
+  double unseen = 0.0;
+};
+
+Least leastOf(const Judged& judged) {
   const Search& search = judged.workings->search;
-  double least = search.re_estimated.fit.score();
-  for (const FittedHypothesis* fitted : search.withEffects()) {
-    least = fitted->hypothesis.competes() ? std::min(least, fitted->fit.score()) : least;
+  const std::vector<UnseenErrors>& unseen = judged.workings->unseen;
+  Least least{search.re_estimated.fit.score(), unseen.empty() ? 0.0 : unseen[Evidence::kReEstimated].gap};
+  const std::vector<const FittedHypothesis*> fitted = search.withEffects();
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    if (fitted[i]->hypothesis.competes()) {
+      least.score = std::min(least.score, fitted[i]->fit.score());
+      least.unseen = unseen.empty() ? 0.0 : std::min(least.unseen, unseen[Evidence::kFirstSingle + i].gap);
+    }
   }
   return least;
-}
-
-// What the best of all hypotheses leaves of unseen logs; 0 where there are none.
-double leastUnseen(const Judged& judged) {
-  const std::vector<UnseenErrors>& unseen = judged.workings->unseen;
-  const auto least = std::min_element(unseen.begin(), unseen.end(),
-                                      [](const UnseenErrors& x, const UnseenErrors& y) { return x.gap < y.gap; });
-  return least == unseen.end() ? 0.0 : least->gap;
 }
 
 // Zeros of the displacement show through laws that are not linear, and delays through all: they are known once these
@@ -248,8 +250,9 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   takeOut(of_held_out, delay, held_out);
   forgetUnitEffects(judged.workings->search);  // two searches are not in memory at once
   Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  if (leastScore(without) >= leastScore(judged) ||
-      leastUnseen(without) > Criteria().floor_margin * leastUnseen(judged)) {
+  const Least as_it_was = leastOf(judged);
+  const Least is = leastOf(without);
+  if (is.score >= as_it_was.score || is.unseen > Criteria().floor_margin * as_it_was.unseen) {
     without = {};
     findUnitEffects(judged.workings->search, judged.prepared->training, options.threads);
     return;

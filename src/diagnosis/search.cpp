@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 #include <iterator>
-#include <set>
 
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/judge/weighing.h"
@@ -168,19 +167,24 @@ class Searcher {
   }
 
   // The best pair, the best one without a trend, and the one that would be named, which need not be the best.
-  std::set<const FittedHypothesis*> worthAThird() const {
-    std::set<const FittedHypothesis*> pairs;
+  std::vector<const FittedHypothesis*> worthAThird() const {
+    std::vector<const FittedHypothesis*> pairs;
+    const auto add = [&](const FittedHypothesis& pair) {
+      if (std::find(pairs.begin(), pairs.end(), &pair) == pairs.end()) {
+        pairs.push_back(&pair);
+      }
+    };
     for (const bool trends : {true, false}) {
       const auto best = std::find_if(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
         return !pair.hypothesis.last_resort && (trends || !pair.hypothesis.free_in_log.trend);
       });
       if (best != result_.pairs.end()) {
-        pairs.insert(&*best);
+        add(*best);
       }
     }
     const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
     if (named.hypothesis.members.size() == 2) {
-      pairs.insert(&named);
+      add(named);
     }
     return pairs;
   }
