@@ -8,7 +8,7 @@
 #include "diagnosis/judge/further_logs.h"
 #include "diagnosis/judge/naming.h"
 #include "diagnosis/judge/posterior.h"
-#include "diagnosis/judge/unmoved.h"
+#include "diagnosis/judge/rest_as_noise.h"
 #include "diagnosis/judge/weighing.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -238,8 +238,8 @@ void Judgement::withdraw(Verdict without_effects, int without_model) {
 
 Judgement judge(const Evidence& evidence, const Criteria& criteria) {
   Judgement judgement = judgeOnce(evidence, criteria);
-  if (judgement.verdict == Verdict::unknown && largerPartIsUnmoved(evidence, criteria)) {
-    Judgement of_the_rest = judgeOnce(withUnmovedAsNoise(evidence, criteria), criteria);
+  if (judgement.verdict == Verdict::unknown && motionCausesSmallerPart(evidence, criteria)) {
+    Judgement of_the_rest = judgeOnce(withRestAsNoise(evidence, criteria), criteria);
     if (!of_the_rest.effects.empty() && !anyOfSensor(evidence, of_the_rest.effects) &&
         closesBeyondNoise(evidence, criteria, of_the_rest.model)) {
       of_the_rest.verdict = Verdict::partly;

@@ -1,5 +1,5 @@
 // What no motion causes, taken for noise.
-#include "diagnosis/judge/unmoved.h"
+#include "diagnosis/judge/rest_as_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +23,11 @@ double floorOf(double gap, double floor, double caused_by_motion, double least, 
 
 }  // namespace
 
-bool largerPartIsUnmoved(const Evidence& evidence, const Criteria& criteria) {
+bool motionCausesSmallerPart(const Evidence& evidence, const Criteria& criteria) {
   return evidence.caused_by_motion < criteria.larger_part;
 }
 
-Evidence withUnmovedAsNoise(Evidence evidence, const Criteria& criteria) {
+Evidence withRestAsNoise(Evidence evidence, const Criteria& criteria) {
   double least = evidence.reEstimated().held_out;
   double least_unseen = evidence.has_unseen_logs ? evidence.reEstimated().unseen->gap : 0.0;
   for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {

@@ -1,17 +1,19 @@
 // What no motion causes, taken for noise.
 #pragma once
 
+#include <vector>
+
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
 
 namespace rubber_suspension::diagnosis {
 
 /// True if the larger part of the gap is seen not to be a function of the motion.
-bool largerPartIsUnmoved(const Evidence& evidence, const Criteria& criteria);
+bool motionCausesSmallerPart(const Evidence& evidence, const Criteria& criteria);
 
 /// The same evidence with a noise floor of what no function of the motion predicts, neither a surrogate nor an effect:
 /// what is left to be explained is what the motion causes.
-Evidence withUnmovedAsNoise(Evidence evidence, const Criteria& criteria);
+Evidence withRestAsNoise(Evidence evidence, const Criteria& criteria);
 
 /// True if one of these effects is an error of the force channel, which the motion does not cause.
 bool anyOfSensor(const Evidence& evidence, const std::vector<int>& effects);
