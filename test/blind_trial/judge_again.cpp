@@ -70,6 +70,7 @@ const std::vector<Criterion> kCriteria = {
     {"clearly_less", &Criteria::clearly_less},
     {"unknown", &Criteria::unknown},
     {"partly", &Criteria::partly},
+    {"larger_part", &Criteria::larger_part},
     {"sharpness", &Criteria::sharpness},
     {"noise_blur", &Criteria::noise_blur},
     {"gap_blur", &Criteria::gap_blur},
