@@ -434,6 +434,29 @@ const std::vector<Row> kRows = {
      },
      Verdict::named,
      {kMany, kOther}},
+    {"one more effect that closes as much of the gap as an explanation has to is named",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.068));
+     },
+     Verdict::partly,
+     {kMany, kOther}},
+    {"not one that closes what the form of the first may leave",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.07;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.048));
+     },
+     Verdict::partly,
+     {kMany}},
+    {"nor gains of each log, which follow any law's",
+     [](Evidence& e, Criteria&) {
+       single(e, kMany).held_out = 0.1;
+       e.hypotheses.push_back(fitted({kMany, kOther}, 0.068));
+       e.hypotheses.back().free_gains = true;
+       single(e, kOther).free_gains = true;
+     },
+     Verdict::partly,
+     {kMany}},
     {"no more effects are named than may be",
      [](Evidence& e, Criteria& c) {
        c.most_effects = 1;

@@ -119,6 +119,18 @@ class Naming {
     });
   }
 
+  // Closes the larger part of what fewer effects leave, and as much of the gap as an explanation has to: more than the
+  // form of a law that is not quite the right one leaves.
+  bool explainsAsMuch(int further, int fewer) const {
+    const HypothesisEvidence& more = evidence_.at(further);
+    const double rest = weighing_.residualOf(evidence_.at(fewer));
+    const double closed = gap::residualAboveFloor(rest, weighing_.residualOf(more));
+    return !more.free_gains && left(further) < left(fewer) &&
+           weighing_.residualOf(more) <= (1.0 - criteria_.unknown) * rest &&
+           closed > criteria_.unknown * weighing_.residualOf(evidence_.reEstimated()) &&
+           weighing_.isBeyondNoise(closed, evidence_.noise_floor);
+  }
+
   // From a single effect to the best hypothesis of more, as long as each further effect gains enough beyond chance:
   // over the best hypothesis of fewer effects, even where that gained too little itself.
   int withFurtherEffects(int single) const {
@@ -130,7 +142,9 @@ class Naming {
       if (!further || !(weighing_.isBeyondNoise(evidence_.at(chosen)) || evidence_.at(chosen).free_trends)) {
         break;
       }
-      if (needsOthersThanGains(*further) && weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) &&
+      const bool enough =
+          weighing_.gainsEnough(evidence_.at(*further), evidence_.at(fewer)) || explainsAsMuch(*further, fewer);
+      if (needsOthersThanGains(*further) && enough &&
           weighing_.chanceOfGain(evidence_.at(*further), evidence_.at(fewer)) < criteria_.chance) {
         chosen = *further;
       }
