@@ -48,8 +48,7 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
       const HypothesisEvidence& other = evidence.at(h);
       const bool as_many = like_others || other.members.size() == large.members.size();
       const bool without = !other.last_resort && (like_others || freesLess(other, large, evidence.single(member)));
-      if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out) &&
-          (!like_others || needsAllOf(evidence, weighing, h))) {
+      if (as_many && without && weighing.mayBeACause(other) && std::isfinite(other.held_out)) {
         simpler.push_back(h);
       }
     }
@@ -62,9 +61,14 @@ std::vector<int> simplerThan(const Evidence& evidence, const Weighing& weighing,
   return simpler;
 }
 
-// A gain of each log is as many numbers as there are logs: it has to gain as a further effect has to.
+// A gain of each log is as many numbers as there are logs: it has to gain as a further effect has to. What can look
+// like several others has to err no more than sets of them that would not be named.
 bool isBetter(const Evidence& evidence, const Weighing& weighing, const Criteria& criteria, int member,
-              const HypothesisEvidence& large, const HypothesisEvidence& simpler) {
+              const HypothesisEvidence& large, int other) {
+  const HypothesisEvidence& simpler = evidence.at(other);
+  if (evidence.single(member).last_resort && !needsAllOf(evidence, weighing, other)) {
+    return weighing.left(large) <= weighing.left(simpler);
+  }
   if (!evidence.single(member).free_gains) {
     return weighing.errsLess(large, simpler);
   }
@@ -77,7 +81,7 @@ bool settle(const Weighing& weighing, const Criteria& criteria, int hypothesis, 
   const double before = large.at_least;
   for (const int member : large.members) {
     for (const int simpler : simplerThan(evidence, weighing, hypothesis, member)) {
-      if (!isBetter(evidence, weighing, criteria, member, large, evidence.at(simpler))) {
+      if (!isBetter(evidence, weighing, criteria, member, large, simpler)) {
         large.does_no_better = true;
         large.at_least = std::max(large.at_least, kLittleMore * weighing.left(evidence.at(simpler)));
       }
