@@ -18,7 +18,8 @@ std::vector<double> frictionNoise(const std::vector<element::ElementDescription>
 
 /// What a motion before each log may have left in Berg's friction, which forgets it in the course of the log: the force
 /// that it adds over the log where the component came from the highest displacement of it, and from the lowest [N], one
-/// column each, less its mean, which is a zero. Without columns for models without such friction, and for excerpts, whose past is known.
+/// column each, less its mean, which is a zero. Without columns for models without such friction, and for excerpts,
+/// whose past is known.
 std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDescription>& elements,
                                             const std::vector<log::Record>& records);
 

@@ -71,6 +71,18 @@ TEST(JudgeRest, OneLogOfThreeIsNotEnough) {
   EXPECT_GT(surrogate.chance, 0.05);
 }
 
+// What holds for each log that was left out is a function of the motion, though a motion held out goes beyond it.
+TEST(ShareOfMotion, IsThatOfTheLogsWhereHeldOutOnesGoBeyond) {
+  FittedSurrogate fitted;
+  for (int log = 0; log < 3; ++log) {
+    fitted.of_logs.push_back({log, 1.0, 0.01, 0.0025});
+  }
+  const double of_logs = 1.0 - (0.0025 - kFloor * kFloor) / (0.01 - kFloor * kFloor);
+  EXPECT_NEAR(shareOfMotion(fitted, kFloor), of_logs, 1e-12);
+  fitted.of_held_out = {{3, 1.0, 0.01, 0.05}};
+  EXPECT_NEAR(shareOfMotion(fitted, kFloor), of_logs, 1e-12);
+}
+
 // An oscillator of 5 Hz with a damping ratio of 0.15 that hangs on the component: in no list. Called along the log.
 class Oscillator {
  public:

@@ -1,0 +1,50 @@
+// A cause beside a force that no motion causes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "checked_diagnosis.h"
+#include "rig.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kNoise = 10.0;  // [N]
+constexpr double kHum = 250.0;   // amplitude [N], of a force of about 1 kN
+
+// A machine next door, whose speed wanders: in the band of the motion, and another one in each log.
+RigEffect withHum(RigEffect effect, double phase) {
+  return [effect, phase](double time, double z, double rate) {
+    const double turns = 4.3 * time + 0.6 * std::sin(0.9 * time + phase);
+    return effect(time, z, rate) + kHum * std::sin(2.0 * element::kPi * turns + 3.0 * phase);
+  };
+}
+
+diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
+  std::vector<log::Log> logs;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    logs.push_back(runRig("log " + std::to_string(seed), seed, withHum(effect(), seed), kNoise));
+  }
+  return checkedDiagnosis(rigComponent(), logs, {});
+}
+
+TEST(BesideHum, FrictionThatClosesASmallPartOfTheGapIsNamed) {
+  const diagnosis::Diagnosis result = diagnosed(rigFriction);
+  EXPECT_EQ(result.verdict, "partly");
+  EXPECT_THAT(result.effects, testing::ElementsAre("friction")) << result.sentence;
+  EXPECT_LT(result.closed, 0.29);
+  ASSERT_TRUE(result.surrogate);
+  EXPECT_FALSE(result.surrogate->function_of_the_motion);
+}
+
+TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
+  const diagnosis::Diagnosis result = diagnosed([] { return [](double, double, double) { return 0.0; }; });
+  EXPECT_EQ(result.verdict, "unknown") << result.sentence;
+}
+
+}  // namespace
+}  // namespace rubber_suspension
