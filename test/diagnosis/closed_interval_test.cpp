@@ -83,6 +83,12 @@ TEST(ClosedOnFurtherLogs, MayBeAllWhereNoiseIsLeft) {
   EXPECT_LT(onFurtherLogs({0.5, 0.5})[1], 1.0);
 }
 
+// The floor is known to a factor of exp(1.96 x 0.3) = 1.8: what is left of eight logs is 1.7 and 1.9 floors.
+TEST(ClosedOnFurtherLogs, MayBeAllAsFarAsTheFloorIsKnown) {
+  EXPECT_GE(onFurtherLogs(std::vector<double>(8, 0.14))[1], 1.0);
+  EXPECT_LT(onFurtherLogs(std::vector<double>(8, 0.16))[1], 1.0);
+}
+
 // Of rigs whose logs scatter as the prior has it, the interval holds what is closed of eight further logs in 95 of 100:
 // 400 rigs, whose count of 380 has a standard deviation of 4.4.
 TEST(ClosedOnFurtherLogs, CoversRigsThatAreLikeThePrior) {
