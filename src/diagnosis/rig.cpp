@@ -104,19 +104,17 @@ bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log:
   return true;
 }
 
-// The nuisances, and what is new of further columns: orthonormal (Gram and Schmidt).
-Eigen::MatrixXd withColumns(const log::Record& record, const Eigen::MatrixXd& columns) {
+// What is new of further columns, among the nuisances of a record: orthonormal (Gram and Schmidt).
+void addNuisances(const Eigen::MatrixXd& columns, log::Record& record) {
   constexpr double kMatters = 1e-3;  // of the force: less is no nuisance
-  log::Record with = record;
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    const Eigen::VectorXd column = with.withoutRig(columns.col(j));
+    const Eigen::VectorXd column = record.withoutRig(columns.col(j));
     const double norm = column.norm();
     if (norm > kMatters * record.force_deviation * std::sqrt(record.counted())) {
-      with.nuisances.conservativeResize(column.size(), with.nuisances.cols() + 1);
-      with.nuisances.rightCols<1>() = column / norm;
+      record.nuisances.conservativeResize(column.size(), record.nuisances.cols() + 1);
+      record.nuisances.rightCols<1>() = column / norm;
     }
   }
-  return with.nuisances;
 }
 
 void setNuisances(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
@@ -127,7 +125,7 @@ void setNuisances(const std::vector<element::ElementDescription>& elements, cons
   const auto starts = frictionStarts(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].nuisances = nuisances[r];
-    records[r].nuisances = withColumns(records[r], starts[r]);
+    addNuisances(starts[r], records[r]);
     records[r].slow_noise = io::kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
   }
 }

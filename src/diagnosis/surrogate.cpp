@@ -15,7 +15,6 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kChance = 0.05;        // of a gain on unseen blocks without there being any
-constexpr double kLargerPart = 0.5;     // of the squared rest: only the larger part is called the rest
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
@@ -67,7 +66,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
   surrogate.share = rest > 0.0 ? std::clamp(1.0 - std::pow(left / rest, 2), 0.0, 1.0) : 0.0;
   surrogate.chance = compare(lossesOf(unseen, noise_floor, count_logs), 0, 1).pValueOfNoGain();
-  surrogate.function_of_the_motion = surrogate.chance < kChance && surrogate.share > kLargerPart;
+  surrogate.function_of_the_motion = surrogate.chance < kChance && surrogate.share > Criteria().larger_part;
 }
 
 FittedSurrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, int threads) {

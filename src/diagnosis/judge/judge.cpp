@@ -240,7 +240,7 @@ Judgement judge(const Evidence& evidence, const Criteria& criteria) {
   Judgement judgement = judgeOnce(evidence, criteria);
   if (judgement.verdict == Verdict::unknown && motionCausesSmallerPart(evidence, criteria)) {
     Judgement of_the_rest = judgeOnce(withRestAsNoise(evidence, criteria), criteria);
-    if (!of_the_rest.effects.empty() && !anyOfSensor(evidence, of_the_rest.effects) &&
+    if (!of_the_rest.effects.empty() && !evidence.at(of_the_rest.model).sensor &&
         closesBeyondNoise(evidence, criteria, of_the_rest.model)) {
       of_the_rest.verdict = Verdict::partly;
       return of_the_rest;

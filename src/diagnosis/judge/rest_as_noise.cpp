@@ -49,22 +49,18 @@ Evidence withRestAsNoise(Evidence evidence, const Criteria& criteria) {
   return evidence;
 }
 
-bool anyOfSensor(const Evidence& evidence, const std::vector<int>& effects) {
-  return std::any_of(effects.begin(), effects.end(), [&](int effect) { return evidence.single(effect).sensor; });
-}
-
 bool closesBeyondNoise(const Evidence& evidence, const Criteria& criteria, int hypothesis) {
+  const Evidence all = withFurtherLogs(evidence);
+  const Weighing weighing(all, criteria);
   const auto closes = [&](double before, double after, double floor) {
-    return gap::residualAboveFloor(before, after) > criteria.beyondNoise(floor);
+    return weighing.isBeyondNoise(gap::residualAboveFloor(before, after), floor);
   };
   const HypothesisEvidence& values = evidence.reEstimated();
   const HypothesisEvidence& effects = evidence.at(hypothesis);
   const bool here = closes(values.held_out, effects.held_out, evidence.noise_floor);
   const bool unseen =
       !evidence.has_unseen_logs || closes(values.unseen->gap, effects.unseen->gap, effects.unseen->noise_floor);
-  const Evidence all = withFurtherLogs(evidence);
-  return here && unseen &&
-         Weighing(all, criteria).chanceOfGain(all.at(hypothesis), all.reEstimated()) < criteria.chance;
+  return here && unseen && weighing.chanceOfGain(all.at(hypothesis), all.reEstimated()) < criteria.chance;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,8 +1,6 @@
 // What no motion causes, taken for noise.
 #pragma once
 
-#include <vector>
-
 #include "diagnosis/judge/criteria.h"
 #include "diagnosis/judge/evidence.h"
 
@@ -14,9 +12,6 @@ bool motionCausesSmallerPart(const Evidence& evidence, const Criteria& criteria)
 /// The same evidence with a noise floor of what no function of the motion predicts, neither a surrogate nor an effect:
 /// what is left to be explained is what the motion causes.
 Evidence withRestAsNoise(Evidence evidence, const Criteria& criteria);
-
-/// True if one of these effects is an error of the force channel, which the motion does not cause.
-bool anyOfSensor(const Evidence& evidence, const std::vector<int>& effects);
 
 /// True if a hypothesis closes more of the gap than what counts as explained, of unseen logs, too, and not by chance.
 bool closesBeyondNoise(const Evidence& evidence, const Criteria& criteria, int hypothesis);
