@@ -272,11 +272,14 @@ void considerMotion(const DiagnosisOptions& options, Judged& judged) {
     return;
   }
   const PreparedCase& prepared = *judged.prepared;
-  const auto component = augmentedDescription(prepared.model, workings.search.re_estimated);
+  const auto component = augmentedDescription(prepared.model, workings.search.at(workings.judgement.model));
   const gap::Forces force = gap::simulate(component.allElements(), prepared.training, gap::asRecorded);
   workings.surrogate = fitSurrogate(component, {prepared.training, force, prepared.held_out}, options.threads);
   workings.evidence->caused_by_motion = shareOfMotion(*workings.surrogate, workings.evidence->noise_floor);
   workings.judgement = judge(*workings.evidence);
+  if (!workings.judgement.effects.empty()) {
+    workings.surrogate.reset();  // the rest is another one
+  }
 }
 
 // `recorded`: the whole logs that the gap as recorded is of.

@@ -54,7 +54,7 @@ struct Workings {
   gap::Forces force_surrogate;               ///< empty without a surrogate
   std::vector<UnseenErrors> unseen;          ///< of each hypothesis of the evidence; empty without hold-outs
   std::optional<Evidence> evidence;          ///< where it was asked for
-  std::optional<FittedSurrogate> surrogate;  ///< over the model with re-estimated values, where nothing is named
+  std::optional<FittedSurrogate> surrogate;  ///< over the judged model, where nothing is named
 };
 
 }  // namespace rubber_suspension::diagnosis

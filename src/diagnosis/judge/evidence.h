@@ -57,7 +57,7 @@ struct Evidence {
   double slow_noise = 0.0;                 ///< what a rig may add by slow noise and drift, as a gap
   double discretisation = 0.0;             ///< what the model errs by at the time steps of the logs
   /// Part of the squared gap above the floor that some function of the motion predicts where it was not fitted, over
-  /// the model with re-estimated values; 1 where it is not known.
+  /// the model without effects; 1 where it is not known.
   double caused_by_motion = 1.0;
   bool has_unseen_logs = false;  ///< whether `unseen` of a hypothesis can be had
   int resamplings = 400;         ///< of parts of the logs, for intervals

@@ -324,7 +324,7 @@ class Describer {
       return;
     }
     Workings& w = *workings_;
-    if (!w.surrogate || !judgement_.effects.empty()) {
+    if (!w.surrogate) {
       const gap::Forces of_training(w.force_augmented.begin(),
                                     w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
       w.surrogate =
