@@ -1,13 +1,13 @@
 // Bounded least squares by an active set.
 #include "fit/bounded_least_squares.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "fit/least_norm.h"
+#include "numerics/least_squares.h"
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -41,9 +41,9 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
     }
   }
   if (problem.exact) {
-    return solveLeastNorm(gram, moment);
+    return numerics::solveLeastNorm(gram, moment);
   }
-  return gram.ldlt().solve(moment);
+  return numerics::solveSymmetric(gram, moment);
 }
 
 // Move from x towards the solution on the free set until a bound is met; that unknown leaves the free set.

@@ -4,13 +4,14 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <stdexcept>
 
 #include "fit/model_parameters.h"
+#include "numerics/symmetric.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::fit {
@@ -146,15 +147,15 @@ Eigen::VectorXd search(const Unknowns& unknowns) {
 
 // Standard deviations of the logarithms: sigma^2 (J'J)^-1, infinite along what no point shows.
 Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobian.transpose() * jacobian);
+  const numerics::Eigensystem system = numerics::eigensystem(jacobian.transpose() * jacobian);
   const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
   const double variance = residual.squaredNorm() / freedom;
-  const double smallest = 1e-12 * solver.eigenvalues().maxCoeff();
+  const double smallest = 1e-12 * system.values.maxCoeff();
   Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian.cols());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const double value = solver.eigenvalues()[k];
+    const double value = system.values[k];
     for (Eigen::Index i = 0; i < result.size(); ++i) {
-      const double share = solver.eigenvectors()(i, k) * solver.eigenvectors()(i, k);
+      const double share = system.vectors(i, k) * system.vectors(i, k);
       result[i] += value > smallest ? share * variance / value
                    : share > 1e-6   ? std::numeric_limits<double>::infinity()
                                     : 0.0;

@@ -1,7 +1,6 @@
 // Noise floor from repeats, standstill, spectrum and model.
 #include "rubber_suspension/measurement/noise_floor.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "measurement/functions_of_motion.h"
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_model.h"
 
@@ -164,7 +164,7 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   columns.col(0) = asVector(differences.displacement);
   columns.col(1) = asVector(differences.speed);
   const VectorXd force = asVector(differences.force);
-  const VectorXd left = force - columns * columns.colPivHouseholderQr().solve(force);
+  const VectorXd left = force - columns * numerics::solveLeastSquares(columns, force);
   const double deviation = robustDeviation(left, Mask::Constant(count, true)) / std::sqrt(6.0);
   const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
   const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
@@ -192,7 +192,7 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
       trend.col(0).setOnes();
       trend.col(2) = trend.col(1).cwiseAbs2();
       const VectorXd force = record.force.segment(end - length, length);
-      square += (force - trend * trend.householderQr().solve(force)).squaredNorm();
+      square += (force - trend * numerics::solveIndependent(trend, force)).squaredNorm();
       count += length;
       freedom += 3;
     }

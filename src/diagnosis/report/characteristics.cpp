@@ -3,7 +3,8 @@
 
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
+
+#include "numerics/fourier.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -30,14 +31,12 @@ std::vector<double> padded(const Eigen::VectorXd& values) {
 }
 
 Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> z;
-  std::vector<std::complex<double>> f;
-  fft.fwd(z, padded(displacement));
-  fft.fwd(f, padded(force));
+  numerics::Fourier fourier;
+  const std::vector<std::complex<double>> z = fourier.halfSpectrum(padded(displacement));
+  const std::vector<std::complex<double>> f = fourier.halfSpectrum(padded(force));
   std::complex<double> cross = 0.0;
   double power = 0.0;
-  for (std::size_t i = 1; i < z.size() / 2; ++i) {
+  for (std::size_t i = 1; i < z.size() - 1; ++i) {
     cross += f[i] * std::conj(z[i]);
     power += std::norm(z[i]);
   }
