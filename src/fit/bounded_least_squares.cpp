@@ -85,8 +85,8 @@ int mostViolated(const Problem& problem, const std::vector<int>& free, const Eig
   return best;
 }
 
-Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
-                      const Eigen::VectorXd& upper, double ridge) {
+Eigen::VectorXd solveWithin(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
+                            const Eigen::VectorXd& upper, double ridge) {
   const Eigen::VectorXd scale =
       gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // a zero column keeps its coefficient at 0
   Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), ridge == 0.0, scale.cwiseProduct(moment),
@@ -121,7 +121,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment
 
 Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  return solve(gram, moment, lower, upper, kRidge);
+  return solveWithin(gram, moment, lower, upper, kRidge);
 }
 
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
@@ -132,7 +132,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen
   for (Eigen::Index i = 0; i < lower.size(); ++i) {
     lower[i] = signed_unknown[static_cast<std::size_t>(i)] ? -kInfinity : 0.0;
   }
-  return solve(gram, moment, lower, upper, 0.0);
+  return solveWithin(gram, moment, lower, upper, 0.0);
 }
 
 }  // namespace rubber_suspension::fit

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "fit/fit_method.h"
 #include "fit/force_model.h"
 #include "fit/noise.h"
 #include "fit/product_fit.h"
@@ -23,8 +24,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kTail = 0.025;                     // on either side of a 95 % interval
-const double kUndetermined = std::log(2.0) / 1.96;  // standard deviation of ln(value) whose interval is a factor of 2
+constexpr double kTail = 0.025;  // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J

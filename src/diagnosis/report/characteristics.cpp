@@ -11,7 +11,7 @@ namespace {
 
 // Of the mean frequency in a window: a window does not end where a cycle does, which a dozen make little of, and
 // amplitude and frequency do not change much meanwhile in most tests.
-constexpr double kCycles = 12.0;
+constexpr double kCyclesOfWindow = 12.0;
 
 struct Loop {
   std::complex<double> stiffness;
@@ -58,8 +58,8 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
   double energy_reference = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
-    const auto count =
-        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() * record.mean_frequency / kCycles));
+    const auto count = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(record.duration() * record.mean_frequency / kCyclesOfWindow));
     for (Eigen::Index w = 0; w < count; ++w) {
       const Eigen::Index first = record.size() * w / count;
       const Eigen::Index length = record.size() * (w + 1) / count - first;
