@@ -1,10 +1,9 @@
 // What logs count for whose force is little more than noise.
-#include "diagnosis/rig_noise.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "diagnosis/rig_noise.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,4 +1,5 @@
-// Fuzz target: whatever text is given as a measured table is refused in one line or taken; what is taken can be a table.
+// Fuzz target: whatever text is given as a measured table is refused in one line or taken; what is taken can be a
+// table.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
