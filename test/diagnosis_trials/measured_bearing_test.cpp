@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "checked_diagnosis.h"
+#include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
 #include "support/measured_data.h"

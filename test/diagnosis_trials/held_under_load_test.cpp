@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "checked_diagnosis.h"
+#include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/io/component_file.h"

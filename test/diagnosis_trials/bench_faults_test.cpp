@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "checked_diagnosis.h"
-#include "rig.h"
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "checked_diagnosis.h"
-#include "rig.h"
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
 
 namespace rubber_suspension {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "checked_diagnosis.h"
-#include "rig.h"
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {

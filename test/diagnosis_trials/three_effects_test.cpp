@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "checked_diagnosis.h"
-#include "rig.h"
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
 
 namespace rubber_suspension {
 namespace {
