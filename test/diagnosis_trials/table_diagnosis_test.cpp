@@ -11,7 +11,7 @@
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/rig.h"
-#include "gap/simulate.h"
+#include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
