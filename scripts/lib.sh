@@ -13,12 +13,27 @@ fail() {
   exit 1
 }
 
+# How long stages take on two cores where nothing is built yet: `scripts/benchmark_start --build` measures it.
+declare -A takes=(
+  [install]="a minute, and the download"
+  [configure]="10 s"
+  [demo]="4 min"
+  [all]="8 min"
+  [tests]="10 min"
+  [all-tests]="12 min"
+  [input]="2 min"
+  [address]="20 min"
+  [thread]="4 min"
+  [run-tests]="5 min"
+  [run-all-tests]="25 min"
+)
+
 # Runs a stage of some minutes: says what it does and how long that takes, at the end how long it took.
-# stage WHAT ESTIMATE COMMAND [ARGUMENT...]
+# stage WHAT KEY_OF_TAKES COMMAND [ARGUMENT...]
 stage() {
-  local what=$1 estimate=$2 begin=$SECONDS
+  local what=$1 begin=$SECONDS time=${takes[$2]}
   shift 2
-  say "$what ($estimate)"
+  say "$what ($time on two cores)"
   "$@"
   say "$what: done in $(duration $((SECONDS - begin)))"
 }

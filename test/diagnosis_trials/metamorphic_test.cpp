@@ -81,6 +81,13 @@ diagnosis::Diagnosis diagnoseScaled(const std::function<RigEffect()>& effect, co
                           {scaled(runRig("unseen", 3, effect()), scale)});
 }
 
+/// The bench as it is: one run for all that others are compared with.
+const diagnosis::Diagnosis& reference(const std::string& bench, const std::function<RigEffect()>& effect) {
+  static std::map<std::string, diagnosis::Diagnosis> runs;
+  const auto known = runs.find(bench);
+  return known != runs.end() ? known->second : runs.emplace(bench, diagnoseScaled(effect, {})).first->second;
+}
+
 std::map<std::string, double> probabilities(const diagnosis::Diagnosis& diagnosis) {
   std::map<std::string, double> result{{"none", diagnosis.posterior.none},
                                        {"parameter_error", diagnosis.posterior.parameter_error},
@@ -119,25 +126,25 @@ INSTANTIATE_TEST_SUITE_P(Benches, Metamorphic,
                                          Case{"creep", creep}));
 
 TEST_P(Metamorphic, LengthForceAndTimeScale) {
-  const diagnosis::Diagnosis reference = diagnoseScaled(GetParam().effect, {});
+  const diagnosis::Diagnosis& as_it_is = reference(GetParam().name, GetParam().effect);
   for (const Scale& scale : {Scale{0.01, 1.0, 1.0}, Scale{100.0, 1.0, 1.0}, Scale{1.0, 0.001, 1.0},
                              Scale{1.0, 1000.0, 1.0}, Scale{1.0, 1.0, 1.0 / 30.0}, Scale{1.0, 1.0, 100.0}}) {
     SCOPED_TRACE(testing::Message() << "length " << scale.length << ", force " << scale.force << ", time "
                                     << scale.time);
-    expectTheSame(reference, diagnoseScaled(GetParam().effect, scale));
+    expectTheSame(as_it_is, diagnoseScaled(GetParam().effect, scale));
   }
 }
 
 // Both channels change their sign where the test piece is pulled instead of pushed.
 TEST_P(Metamorphic, PulledTheOtherWayItIsTheSame) {
-  expectTheSame(diagnoseScaled(GetParam().effect, {}), diagnoseScaled(GetParam().effect, {-1.0, -1.0, 1.0}));
+  expectTheSame(reference(GetParam().name, GetParam().effect), diagnoseScaled(GetParam().effect, {-1.0, -1.0, 1.0}));
 }
 
 // None of these effects remembers one log in the next.
 TEST_P(Metamorphic, TheOrderOfLogsDoesNotMatter) {
   const std::vector<log::Log> logs = logsOf(GetParam().effect);
   const log::Log unseen = runRig("unseen", 3, GetParam().effect());
-  expectTheSame(checkedDiagnosis(rigComponent(), {logs[0], logs[1], logs[2]}, {unseen}),
+  expectTheSame(reference(GetParam().name, GetParam().effect),
                 checkedDiagnosis(rigComponent(), {logs[2], logs[0], logs[1]}, {unseen}));
 }
 
@@ -160,7 +167,7 @@ TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
     halves.push_back(part(log, 0, middle, log.name + "_first"));
     halves.push_back(part(log, middle, log.stamp.size(), log.name + "_second"));
   }
-  const diagnosis::Diagnosis whole = diagnoseScaled(GetParam().effect, {});
+  const diagnosis::Diagnosis& whole = reference(GetParam().name, GetParam().effect);
   const diagnosis::Diagnosis split =
       checkedDiagnosis(rigComponent(), halves, {runRig("unseen", 3, GetParam().effect())});
   EXPECT_EQ(whole.verdict, split.verdict) << split.sentence;
