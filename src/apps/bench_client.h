@@ -34,14 +34,16 @@ inline void resetComponent(const ros::NodeHandle& handle, const std::string& ser
 /// The options of a player; the partner is who answers it.
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
-  return {
-      Option("--playback-speed", play.rate, "FACTOR",
-             "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
-          .within(0, 1e6),
-      Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most").within(1, 100000),
-      Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").within(0.01, 1e6),
-      Option("--connect-timeout", play.connect_timeout, "SECONDS", "time to wait for the " + partner)
-          .within(0.01, 1e6)};
+  return {Option("--playback-speed", play.rate, "FACTOR",
+                 "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
+              .within(0, 1e6),
+          Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most")
+              .rare()
+              .within(1, 100000),
+          Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").rare().within(0.01, 1e6),
+          Option("--connect-timeout", play.connect_timeout, "SECONDS", "time to wait for the " + partner)
+              .rare()
+              .within(0.01, 1e6)};
 }
 
 }  // namespace rubber_suspension::apps

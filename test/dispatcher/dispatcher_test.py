@@ -30,6 +30,15 @@ def completions(*words):
     return answer.stdout.split()
 
 
+def rosrun_completions(*words):
+    """The same behind rosrun, in a shell that has read setup.sh and nothing else."""
+    script = '. "$1"; shift; function=$(complete -p rosrun | sed -E "s/.* -F ([^ ]+) .*/\\1/"); compopt() { :; }; ' \
+             'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); "$function" rosrun; printf "%s\n" "${COMPREPLY[@]}"'
+    answer = subprocess.run(["bash", "--norc", "-c", script, "bash", PROGRAM.parents[1] / "setup.sh", "rosrun", *words],
+                            capture_output=True, text=True, timeout=60, check=True)
+    return answer.stdout.split()
+
+
 class Dispatcher(unittest.TestCase):
     def test_lists_every_command(self):
         answer = run("--help")
@@ -72,6 +81,17 @@ class Completion(unittest.TestCase):
         self.assertEqual(completions("replay", "--config", str(CONFIG), "--component", "left"), ["left_secondary"])
         folders = completions("diagnose", "--log", "x", "--output", str(CONFIG.parents[1]) + "/conf")
         self.assertEqual(folders, [str(CONFIG.parent)])
+
+
+    def test_behind_rosrun(self):
+        self.assertEqual(rosrun_completions("rubber_suspension", "replay", "--con"), ["--config"])
+        self.assertIn("--sampling-rate", rosrun_completions("rubber_suspension", "replay", "--s"))
+        self.assertEqual(rosrun_completions("rubber_suspension", "replay", "--config", str(CONFIG), "--component", "left"),
+                         ["left_secondary"])
+        self.assertIn("--sampling-rate", rosrun_completions("rubber_suspension", "generate_track", "--s"))
+
+    def test_leaves_the_rest_to_rosbash(self):
+        self.assertIn("rubber_suspension", rosrun_completions("rubber_susp"))
 
 
 class ManPages(unittest.TestCase):
