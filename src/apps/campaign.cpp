@@ -38,17 +38,23 @@ struct Options {
   bool dry_run = false;
 
   Files madeFiles() const {
-    return output.empty() ? Files()
-                          : Files{{}, {{"--output", campaign::manifestPath(output), io::FileKind::campaign_manifest}}};
+    Files files;
+    if (!output.empty()) {
+      files.outputs = {{"--output", campaign::manifestPath(output), io::FileKind::campaign_manifest}};
+    }
+    return files;
   }
 
   Files collectedFiles() const {
-    return task != "collect" ? Files()
-                             : Files{{{"FOLDER", campaign::manifestPath(folder)}},
-                                     {{"FOLDER", campaign::tableCsvPath(folder), io::FileKind::campaign_csv},
-                                      {"FOLDER", campaign::tableJsonPath(folder), io::FileKind::campaign_json},
-                                      {"FOLDER", campaign::fleetJsonPath(folder), io::FileKind::fleet_json},
-                                      {"FOLDER", campaign::fleetReportPath(folder), io::FileKind::fleet_report}}};
+    Files files;
+    if (task == "collect") {
+      files.inputs = {{"FOLDER", campaign::manifestPath(folder)}};
+      files.outputs = {{"FOLDER", campaign::tableCsvPath(folder), io::FileKind::campaign_csv},
+                       {"FOLDER", campaign::tableJsonPath(folder), io::FileKind::campaign_json},
+                       {"FOLDER", campaign::fleetJsonPath(folder), io::FileKind::fleet_json},
+                       {"FOLDER", campaign::fleetReportPath(folder), io::FileKind::fleet_report}};
+    }
+    return files;
   }
 
   OptionTable table() {

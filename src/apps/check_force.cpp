@@ -87,7 +87,7 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   line.initialise("check_force");
   ros::NodeHandle handle;
   noteOpenness("check_force");
-  ros_interface::LogPlayer player(handle, options.play);
+  ros_interface::LogPlayer player(handle, withNotes(options.play, "check_force"));
   player.connect();
   resetComponent(handle, options.reset);
   const ros_interface::PlayResult result = player.play(log);

@@ -22,6 +22,7 @@
 #include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
+#include "io/progress.h"
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/plan.h"
@@ -288,12 +289,11 @@ int runPlan(const Options& options) {
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
   const std::vector<log::Log> programmes = readLogs(options.plan, component, options);
-  {
-    const io::Activity planning("finding what the programmes would show");
-    diagnosis::Plan plan = diagnosis::plan(component, programmes, settings);
-    plan.run = runRecord(options);
-    diagnosis::writePlan(plan, options.output);
-  }
+  std::optional<io::Activity> planning("finding what the programmes would show");
+  diagnosis::Plan plan = diagnosis::plan(component, programmes, settings);
+  plan.run = runRecord(options);
+  diagnosis::writePlan(plan, options.output);
+  planning.reset();
   fmt::print("{}plan: {}/plan.html\n", diagnosis::toText(plan.could_show), options.output);
   return kSuccess;
 }

@@ -190,9 +190,8 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   ros_interface::PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
   const ros_interface::PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
-  options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
   const log::Log first_log = tracks.front().log;
-  ros_interface::BenchPlayer player(handle, options.play, std::move(tracks));
+  ros_interface::BenchPlayer player(handle, withNotes(options.play, "play_log"), std::move(tracks));
   player.connect();
   resetComponent(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);

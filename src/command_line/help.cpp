@@ -123,7 +123,7 @@ std::string rareOnes(const OptionTable& table) {
   return names;
 }
 
-// A call that is too long for a line goes on behind a backslash.
+// A call that is too long for a line continues behind a backslash.
 std::string callText(const std::string& call) {
   std::string text;
   std::istringstream words(call);

@@ -55,6 +55,12 @@ class Dispatcher(unittest.TestCase):
         self.assertEqual(answer.returncode, 1)
         self.assertTrue(answer.stderr.startswith("estimate: /nonexistent.yaml"), answer.stderr)
 
+    def test_scripts_show_a_screen_with_examples(self):
+        for script in ("generate_track", "live_plot"):
+            text = run(script, "--help").stdout
+            self.assertLessEqual(text.count("\n"), 30)
+            self.assertEqual(text.count(f"  rosrun rubber_suspension {script} --"), 3)
+
     def test_works_by_a_link(self):
         with tempfile.TemporaryDirectory() as folder:
             link = pathlib.Path(folder) / "rs"
