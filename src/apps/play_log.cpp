@@ -4,14 +4,13 @@
 #include <ros/node_handle.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "apps/bench_client.h"
-#include "apps/command.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
-#include "apps/warnings.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/plot_option.h"
+#include "command_line/warnings.h"
+#include "gap/odd_motion.h"
 #include "ros_interface/bench_player.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/play_control.h"
@@ -19,6 +18,7 @@
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -33,75 +33,52 @@ struct Options {
   std::string bag;
   std::string plot;
   std::string reset;
-  std::size_t passes = 1;
-  std::size_t step = 0;
+  std::uint64_t passes = 1;
+  std::uint64_t step = 0;
   bool paused = false;
-  OutputOptions outputs;
+
+  OptionTable table();
+  OptionTable recordTable();
 };
 
-void addRecordOptions(CLI::App& app, Options& options) {
-  app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N")
-      ->type_name("FILE");
-  app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force")
-      ->type_name("FILE");
-  app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap")->type_name("FILE");
-  addPlotOption(app, options.plot, "forces over time and displacement");
-  app.add_option(
-         "--folder", options.folder,
-         "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a folder that "
-         "holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 behind NAME")
-      ->type_name("FOLDER");
+OptionTable Options::recordTable() {
+  return {
+      Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N")
+          .writes(io::FileKind::force_csv),
+      Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
+          .writes(io::FileKind::gap_csv),
+      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap").writes(io::FileKind::bag),
+      plotOption(plot, "forces over time and displacement"),
+      Option("--folder", folder, "FOLDER",
+             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
+             "folder that holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 "
+             "behind NAME")};
 }
 
-void addPlayOptions(CLI::App& app, Options& options) {
-  app.add_option("--playback-speed", options.play.rate,
-                 "multiple of the log's own speed; 0: as fast as the node answers")
-      ->type_name("FACTOR")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--loop", options.passes,
-                 "times to play the logs, 0: until interrupted; time continues and the component keeps its state")
-      ->type_name("COUNT")
-      ->capture_default_str();
-  app.add_option("--step", options.step,
-                 "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
-      ->type_name("COUNT");
-  app.add_flag("--paused", options.paused, "start paused, until the service ~pause is called with false");
-  app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  app.add_option("--listeners", options.play.listeners,
-                 "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{100}))
-      ->capture_default_str();
-  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the node")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--reset", options.reset,
-                 "service that resets the component before the first sample, such as /simulate/reset")
-      ->type_name("SERVICE");
-}
-
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--component", options.components, "names of the components, one or several")
-      ->required()
-      ->type_name("NAME");
-  app.add_option(
-         "--log", options.logs,
-         "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
-      ->required()
-      ->type_name("FILE");
-  options.log_options.addTo(app);
-  addRecordOptions(app, options);
-  addPlayOptions(app, options);
-  options.outputs.addTo(app);
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--component", components, "NAME", "names of the components, one or several").required(),
+      Option("--log", logs, "FILE",
+             "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
+          .required()
+          .reads(),
+      log_options.table(),
+      recordTable(),
+      playerTable(play, "node"),
+      Option("--loop", passes, "COUNT",
+             "times to play the logs, 0: until interrupted; time continues and the component keeps its state"),
+      Option("--step", step, "COUNT",
+             "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
+          .rare(),
+      Option("--paused", paused, "start paused, until the service ~pause is called with false").rare(),
+      Option("--listeners", play.listeners, "COUNT",
+             "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+          .rare()
+          .within(0, 100),
+      Option("--reset", reset, "SERVICE",
+             "service that resets the component before the first sample, such as /simulate/reset")
+          .rare()};
+  return options.excludes({"--paused"}, {"--step"});
 }
 
 void checkCounts(const Options& options) {
@@ -140,26 +117,7 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// Before anything is read.
-void checkFiles(const Options& options) {
-  std::vector<io::InputFile> inputs;
-  addInputs(inputs, "--log", options.logs);
-  const std::vector<io::OutputFile> outputs = {{"--output", options.output, io::FileKind::force_csv},
-                                               {"--gap", options.gap_output, io::FileKind::gap_csv},
-                                               {"--bag", options.bag, io::FileKind::bag},
-                                               {"--plot", options.plot, io::FileKind::figure}};
-  if (options.folder.empty()) {
-    options.outputs.check(inputs, outputs);
-  } else {
-    options.outputs.checkBesideFolder(inputs, outputs);
-  }
-  options.log_options.requireUse(options.logs);
-  if (options.paused && options.step > 0) {
-    throw UsageError("--paused has no effect with --step, which begins paused; accepted: one of them");
-  }
-}
-
-// What --output and its like name may lie in the folder, too.
+// What --output and its like name may lie in the folder, too; the folder itself is new.
 void checkRecords(const Options& options) {
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
   for (const std::string& component : options.components) {
@@ -168,7 +126,7 @@ void checkRecords(const Options& options) {
     outputs.push_back({"gap", paths.gaps, io::FileKind::gap_csv});
     outputs.push_back({"bag", paths.bag, io::FileKind::bag});
   }
-  options.outputs.check({}, outputs);
+  io::checkOutputs({}, outputs, true);
 }
 
 std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
@@ -220,9 +178,9 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   return kSuccess;
 }
 
-int play(ros_interface::RosCommandLine& line, Options& options) {
+int playAll(ros_interface::RosCommandLine& line, Options& options) {
   checkCounts(options);
-  checkFiles(options);
+  options.log_options.requireUse(options.logs);
   makeFolder(options);
   checkRecords(options);
   std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
@@ -232,9 +190,8 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   ros_interface::PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
   const ros_interface::PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
-  options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
   const log::Log first_log = tracks.front().log;
-  ros_interface::BenchPlayer player(handle, options.play, std::move(tracks));
+  ros_interface::BenchPlayer player(handle, withNotes(options.play, "play_log"), std::move(tracks));
   player.connect();
   resetComponent(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
@@ -244,7 +201,7 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
   if (!options.plot.empty() && !counts.front().complete) {
     printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
   } else if (!options.plot.empty()) {
-    io::drawFigure(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
+    drawPlot(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
   }
   return report(counts, options.passes == 0);
 }
@@ -253,12 +210,14 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "play_log",
-                    "Plays logs through a running node and records the forces. The node answers on "
-                    "<component>/force; see launch/replay.launch and launch/bench.launch.",
-                    [&](CLI::App& app) {
-                      const auto options = std::make_shared<Options>();
-                      addOptions(app, *options);
-                      return [&line, options] { return play(line, *options); };
-                    });
+  Options options;
+  return runCommand(
+      line.argc(), line.argv(),
+      {"play_log",
+       "Plays logs through a running node and records the forces. The node answers on <component>/force; "
+       "see launch/replay.launch and launch/bench.launch.",
+       {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
+        {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
+        {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},
+      options.table(), [&] { return playAll(line, options); });
 }

@@ -2,13 +2,13 @@
 #include <malloc.h>
 #include <ros/ros.h>
 
-#include "apps/command.h"
+#include "command_line/command.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/simulate_node.h"
 #include "ros_interface/termination.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -38,8 +38,12 @@ int serve(ros_interface::RosCommandLine& line) {
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
-      line.argc(), line.argv(), "simulate",
-      "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
-          ros_interface::describeNodeSettings(),
-      [&](CLI::App&) { return [&] { return serve(line); }; });
+      line.argc(), line.argv(),
+      {"simulate",
+       "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
+           ros_interface::describeNodeSettings(),
+       {{"The components of a file", "_config_file:=component.yaml"},
+        {"With two threads and short time gaps", "_config_file:=component.yaml _threads:=2 _max_gap:=0.1"},
+        {"Below a namespace", "__ns:=bench _config_file:=component.yaml"}}},
+      {}, [&] { return serve(line); });
 }

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "gap/simulate.h"
-#include "rig.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "shared_runs.h"
 
 namespace rubber_suspension {
 namespace {
@@ -163,11 +163,11 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
 }
 
 TEST(Excerpts, ALongLogIsDiagnosedByThem) {
-  const log::Log log = runRig("long", 1, [](double, double, double) { return 0.0; });
-  diagnosis::DiagnosisOptions options;
-  const diagnosis::Diagnosis whole = diagnosis::diagnose(rigComponent(), {log}, {}, options);
+  const diagnosis::Diagnosis& whole = ofOneLog();
+  const log::Log log = runRigs({1}, nothing).front();
   EXPECT_EQ(whole.samples, log.size());
   EXPECT_EQ(whole.recorded_samples, log.size());
+  diagnosis::DiagnosisOptions options;
   options.most_samples = log.size() / 2;
   const diagnosis::Diagnosis part = diagnosis::diagnose(rigComponent(), {log}, {}, options);
   EXPECT_LE(part.samples, options.most_samples);

@@ -1,0 +1,136 @@
+// The frame of every command.
+#include "command_line/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command_line/parse.h"
+#include "io/output_files.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
+
+namespace rubber_suspension::command_line {
+namespace {
+
+std::string accepted(const Quantity& quantity, const std::string& unit) {
+  return quantity.accepted.empty() ? element::describe(quantity.range) + " " + unit : quantity.accepted;
+}
+
+// A bound of 0 is the same in the unit that the user wrote.
+std::string unitForRange(const std::string& text, const Quantity& quantity) {
+  const bool in_any_unit = quantity.range.lower == 0.0 && std::isinf(quantity.range.upper);
+  const std::string written = log::unitOfQuantity(text);
+  return in_any_unit && !written.empty() ? written : quantity.unit;
+}
+
+std::vector<std::string> pathsOf(const Option& option) {
+  if (const auto* const* several = std::get_if<std::vector<std::string>*>(&option.target)) {
+    return **several;
+  }
+  return {*std::get<std::string*>(option.target)};
+}
+
+bool writes(const Option& option) { return option.kind || option.files; }
+
+bool isGiven(const io::OutputFile& output) { return !output.path.empty(); }
+
+// Before anything is read.
+void checkFiles(const OptionTable& table, bool force) {
+  Files all;
+  for (const Option& option : table.options()) {
+    const Files more = option.files ? option.files() : Files();
+    all.inputs.insert(all.inputs.end(), more.inputs.begin(), more.inputs.end());
+    all.outputs.insert(all.outputs.end(), more.outputs.begin(), more.outputs.end());
+    for (const std::string& path : option.is_input || option.kind ? pathsOf(option) : std::vector<std::string>()) {
+      if (option.is_input) {
+        all.inputs.push_back({option.name, path});
+      } else {
+        all.outputs.push_back({option.name, path, *option.kind});
+      }
+    }
+  }
+  if (force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven)) {
+    throw UsageError("--force has no effect without a file to write; accepted: without it");
+  }
+  io::checkOutputs(all.inputs, all.outputs, force);
+}
+
+int runAsked(int argc, char** argv, const Command& command, const OptionTable& own, const std::function<int()>& body) {
+  bool force = false;
+  OptionTable table = own;
+  if (std::any_of(own.options().begin(), own.options().end(), writes)) {
+    table = {own,
+             Option("--force", force, "replace an existing file of another kind than the command writes, too").rare()};
+  }
+  // Before the defaults are overwritten.
+  const std::string help = helpText(command, table, HelpSize::screen);
+  const std::string all = helpText(command, table, HelpSize::all);
+  switch (parse(argc, argv, command, table)) {
+    case Request::help:
+      std::cout << help;
+      return kSuccess;
+    case Request::help_all:
+      std::cout << all;
+      return kSuccess;
+    case Request::version:
+      std::cout << command.name << " " << version() << '\n';
+      return kSuccess;
+    case Request::run:
+      checkFiles(table, force);
+      return body();
+  }
+  return kFailed;
+}
+
+}  // namespace
+
+std::string version() { return RUBBER_SUSPENSION_VERSION; }
+
+void printError(const std::string& command, const std::string& message) {
+  std::cerr << command << ": " << log::oneLine(message) << '\n';
+}
+
+void printNote(const std::string& command, const std::string& note) { printError(command, "note: " + note); }
+
+void printWarning(const std::string& command, const std::string& warning) {
+  printError(command, "warning: " + warning);
+}
+
+double quantityOf(const std::string& option, const std::string& text, const Quantity& quantity) {
+  double value = 0.0;
+  try {
+    value = log::parseQuantity(text, quantity.unit);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("{}: {}: {}; accepted: {}", option, log::quoted(text), error.what(),
+                                 accepted(quantity, quantity.unit)));
+  }
+  if (!quantity.range.contains(value)) {
+    throw UsageError(fmt::format("{}: {} is out of range; accepted: {}", option, log::quoted(text),
+                                 accepted(quantity, unitForRange(text, quantity))));
+  }
+  return value;
+}
+
+int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
+               const std::function<int()>& body) {
+  try {
+    const int status = runAsked(argc, argv, command, table, body);
+    if (!std::cout.flush()) {
+      throw std::runtime_error("standard output cannot be written");
+    }
+    return status;
+  } catch (const UsageError& error) {
+    printError(command.name, error.what());
+    return kWrongUsage;
+  } catch (const io::OutputRefused& error) {
+    printError(command.name, error.what());
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    printError(command.name, error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace rubber_suspension::command_line
