@@ -27,24 +27,6 @@ constexpr int kResamplings = 100;
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 std::int64_t nanoseconds(double time) { return static_cast<std::int64_t>(std::llround(1e9 * time)); }
 
-/// Mean square about the mean of a stretch.
-class Spread {
- public:
-  void add(double value) {
-    sum_ += value;
-    square_ += value * value;
-  }
-
-  double root(double count) const {
-    const double mean = sum_ / count;
-    return std::sqrt(std::max(0.0, square_ / count - mean * mean));
-  }
-
- private:
-  double sum_ = 0.0;
-  double square_ = 0.0;
-};
-
 std::string placeOf(const std::vector<gap::GapCell>& cells) {
   if (cells.empty()) {
     return {};
@@ -120,6 +102,24 @@ class LiveDiagnosis::Model {
 
 /// What a block comes to so far.
 struct LiveDiagnosis::Block {
+  /// Mean square about the mean of a stretch.
+  class Spread {
+   public:
+    void add(double value) {
+      sum_ += value;
+      square_ += value * value;
+    }
+
+    double root(double count) const {
+      const double mean = sum_ / count;
+      return std::sqrt(std::max(0.0, square_ / count - mean * mean));
+    }
+
+   private:
+    double sum_ = 0.0;
+    double square_ = 0.0;
+  };
+
   std::int64_t begin = 0;  // [ns]
   std::int64_t last = 0;
   double samples = 0.0;
