@@ -1,7 +1,7 @@
 // The command `bag_to_csv`: one component's displacement and measured force of a bag as a CSV log.
 #include "bag/bag_log.h"
 #include "command_line/command.h"
-#include "command_line/output_options.h"
+#include "io/progress.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
@@ -12,18 +12,17 @@ struct Options {
   std::string component;
   std::string input;
   std::string output;
-  OutputOptions outputs;
 
   OptionTable table() {
     return {
         Option("--component", component, "NAME", "name of the component; may be left out where the bag has only one"),
-        Option("--log", input, "FILE", "bag to read").required(),
-        Option("--output", output, "FILE", "CSV file to write").required(), outputs.table()};
+        Option("--log", input, "FILE", "bag to read").required().reads(),
+        Option("--output", output, "FILE", "CSV file to write").required().writes(io::FileKind::force_csv)};
   }
 };
 
 int convert(const Options& options) {
-  options.outputs.check({{"--log", options.input}}, {{"--output", options.output, io::FileKind::force_csv}});
+  const io::Activity converting("converting " + options.input);
   const log::Log log = bag::readBagLog(options.input, options.component);
   for (const std::string& note : log.notes) {
     printNote("bag_to_csv", note);
@@ -38,8 +37,11 @@ int convert(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  return runCommand(
-      argc, argv,
-      {"bag_to_csv", "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log."},
-      options.table(), [&] { return convert(options); });
+  return runCommand(argc, argv,
+                    {"bag_to_csv",
+                     "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
+                     {{"The only component of a bag", "--log run.bag --output run.csv"},
+                      {"One of several", "--log run.bag --component bush --output bush.csv"},
+                      {"For another program", "--log run.bag --output /dev/stdout | head"}}},
+                    options.table(), [&] { return convert(options); });
 }

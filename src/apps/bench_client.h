@@ -6,10 +6,9 @@
 #include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
-#include <iostream>
 #include <string>
 
-#include "command_line/option_table.h"
+#include "command_line/command.h"
 #include "ros_interface/log_player.h"
 #include "ros_interface/loopback.h"
 
@@ -19,7 +18,7 @@ namespace rubber_suspension::apps {
 inline void noteOpenness(const std::string& command) {
   const std::string refusal = ros_interface::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
-    std::cerr << command << ": note: " << refusal << '\n';
+    command_line::printNote(command, refusal);
   }
 }
 
@@ -31,17 +30,25 @@ inline void resetComponent(const ros::NodeHandle& handle, const std::string& ser
   }
 }
 
+/// A player that tells now and then what it waits for.
+inline ros_interface::PlayOptions withNotes(ros_interface::PlayOptions play, const std::string& command) {
+  play.notify = [command](const std::string& text) { command_line::printNote(command, text); };
+  return play;
+}
+
 /// The options of a player; the partner is who answers it.
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
-  return {
-      Option("--playback-speed", play.rate, "FACTOR",
-             "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
-          .within(0, 1e6),
-      Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most").within(1, 100000),
-      Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").within(0.01, 1e6),
-      Option("--connect-timeout", play.connect_timeout, "SECONDS", "time to wait for the " + partner)
-          .within(0.01, 1e6)};
+  return {Option("--playback-speed", play.rate, "FACTOR",
+                 "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
+              .within(0, 1e6),
+          Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most")
+              .rare()
+              .within(1, 100000),
+          Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").rare().within(0.01, 1e6),
+          Option("--connect-timeout", play.connect_timeout, "SECONDS", "time to wait for the " + partner)
+              .rare()
+              .within(0.01, 1e6)};
 }
 
 }  // namespace rubber_suspension::apps

@@ -7,7 +7,7 @@
 #include "benchmark/ratio_figure.h"
 #include "benchmark/single_work.h"
 #include "command_line/command.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 
 namespace {
 
@@ -23,7 +23,6 @@ struct Options {
   std::string work;
   std::string config;
   std::string log;
-  OutputOptions outputs;
 
   OptionTable table();
 };
@@ -34,9 +33,12 @@ OptionTable Options::table() {
       Option("--samples", samples, "COUNT",
              "samples of the logs that are simulated; if absent 100000, with --quick 20000")
           .within(10, 10000000),
-      Option("--log-duration", log_duration, "SECONDS", "length of the logs that are diagnosed").within(1, 604800),
+      Option("--log-duration", log_duration, "SECONDS", "length of the logs that are diagnosed")
+          .rare()
+          .within(1, 604800),
       Option("--pairs", pairs, "COUNT",
              "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
+          .rare()
           .within(1, 100000),
       plotOption(plot, "the ratios"),
       Option("--work", work, "WORK",
@@ -44,9 +46,8 @@ OptionTable Options::table() {
              "component as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is made "
              "as it is read, with the memory that the process took")
           .oneOf({"simulate", "fit", "diagnose"}),
-      Option("--config", config, "FILE", "with --work simulate or fit: component file of one component"),
-      Option("--log", log, "FILE", "with --work simulate or fit: CSV log"),
-      outputs.table()};
+      Option("--config", config, "FILE", "with --work simulate or fit: component file of one component").reads(),
+      Option("--log", log, "FILE", "with --work simulate or fit: CSV log").reads()};
   options.needs({"--config", "--log"}, {"--work"}).excludes({"--config", "--log"}, {"--work diagnose"});
   options.excludes({"--log-duration"}, {"--work simulate", "--work fit"});
   return options.excludes({"--quick", "--samples", "--pairs", "--plot"}, {"--work"});
@@ -101,14 +102,9 @@ int run(const Options& options) {
   }
   std::cout << benchmark::markdown(results);
   if (!options.plot.empty()) {
-    io::drawFigure(benchmark::ratioFigure(results), options.plot);
+    drawPlot(benchmark::ratioFigure(results), options.plot);
   }
   return accurate ? kSuccess : kFailed;
-}
-
-int runAsked(const Options& options) {
-  options.outputs.check({}, {{"--plot", options.plot, io::FileKind::figure}});
-  return options.work.empty() ? run(options) : runSingle(options);
 }
 
 }  // namespace
@@ -121,6 +117,9 @@ int main(int argc, char** argv) {
        "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
        "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
        "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
-       "are wall times."},
-      options.table(), [&] { return runAsked(options); });
+       "are wall times.",
+       {{"In a minute", "--quick"},
+        {"All of it, with a picture", "--plot ratios.svg"},
+        {"One work alone", "--work simulate --config component.yaml --log log.csv"}}},
+      options.table(), [&] { return options.work.empty() ? run(options) : runSingle(options); });
 }

@@ -14,7 +14,7 @@
 #include "benchmark/latency/latency_figures.h"
 #include "benchmark/latency/soak.h"
 #include "command_line/command.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/command_line.h"
 
@@ -28,7 +28,6 @@ struct Options {
   int echo = 0;
   std::uint64_t soak = 0;
   std::string plot;
-  OutputOptions outputs;
 
   OptionTable table();
 };
@@ -69,7 +68,7 @@ int measureLatency(const Options& options) {
       benchmark::benchmarkLatency(options.benchmark, [](const std::string& what) { tell("measuring " + what); });
   benchmark::printMarkdown(rows, std::cout);
   if (!options.plot.empty()) {
-    io::drawFigure(benchmark::latencyFigure(rows), options.plot);
+    drawPlot(benchmark::latencyFigure(rows), options.plot);
   }
   return kSuccess;
 }
@@ -81,7 +80,7 @@ int measureSoak(const Options& options) {
   const benchmark::SoakResult result = benchmark::soak(soak_options, tell);
   benchmark::printMarkdown(result, std::cout);
   if (!options.plot.empty()) {
-    io::drawFigure(benchmark::soakFigure(result), options.plot);
+    drawPlot(benchmark::soakFigure(result), options.plot);
   }
   if (!result.exact()) {
     throw std::runtime_error("not every sample had exactly one force");
@@ -102,8 +101,9 @@ OptionTable Options::table() {
       Option("--components", benchmark.components, "COUNT", "numbers of components, one row each").within(1, 500),
       Option("--sampling-rate", benchmark.rate, "HZ", "samples per second of each component").within(1, 1e5),
       Option("--total-sampling-rate", benchmark.total_rate, "HZ", "samples per second of all components, at most")
+          .rare()
           .within(1, 1e6),
-      Option("--duration", benchmark.duration, "SECONDS", "length of each run").within(0.1, 3600),
+      Option("--duration", benchmark.duration, "SECONDS", "length of each run").rare().within(0.1, 3600),
       Option("--pairs", benchmark.pairs, "COUNT", "runs of the echo node, the node and the echo node again, per row")
           .within(1, 1000),
       Option("--diagnose", benchmark.diagnose,
@@ -115,14 +115,12 @@ OptionTable Options::table() {
           .within(1000, 1e11),
       plotOption(plot, "latencies, or of memory over the samples of --soak,"),
       // For the command itself, which starts its echo node so.
-      Option("--echo", echo, "COUNT", "be the echo node of this number of components").within(1, 500).hidden(),
-      outputs.table()};
+      Option("--echo", echo, "COUNT", "be the echo node of this number of components").within(1, 500).hidden()};
   return options.excludes({"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
                           {"--soak"});
 }
 
 int run(ros_interface::RosCommandLine& line, const Options& options) {
-  options.outputs.check({}, {{"--plot", options.plot, io::FileKind::figure}});
   return options.echo > 0 ? serveEcho(line, options.echo) : measure(line, options);
 }
 
@@ -136,6 +134,9 @@ int main(int argc, char** argv) {
       {"benchmark_latency",
        "Measures round trips through the node `simulate` against those through an empty echo node, in alternating runs "
        "with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of runs, with "
-       "quartiles in brackets; those of the echo node to itself show how much the machine alone changes such a ratio."},
+       "quartiles in brackets; those of the echo node to itself show how much the machine alone changes such a ratio.",
+       {{"One component", "--components 1 --pairs 11"},
+        {"With and without the live diagnosis", "--components 10 --diagnose --plot latency.svg"},
+        {"The node's memory over a million samples", "--soak 1000000"}}},
       options.table(), [&] { return run(line, options); });
 }

@@ -14,7 +14,7 @@
 #include "campaign/slurm.h"
 #include "campaign/status.h"
 #include "command_line/command.h"
-#include "command_line/output_options.h"
+#include "io/progress.h"
 #include "log/text.h"
 
 using namespace rubber_suspension;
@@ -36,7 +36,26 @@ struct Options {
   double shard_minutes = campaign::SlurmOptions().shard_minutes;
   std::string partition;
   bool dry_run = false;
-  OutputOptions outputs;
+
+  Files madeFiles() const {
+    Files files;
+    if (!output.empty()) {
+      files.outputs = {{"--output", campaign::manifestPath(output), io::FileKind::campaign_manifest}};
+    }
+    return files;
+  }
+
+  Files collectedFiles() const {
+    Files files;
+    if (task == "collect") {
+      files.inputs = {{"FOLDER", campaign::manifestPath(folder)}};
+      files.outputs = {{"FOLDER", campaign::tableCsvPath(folder), io::FileKind::campaign_csv},
+                       {"FOLDER", campaign::tableJsonPath(folder), io::FileKind::campaign_json},
+                       {"FOLDER", campaign::fleetJsonPath(folder), io::FileKind::fleet_json},
+                       {"FOLDER", campaign::fleetReportPath(folder), io::FileKind::fleet_report}};
+    }
+    return files;
+  }
 
   OptionTable table() {
     OptionTable options = {
@@ -46,25 +65,31 @@ struct Options {
                "collect: tables of the results and the fleet report")
             .required()
             .oneOf({"make", "run", "submit", "status", "collect"}),
-        Option("folder", folder, "", "folder of the campaign, for all but make"),
-        Option("--jobs", jobs, "FILE", "jobs file, for make"),
-        Option("--output", output, "FOLDER", "folder of the campaign to make"),
+        Option("folder", folder, "", "folder of the campaign, for all but make").standsFor([this] {
+          return collectedFiles();
+        }),
+        Option("--jobs", jobs, "FILE", "jobs file, for make").reads(),
+        Option("--output", output, "FOLDER", "folder of the campaign to make").standsFor([this] {
+          return madeFiles();
+        }),
         Option("--shard", shard, "I/N", "run every N-th job only, from the I-th on, such as 3/8; for run"),
         Option("--threads", threads, "COUNT",
                "jobs at a time, for run and in each element of submit; threads that check inputs, for make")
             .within(1, 1024),
         Option("--job-minutes", job_minutes, "MINUTES",
                "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
+            .rare()
             .within(0, 1000000),
-        Option("--retry-failed", retry_failed, "work failed jobs off again, for run"),
+        Option("--retry-failed", retry_failed, "work failed jobs off again, for run").rare(),
         Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").oneOf({"slurm"}),
         Option("--shard-minutes", shard_minutes, "MINUTES", "work of an element of the array, for submit")
+            .rare()
             .within(0.001, 10000),
         Option("--max-running", max_running, "COUNT", "elements that run at a time, for submit; all if absent")
+            .rare()
             .within(1, 1000000),
-        Option("--partition", partition, "NAME", "partition of the cluster, for submit; its default if absent"),
-        Option("--dry-run", dry_run, "print the array's script and submit nothing"),
-        outputs.table()};
+        Option("--partition", partition, "NAME", "partition of the cluster, for submit; its default if absent").rare(),
+        Option("--dry-run", dry_run, "print the array's script and submit nothing")};
     options.needs({"--jobs", "--output"}, {"task make"});
     options.needs({"--force"}, {"task make", "task collect"});
     options.needs({"--shard", "--retry-failed"}, {"task run"});
@@ -92,8 +117,6 @@ log::Log readLog(const std::string& path, const std::string& component, const lo
 void say(const std::string& line) { std::cerr << "campaign: " << log::oneLine(line) << '\n'; }
 
 int make(const Options& options) {
-  options.outputs.check({{"--jobs", options.jobs}},
-                        {{"--output", campaign::manifestPath(options.output), io::FileKind::campaign_manifest}});
   campaign::Expansion expansion;
   try {
     expansion = campaign::makeManifest(options.jobs, options.output, version(), options.threads, readLog);
@@ -163,18 +186,20 @@ int submit(const Options& options) {
 }
 
 int status(const Options& options) {
-  std::cout << campaign::toText(campaign::statusOf(campaign::readManifest(options.folder), options.folder));
+  const std::string text = [&] {
+    const io::Activity reading("reading the records of " + options.folder);
+    return campaign::toText(campaign::statusOf(campaign::readManifest(options.folder), options.folder));
+  }();
+  std::cout << text;
   return kSuccess;
 }
 
 int collect(const Options& options) {
-  options.outputs.check({{"FOLDER", campaign::manifestPath(options.folder)}},
-                        {{"FOLDER", campaign::tableCsvPath(options.folder), io::FileKind::campaign_csv},
-                         {"FOLDER", campaign::tableJsonPath(options.folder), io::FileKind::campaign_json},
-                         {"FOLDER", campaign::fleetJsonPath(options.folder), io::FileKind::fleet_json},
-                         {"FOLDER", campaign::fleetReportPath(options.folder), io::FileKind::fleet_report}});
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
-  const campaign::CollectSummary summary = campaign::collect(manifest, options.folder);
+  const campaign::CollectSummary summary = [&] {
+    const io::Activity collecting("reading the records of " + options.folder);
+    return campaign::collect(manifest, options.folder);
+  }();
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }
@@ -198,6 +223,9 @@ int main(int argc, char** argv) {
   return runCommand(argc, argv,
                     {"campaign",
                      "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on "
-                     "one machine, in shards on several, or as a job array of Slurm."},
+                     "one machine, in shards on several, or as a job array of Slurm.",
+                     {{"From a jobs file to a campaign", "make --jobs jobs.yaml --output campaign"},
+                      {"Work it off, 4 jobs at a time", "run campaign --threads 4"},
+                      {"Tables and the fleet report", "collect campaign"}}},
                     options.table(), [&] { return runTask(options); });
 }

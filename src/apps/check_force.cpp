@@ -5,7 +5,7 @@
 #include "apps/bench_client.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/force_check.h"
 #include "rubber_suspension/io/component_file.h"
@@ -28,33 +28,41 @@ struct Options {
   std::string report;
   std::string plot;
   bool text = false;
-  OutputOptions outputs;
 
   OptionTable table();
 };
+
+std::string reportPath(const Options& options) {
+  try {
+    return options.report.empty() ? "" : ros_interface::testReportPath(options.report);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
 
 OptionTable Options::table() {
   OptionTable options = {
       Option("--component", play.component, "NAME",
              "name of the component: its topics are NAME/displacement and NAME/force, below the node's namespace")
           .required(),
-      Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5 or .bag").required(),
+      Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5 or .bag").required().reads(),
       Option("--tolerance", tolerance, "RATIO",
              "largest gap that passes: RMS of the difference over the standard deviation of the reference")
           .required()
           .within(0, 1e9),
-      Option(
-          "--config", config, "FILE",
-          "component file whose force for this log is the reference; if absent, it is the force measured in the log"),
-      Option("--config-component", config_component, "NAME", "its name in that file, if different"),
+      Option("--config", config, "FILE",
+             "component file whose force for this log is the reference; if absent, it is the force measured in the log")
+          .reads(),
+      Option("--config-component", config_component, "NAME", "its name in that file, if different").rare(),
       Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").within(0, 1e9),
       playerTable(play, "bench"),
-      Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample"),
+      Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
       plotOption(plot, "forces over time and displacement, and of their difference,"),
-      Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest"),
-      Option("--text", text, "accepted without effect; set by rostest --text"),
-      log_options.table(),
-      outputs.table()};
+      Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
+        return Files{{}, {{"--gtest_output", reportPath(*this), io::FileKind::test_report}}};
+      }),
+      Option("--text", text, "accepted without effect; set by rostest --text").rare(),
+      log_options.table()};
   return options.needs({"--config-component"}, {"--config"});
 }
 
@@ -79,7 +87,7 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   line.initialise("check_force");
   ros::NodeHandle handle;
   noteOpenness("check_force");
-  ros_interface::LogPlayer player(handle, options.play);
+  ros_interface::LogPlayer player(handle, withNotes(options.play, "check_force"));
   player.connect();
   resetComponent(handle, options.reset);
   const ros_interface::PlayResult result = player.play(log);
@@ -101,26 +109,15 @@ Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options)
   }
 }
 
-std::string reportPath(const Options& options) {
-  try {
-    return options.report.empty() ? "" : ros_interface::testReportPath(options.report);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
-
 int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
-  options.outputs.check(
-      {{"--log", options.log}, {"--config", options.config}},
-      {{"--gtest_output", path, io::FileKind::test_report}, {"--plot", options.plot, io::FileKind::figure}});
   options.log_options.requireUse({options.log});
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {
     ros_interface::writeTestReport(path, "check_force", outcome.cases);
   }
   if (!options.plot.empty() && !outcome.figure.axes.empty()) {
-    io::drawFigure(outcome.figure, options.plot);
+    drawPlot(outcome.figure, options.plot);
   }
   int status = kSuccess;
   for (const ros_interface::TestCase& test : outcome.cases) {
@@ -143,6 +140,11 @@ int main(int argc, char** argv) {
       line.argc(), line.argv(),
       {"check_force",
        "Plays a log through a bench and passes if its forces agree with the force measured in the log, or "
-       "with that of a component file; a test node for rostest."},
+       "with that of a component file; a test node for rostest.",
+       {{"Against the force in the log", "--component bush --log log.csv --tolerance 0.05"},
+        {"Against a component file, to the last bit",
+         "--component bush --log log.csv --config component.yaml --tolerance 0"},
+        {"Without the first two seconds, with a picture",
+         "--component bush --log log.csv --tolerance 0.05 --skip 2 --plot forces.svg"}}},
       options.table(), [&] { return run(line, options); });
 }

@@ -2,7 +2,7 @@
 #include "bag/bag_log.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "io/progress.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
@@ -14,21 +14,21 @@ struct Options {
   std::string input;
   std::string output;
   LogOptions log_options;
-  OutputOptions outputs;
 
   OptionTable table() {
     return {Option("--component", component, "NAME", "name of the component").required(),
-            Option("--log", input, "FILE", "log to read: text (CSV), .mat or HDF5").required(),
-            Option("--output", output, "FILE", "bag to write").required(), log_options.table(), outputs.table()};
+            Option("--log", input, "FILE", "log to read: text (CSV), .mat or HDF5").required().reads(),
+            Option("--output", output, "FILE", "bag to write").required().writes(io::FileKind::bag),
+            log_options.table()};
   }
 };
 
 int convert(const Options& options) {
-  options.outputs.check({{"--log", options.input}}, {{"--output", options.output, io::FileKind::bag}});
   if (bag::isBagPath(options.input)) {
     throw UsageError("--log: " + options.input + " is a bag already; accepted: text (CSV), .mat or HDF5");
   }
   const log::Log log = options.log_options.read("csv_to_bag", options.input, options.component);
+  const io::Activity writing("writing " + options.output);
   bag::writeBagLog(options.output, options.component, log);
   std::cout << options.output << ": " << log.size() << " samples of " << options.component
             << (log.force.empty() ? ", displacement\n" : ", displacement and measured force\n");
@@ -39,9 +39,15 @@ int convert(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  return runCommand(argc, argv,
-                    {"csv_to_bag",
-                     "Writes a log as a bag with the topics <component>/displacement and "
-                     "<component>/measured_force."},
-                    options.table(), [&] { return convert(options); });
+  return runCommand(
+      argc, argv,
+      {"csv_to_bag",
+       "Writes a log as a bag with the topics <component>/displacement and "
+       "<component>/measured_force.",
+       {{"A log with a header", "--component bush --log log.csv --output run.bag"},
+        {"Columns without names, in mm and kN",
+         "--component bush --log raw.csv --columns time displacement force --unit mm,kN --output raw.bag"},
+        {"A log without times, at 2 kHz",
+         "--component bush --log untimed.csv --sampling-rate '2 kHz' --output untimed.bag"}}},
+      options.table(), [&] { return convert(options); });
 }

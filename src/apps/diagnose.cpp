@@ -15,13 +15,14 @@
 #include "command_line/command.h"
 #include "command_line/component_options.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
+#include "io/progress.h"
 #include "log/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/plan.h"
@@ -52,7 +53,6 @@ struct Options {
   std::uint64_t most_samples = diagnosis::kMostSamples;
   int threads = 2;
   LogOptions log_options;
-  OutputOptions outputs;
 
   OptionTable table();
 };
@@ -64,47 +64,91 @@ Quantity share(double& value, double least, double most) {
       fmt::format("a share of the force from {:g} to {:g} %, such as \"1 %\" or 0.01", 100.0 * least, 100.0 * most)};
 }
 
+io::FileKind kindOf(const std::string& name) {
+  if (name == "plan.json") {
+    return io::FileKind::plan_json;
+  }
+  if (name == "plan.html") {
+    return io::FileKind::plan_html;
+  }
+  if (name == "report.json" || name == "evidence.json") {
+    return io::FileKind::report_json;
+  }
+  const std::string extension = std::filesystem::path(name).extension().string();
+  if (extension == ".html") {
+    return io::FileKind::report_html;
+  }
+  if (extension == ".yaml") {
+    return io::FileKind::component_file;
+  }
+  if (name == "missing_force.csv") {
+    return io::FileKind::force_map_csv;
+  }
+  return name == "next_experiment.csv" ? io::FileKind::force_csv : io::FileKind::figure_csv;
+}
+
+// The files of the report, and those that stand beside it where the diagnosis has reason to write them.
+Files reportFiles(const Options& options) {
+  Files files;
+  for (const std::string& name : options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles()) {
+    files.outputs.push_back({"--output", (std::filesystem::path(options.output) / name).string(), kindOf(name)});
+  }
+  return files;
+}
+
 OptionTable Options::table() {
   OptionTable options = {
       component.table(),
       Option("--log", logs, "FILE",
-             "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag"),
+             "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
+          .reads(),
       Option("--plan", plan, "FILE",
              "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "
-             "which they would take for which, and the least size that they would show"),
+             "which they would take for which, and the least size that they would show")
+          .reads(),
       Option("--from-table", table_path, "FILE",
              "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, with mean "
-             "displacement and temperature where it has them"),
+             "displacement and temperature where it has them")
+          .reads(),
       Option("--uncertainty", uncertainty, "SHARE ANGLE",
              "with --from-table: standard deviation of its stiffness and of its loss angle, such as \"1 %\" "
              "\"0.5 deg\"; where not given, repeated rows tell, or what a smooth surface leaves")
+          .rare()
           .values(1, 2),
       Option("--effect-size", share(effect_size, 1e-4, 1.0), "SHARE",
              "with --plan: size of each effect, as a share of the force's standard deviation")
+          .rare()
           .defaultText("10 %"),
       Option("--noise", share(noise, 1e-6, 1.0), "SHARE",
              "with --plan: noise of the force to be measured, as such a share")
+          .rare()
           .defaultText("0.5 %"),
-      Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component"),
+      Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
+          .reads(),
       Option("--rig", rig, "KEY=VALUE",
              "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; see "
              "`rig:` of component files"),
       Option("--limits", limits, "KEY=VALUE",
              "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
-             "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached"),
-      Option("--output", output, "FOLDER", "folder of the report; made if missing").required(),
+             "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
+          .rare(),
+      Option("--output", output, "FOLDER", "folder of the report; made if missing").required().standsFor([this] {
+        return reportFiles(*this);
+      }),
       Option("--compare", compare, "FILE",
-             "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals"),
+             "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
+          .reads(),
       Option("--evidence", evidence,
-             "also write evidence.json: what every hypothesis leaves, of which the judgement is made"),
+             "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
+          .rare(),
       plotOption(plot, "loops, residuals and the gap over frequency, amplitude and time"),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
              "amplitudes")
+          .rare()
           .within(1000, 100000000),
       Option("--threads", threads, "COUNT", "number of threads").within(1, 64),
-      log_options.table(),
-      outputs.table()};
+      log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
   options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
                    {"--plan"});
@@ -192,63 +236,22 @@ void showStage(const std::string& stage, double fraction) {
   }
 }
 
-io::FileKind kindOf(const std::string& name) {
-  if (name == "plan.json") {
-    return io::FileKind::plan_json;
-  }
-  if (name == "plan.html") {
-    return io::FileKind::plan_html;
-  }
-  if (name == "report.json" || name == "evidence.json") {
-    return io::FileKind::report_json;
-  }
-  const std::string extension = std::filesystem::path(name).extension().string();
-  if (extension == ".html") {
-    return io::FileKind::report_html;
-  }
-  if (extension == ".yaml") {
-    return io::FileKind::component_file;
-  }
-  if (name == "missing_force.csv") {
-    return io::FileKind::force_map_csv;
-  }
-  return name == "next_experiment.csv" ? io::FileKind::force_csv : io::FileKind::figure_csv;
-}
-
 // Version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const Options& options) {
   std::vector<std::pair<std::string, std::string>> files = {{"--config", options.component.config}};
-  if (!options.compare.empty()) {
-    files.emplace_back("--compare", options.compare);
-  }
-  for (const std::string& path : options.logs) {
-    files.emplace_back("--log", path);
-  }
-  for (const std::string& path : options.plan) {
-    files.emplace_back("--plan", path);
-  }
-  if (!options.table_path.empty()) {
-    files.emplace_back("--from-table", options.table_path);
-  }
-  for (const std::string& path : options.hold_out) {
-    files.emplace_back("--hold-out", path);
-  }
+  const auto add = [&](const std::string& option, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+      if (!path.empty()) {
+        files.emplace_back(option, path);
+      }
+    }
+  };
+  add("--compare", {options.compare});
+  add("--log", options.logs);
+  add("--plan", options.plan);
+  add("--from-table", {options.table_path});
+  add("--hold-out", options.hold_out);
   return diagnosis::makeRunRecord(version(), options.command_line, files);
-}
-
-// The files of the report, and those that stand beside it where the diagnosis has reason to write them.
-void checkOutputs(const Options& options) {
-  std::vector<io::InputFile> inputs = {
-      {"--config", options.component.config}, {"--compare", options.compare}, {"--from-table", options.table_path}};
-  addInputs(inputs, "--log", options.logs);
-  addInputs(inputs, "--plan", options.plan);
-  addInputs(inputs, "--hold-out", options.hold_out);
-  const std::filesystem::path folder(options.output);
-  std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
-  for (const std::string& name : options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles()) {
-    outputs.push_back({"--output", (folder / name).string(), kindOf(name)});
-  }
-  options.outputs.check(inputs, outputs);
 }
 
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component) {
@@ -282,13 +285,15 @@ int runPlan(const Options& options) {
   settings.size = options.effect_size;
   settings.noise = options.noise;
   settings.threads = options.threads;
-  checkOutputs(options);
   options.log_options.requireUse(options.plan);
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
-  diagnosis::Plan plan = diagnosis::plan(component, readLogs(options.plan, component, options), settings);
+  const std::vector<log::Log> programmes = readLogs(options.plan, component, options);
+  std::optional<io::Activity> planning("finding what the programmes would show");
+  diagnosis::Plan plan = diagnosis::plan(component, programmes, settings);
   plan.run = runRecord(options);
   diagnosis::writePlan(plan, options.output);
+  planning.reset();
   fmt::print("{}plan: {}/plan.html\n", diagnosis::toText(plan.could_show), options.output);
   return kSuccess;
 }
@@ -343,7 +348,6 @@ std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
 
 int runTable(const Options& options) {
   const std::optional<double> uncertainty = uncertaintyOf(options.uncertainty);
-  checkOutputs(options);
   const io::FolderLock lock(options.output);
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
@@ -373,7 +377,6 @@ int run(const Options& options) {
         "with programmes of displacement");
   }
   const diagnosis::ExperimentLimits limits = limitsOf(options.limits);
-  checkOutputs(options);
   const io::FolderLock lock(options.output);
   std::vector<std::string> all_logs = options.logs;
   all_logs.insert(all_logs.end(), options.hold_out.begin(), options.hold_out.end());
@@ -414,6 +417,10 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap."},
+       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
+       {{"What a model lacks against two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
+        {"On a rig whose force sensor has a zero error of up to 50 N",
+         "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},
+        {"Which effects a programme would show", "--config component.yaml --plan programme.csv --output plan"}}},
       options.table(), [&] { return run(options); });
 }

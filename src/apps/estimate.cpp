@@ -11,9 +11,10 @@
 #include "command/measured_table.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "gap/odd_motion.h"
+#include "io/progress.h"
 #include "log/new_file.h"
 
 using namespace rubber_suspension;
@@ -35,7 +36,6 @@ struct Options {
   LogOptions log_options;
   fit::IdentificationOptions identification;
   std::string output;
-  OutputOptions outputs;
 
   OptionTable table();
 };
@@ -43,10 +43,11 @@ struct Options {
 // Each way to estimate takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--config", config, "FILE", "component file"),
+      Option("--config", config, "FILE", "component file").reads(),
       Option("--data-sheet", data_sheet, "FILE",
              "data sheet instead of --config: prints the component file that follows from it, from hardness and shape, "
-             "a dynamic-to-static ratio, or loss angles at two frequencies"),
+             "a dynamic-to-static ratio, or loss angles at two frequencies")
+          .reads(),
       Option("--component", component, "NAME", "name of one component; all if absent"),
       Option("--json", json, "print JSON, in SI units"),
       plotOption(plot, "stiffness and loss angle"),
@@ -56,24 +57,29 @@ OptionTable Options::table() {
       Option("--amplitudes", Quantity{&amplitude_range, "m"}, "METRES",
              "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
           .values(2, 2),
-      Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency at which the amplitude varies"),
+      Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency at which the amplitude varies").rare(),
       Option("--amplitude", Quantity{&sweeps.amplitude, "m"}, "METRES",
-             "amplitude at which the frequency varies, such as '2 mm'"),
+             "amplitude at which the frequency varies, such as '2 mm'")
+          .rare(),
       Option("--product", Quantity{&sweeps.product, "m Hz"}, "PRODUCT",
-             "constant product of amplitude and frequency, such as '8 mm Hz'"),
-      Option("--points", sweeps.points, "COUNT", "points of each range").within(2, 10000),
+             "constant product of amplitude and frequency, such as '8 mm Hz'")
+          .rare(),
+      Option("--points", sweeps.points, "COUNT", "points of each range").rare().within(2, 10000),
       Option("--from-log", logs, "FILE",
              "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several "
-             "times"),
+             "times")
+          .reads(),
       Option("--from-table", table_path, "FILE",
-             "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it"),
+             "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
+          .reads(),
       Option("--hold", identification.held, "ELEMENT.PARAMETER",
-             "parameter to keep fixed with --from-log, such as friction.displacement"),
-      Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").within(1, 1000),
+             "parameter to keep fixed with --from-log, such as friction.displacement")
+          .rare(),
+      Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").rare().within(1, 1000),
       Option("--output", output, "FILE",
-             "component file to write, with the parameters found by --from-log, --from-table or from --data-sheet"),
-      log_options.table(),
-      outputs.table()};
+             "component file to write, with the parameters found by --from-log, --from-table or from --data-sheet")
+          .writes(io::FileKind::component_file),
+      log_options.table()};
   options.oneOf({"--config", "--data-sheet"});
   options.excludes({"--component", "--json", "--plot", "--from-log", "--from-table"}, {"--data-sheet"});
   options.needs({"--hold", "--starts"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
@@ -102,14 +108,6 @@ command::SweepOptions sweepOptions(const Options& options) {
   return sweeps;
 }
 
-void checkFiles(const Options& options) {
-  std::vector<io::InputFile> inputs = {
-      {"--config", options.config}, {"--data-sheet", options.data_sheet}, {"--from-table", options.table_path}};
-  addInputs(inputs, "--from-log", options.logs);
-  options.outputs.check(inputs, {{"--output", options.output, io::FileKind::component_file},
-                                 {"--plot", options.plot, io::FileKind::figure}});
-}
-
 int convertDataSheet(const Options& options) {
   const std::string text = command::componentFileFromDataSheet(options.data_sheet);
   if (options.output.empty()) {
@@ -131,9 +129,12 @@ int identifyComponent(const Options& options) {
     warnOf("estimate", path, gap::oddMotion(logs.back(), description));
     warnOfTemperature("estimate", path, !logs.back().temperature.empty(), description);
   }
-  const fit::Identification result = command::identifyFromLogs(description, logs, options.identification);
+  const fit::Identification result = [&] {
+    const io::Activity searching("finding parameters");
+    return command::identifyFromLogs(description, logs, options.identification);
+  }();
   if (!options.plot.empty()) {
-    io::drawFigure(command::identificationFigure(description, result, logs), options.plot);
+    drawPlot(command::identificationFigure(description, result, logs), options.plot);
   }
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({command::identifiedComponent(description, result)}));
@@ -160,7 +161,10 @@ int fitToTable(const Options& options) {
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
   const fit::MeasuredTable table = command::readTable(options.table_path);
   command::requireNoShift(description, table, options.table_path);
-  const fit::TableFit result = fit::fitToTable(description, table.points);
+  const fit::TableFit result = [&] {
+    const io::Activity searching("finding parameters");
+    return fit::fitToTable(description, table.points);
+  }();
   if (!options.output.empty()) {
     log::writeNewFile(options.output, io::toYaml({result.component}));
   }
@@ -193,7 +197,7 @@ int estimateComponents(const Options& options) {
     reports.push_back(command::makeEstimateReport(component, sweeps));
   }
   if (!options.plot.empty()) {
-    io::drawFigure(command::toFigure(smoothReports(components, sweeps)), options.plot);
+    drawPlot(command::toFigure(smoothReports(components, sweeps)), options.plot);
   }
   if (options.json) {
     std::cout << command::toJson(reports);
@@ -209,7 +213,6 @@ int run(const Options& options) {
   if (!options.logs.empty()) {
     options.log_options.requireUse(options.logs);
   }
-  checkFiles(options);
   if (!options.data_sheet.empty()) {
     return convertDataSheet(options);
   }
@@ -227,6 +230,9 @@ int main(int argc, char** argv) {
                     {"estimate",
                      "Estimates the parameters of rubber components from their specifications, from measured logs or "
                      "tables or from data sheets, and prints them with stiffness and loss angle over frequency and "
-                     "amplitude."},
+                     "amplitude.",
+                     {{"From the specification", "--config component.yaml"},
+                      {"From a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
+                      {"A component file from a data sheet", "--data-sheet sheet.yaml --output bush.yaml"}}},
                     options.table(), [&] { return run(options); });
 }

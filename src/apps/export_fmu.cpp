@@ -3,7 +3,6 @@
 
 #include "command_line/command.h"
 #include "command_line/component_options.h"
-#include "command_line/output_options.h"
 #include "fmi/export.h"
 #include "log/new_file.h"
 
@@ -16,16 +15,14 @@ struct Options {
   ComponentOptions component;
   std::string output;
   int fmi = 2;
-  OutputOptions outputs;
 
   OptionTable table() {
-    return {component.table(), Option("--output", output, "FILE", "FMU to write").required(),
-            Option("--fmi", fmi, "VERSION", "version of the standard, 2 or 3").oneOf({"2", "3"}), outputs.table()};
+    return {component.table(), Option("--output", output, "FILE", "FMU to write").required().writes(io::FileKind::fmu),
+            Option("--fmi", fmi, "VERSION", "version of the standard, 2 or 3").oneOf({"2", "3"})};
   }
 };
 
 int run(const Options& options) {
-  options.outputs.check({{"--config", options.component.config}}, {{"--output", options.output, io::FileKind::fmu}});
   const io::ComponentDescription description = options.component.read("export_fmu");
   const fmi::Version version = options.fmi == 2 ? fmi::Version::fmi2 : fmi::Version::fmi3;
   const std::string fmu = fmi::makeFmu(description, version, fmi::installedParts());
@@ -42,6 +39,9 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"export_fmu",
-       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable."},
+       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable.",
+       {{"FMI 2.0", "--config component.yaml --output bush.fmu"},
+        {"FMI 3.0", "--config component.yaml --fmi 3 --output bush.fmu"},
+        {"One of several components", "--config example.yaml --component left_secondary --output left.fmu"}}},
       options.table(), [&] { return run(options); });
 }

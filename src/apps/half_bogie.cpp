@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 #include "apps/bench_client.h"
 #include "apps/topic_exchange.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
+#include "io/progress.h"
 #include "ros_interface/command_line.h"
 #include "vehicle/components.h"
 #include "vehicle/simulation.h"
@@ -32,7 +34,6 @@ struct Options {
   std::string reset;
   bool stability = false;
   LogOptions log_options;
-  OutputOptions outputs;
 
   OptionTable table();
 };
@@ -69,27 +70,28 @@ int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   scene.track = Track(track);
   scene.duration = scene.track.duration();
   scene.step = std::llround(1e9 * options.time_step);
+  std::optional<io::Activity> simulating("simulating the vehicle");
   const auto start = std::chrono::steady_clock::now();
   const History history = runLoop(line, options, scene, components);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const History reference = runVariableStep(scene, components, {});
-  std::cout << fmt::format("{} steps of {:g} ms in {:.3g} s\n", scene.steps(), 1e3 * options.time_step,
-                           elapsed.count());
-  std::cout << "displacements against variable steps without delay: "
-            << percentages(displacementDifference(history, reference)) << '\n';
+  std::string text = fmt::format(
+      "{} steps of {:g} ms in {:.3g} s\ndisplacements against variable steps without delay: {}\n", scene.steps(),
+      1e3 * options.time_step, elapsed.count(), percentages(displacementDifference(history, reference)));
   if (options.forces != "implicit") {
     const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadStruts(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
-    std::cout << fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
-                             percentages(displacementDifference(history, delayed)));
+    text += fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
+                        percentages(displacementDifference(history, delayed)));
   }
+  simulating.reset();
+  std::cout << text;
   if (!options.output.empty()) {
     writeHistoryCsv(options.output, history);
   }
   if (!options.plot.empty()) {
-    io::drawFigure(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step)),
-                   options.plot);
+    drawPlot(historyFigure(history, reference, fmt::format("loop at {:g} ms", 1e3 * options.time_step)), options.plot);
   }
   return kSuccess;
 }
@@ -121,19 +123,23 @@ int runStability(const Options& options) {
   const std::vector<component::Component> components = loadStruts(options.config);
   VehicleParameters parameters;
   parameters.speed = options.speed;
+  std::optional<io::Activity> searching("finding the largest stable step");
   const DelayMargin margin = delayMargin(parameters, components);
-  std::cout << fmt::format("delay margin {:.4g} ms, at {:.4g} Hz\n\n", 1e3 * margin.delay, margin.frequency);
-  std::cout
-      << "| answer used | mean delay | largest step by the delay margin [ms] | measured [ms] |\n|---|---|---|---|\n";
+  std::string text = fmt::format(
+      "delay margin {:.4g} ms, at {:.4g} Hz\n\n"
+      "| answer used | mean delay | largest step by the delay margin [ms] | measured [ms] |\n|---|---|---|---|\n",
+      1e3 * margin.delay, margin.frequency);
   for (int delay = 0; delay <= 2; ++delay) {
     const double theory = margin.delay / (delay + 0.5);
-    std::cout << fmt::format(
-        "| {} | {:.1f} steps | {:.3g} | {:.3g} |\n",
-        delay == 0 ? "of the same step" : fmt::format("of {} step{} before", delay, delay > 1 ? "s" : ""), delay + 0.5,
-        1e3 * theory, 1e3 * largestStableStep(parameters, components, delay, theory));
+    text +=
+        fmt::format("| {} | {:.1f} steps | {:.3g} | {:.3g} |\n",
+                    delay == 0 ? "of the same step" : fmt::format("of {} step{} before", delay, delay > 1 ? "s" : ""),
+                    delay + 0.5, 1e3 * theory, 1e3 * largestStableStep(parameters, components, delay, theory));
   }
+  searching.reset();
+  std::cout << text;
   if (!options.plot.empty()) {
-    io::drawFigure(stabilityFigure(parameters, components, margin.delay), options.plot);
+    drawPlot(stabilityFigure(parameters, components, margin.delay), options.plot);
   }
   return kSuccess;
 }
@@ -142,29 +148,29 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   if (!options.stability) {
     options.log_options.requireUse({options.track});
   }
-  options.outputs.check(
-      {{"--config", options.config}, {"--track", options.track}},
-      {{"--output", options.output, io::FileKind::vehicle_csv}, {"--plot", options.plot, io::FileKind::figure}});
   return options.stability ? runStability(options) : runTrack(line, options);
 }
 
 // Each way to run takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--config", config, "FILE", "component file with front_primary, rear_primary and secondary").required(),
-      Option("--track", track, "FILE", "log whose displacement is the height of the track under the front wheel"),
+      Option("--config", config, "FILE", "component file with front_primary, rear_primary and secondary")
+          .required()
+          .reads(),
+      Option("--track", track, "FILE", "log whose displacement is the height of the track under the front wheel")
+          .reads(),
       Option("--forces", forces, "NAME",
              "where the forces come from: library and topics at fixed steps, implicit with iterations")
           .oneOf({"library", "topics", "implicit"}),
       Option("--time-step", time_step, "SECONDS", "step of the loop").within(1e-6, 0.1),
       Option("--delay", delay, "COUNT", "steps that pass before a force acts; 0 waits for each answer").within(0, 100),
-      Option("--speed", speed, "M/S", "speed of the vehicle").within(0.1, 1000),
-      Option("--output", output, "FILE", "CSV to write: positions, displacements and forces"),
+      Option("--speed", speed, "M/S", "speed of the vehicle").rare().within(0.1, 1000),
+      Option("--output", output, "FILE", "CSV to write: positions, displacements and forces")
+          .writes(io::FileKind::vehicle_csv),
       plotOption(plot, "displacements over time, or of growth over the step,"),
-      Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset"),
+      Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset").rare(),
       Option("--stability", stability, "print the largest stable step of a loop instead of running"),
-      log_options.table(),
-      outputs.table()};
+      log_options.table()};
   options.oneOf({"--track", "--stability"});
   options.excludes({"--forces", "--time-step", "--delay", "--output", "--reset"}, {"--stability"});
   options.excludes(LogOptions::names(), {"--stability"});
@@ -179,6 +185,10 @@ int main(int argc, char** argv) {
   return runCommand(line.argc(), line.argv(),
                     {"half_bogie",
                      "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
-                     "topics, from the node."},
+                     "topics, from the node.",
+                     {{"The largest stable step", "--config half_bogie.yaml --stability"},
+                      {"Over a track", "--config half_bogie.yaml --track track.csv --plot vehicle.svg"},
+                      {"With forces from the node, a step late",
+                       "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"}}},
                     options.table(), [&] { return run(line, options); });
 }

@@ -8,7 +8,7 @@
 #include "apps/bench_client.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "gap/odd_motion.h"
 #include "ros_interface/bench_player.h"
@@ -36,7 +36,6 @@ struct Options {
   std::uint64_t passes = 1;
   std::uint64_t step = 0;
   bool paused = false;
-  OutputOptions outputs;
 
   OptionTable table();
   OptionTable recordTable();
@@ -44,9 +43,11 @@ struct Options {
 
 OptionTable Options::recordTable() {
   return {
-      Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N"),
-      Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force"),
-      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap"),
+      Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N")
+          .writes(io::FileKind::force_csv),
+      Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
+          .writes(io::FileKind::gap_csv),
+      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap").writes(io::FileKind::bag),
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
              "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
@@ -59,21 +60,24 @@ OptionTable Options::table() {
       Option("--component", components, "NAME", "names of the components, one or several").required(),
       Option("--log", logs, "FILE",
              "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
-          .required(),
+          .required()
+          .reads(),
       log_options.table(),
       recordTable(),
       playerTable(play, "node"),
       Option("--loop", passes, "COUNT",
              "times to play the logs, 0: until interrupted; time continues and the component keeps its state"),
       Option("--step", step, "COUNT",
-             "step by step: samples of each component per call of the service ~step; ~pause with false resumes"),
-      Option("--paused", paused, "start paused, until the service ~pause is called with false"),
+             "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
+          .rare(),
+      Option("--paused", paused, "start paused, until the service ~pause is called with false").rare(),
       Option("--listeners", play.listeners, "COUNT",
              "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+          .rare()
           .within(0, 100),
       Option("--reset", reset, "SERVICE",
-             "service that resets the component before the first sample, such as /simulate/reset"),
-      outputs.table()};
+             "service that resets the component before the first sample, such as /simulate/reset")
+          .rare()};
   return options.excludes({"--paused"}, {"--step"});
 }
 
@@ -113,23 +117,7 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// Before anything is read.
-void checkFiles(const Options& options) {
-  std::vector<io::InputFile> inputs;
-  addInputs(inputs, "--log", options.logs);
-  const std::vector<io::OutputFile> outputs = {{"--output", options.output, io::FileKind::force_csv},
-                                               {"--gap", options.gap_output, io::FileKind::gap_csv},
-                                               {"--bag", options.bag, io::FileKind::bag},
-                                               {"--plot", options.plot, io::FileKind::figure}};
-  if (options.folder.empty()) {
-    options.outputs.check(inputs, outputs);
-  } else {
-    options.outputs.checkBesideFolder(inputs, outputs);
-  }
-  options.log_options.requireUse(options.logs);
-}
-
-// What --output and its like name may lie in the folder, too.
+// What --output and its like name may lie in the folder, too; the folder itself is new.
 void checkRecords(const Options& options) {
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
   for (const std::string& component : options.components) {
@@ -138,7 +126,7 @@ void checkRecords(const Options& options) {
     outputs.push_back({"gap", paths.gaps, io::FileKind::gap_csv});
     outputs.push_back({"bag", paths.bag, io::FileKind::bag});
   }
-  options.outputs.check({}, outputs);
+  io::checkOutputs({}, outputs, true);
 }
 
 std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
@@ -192,7 +180,7 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
 
 int playAll(ros_interface::RosCommandLine& line, Options& options) {
   checkCounts(options);
-  checkFiles(options);
+  options.log_options.requireUse(options.logs);
   makeFolder(options);
   checkRecords(options);
   std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
@@ -202,9 +190,8 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   ros_interface::PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);
   const ros_interface::PlayControlServices services(ros::NodeHandle("~"), control);
   options.play.control = &control;
-  options.play.notify = [](const std::string& text) { std::cerr << "play_log: note: " << text << '\n'; };
   const log::Log first_log = tracks.front().log;
-  ros_interface::BenchPlayer player(handle, options.play, std::move(tracks));
+  ros_interface::BenchPlayer player(handle, withNotes(options.play, "play_log"), std::move(tracks));
   player.connect();
   resetComponent(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
@@ -214,7 +201,7 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   if (!options.plot.empty() && !counts.front().complete) {
     printNote("play_log", options.plot + " is not drawn: the log was not played to its end");
   } else if (!options.plot.empty()) {
-    io::drawFigure(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
+    drawPlot(gap::replayFigure(options.components.front(), first_log, player.lastForces(0)), options.plot);
   }
   return report(counts, options.passes == 0);
 }
@@ -224,9 +211,13 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
   Options options;
-  return runCommand(line.argc(), line.argv(),
-                    {"play_log",
-                     "Plays logs through a running node and records the forces. The node answers on <component>/force; "
-                     "see launch/replay.launch and launch/bench.launch."},
-                    options.table(), [&] { return playAll(line, options); });
+  return runCommand(
+      line.argc(), line.argv(),
+      {"play_log",
+       "Plays logs through a running node and records the forces. The node answers on <component>/force; "
+       "see launch/replay.launch and launch/bench.launch.",
+       {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
+        {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
+        {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},
+      options.table(), [&] { return playAll(line, options); });
 }

@@ -32,9 +32,9 @@ std::vector<std::string> commandNames() {
 using command::HelpPage;
 
 HelpPage helpPage(const std::string& command) {
-  const auto help = ros_interface::outputOf(command, "--help");
+  const auto help = ros_interface::outputOf(command, "--help-all");
   if (help.status != 0) {
-    throw std::runtime_error(fmt::format("{} --help: exit status {}", command, help.status));
+    throw std::runtime_error(fmt::format("{} --help-all: exit status {}", command, help.status));
   }
   return command::parseHelp(command, help.text);
 }
@@ -101,6 +101,9 @@ int main(int argc, char** argv) {
        "Prints a reference page: in Markdown that of the component file, the node, the effects or the commands; the "
        "list of the commands; completion of rubber-suspension for bash; in roff the man page of rubber-suspension or "
        "of "
-       "a command."},
+       "a command.",
+       {{"The page of the component file", "parameters > parameters.md"},
+        {"A man page", "man replay | man -l -"},
+        {"Completion for this shell", "completion > completion.bash && source completion.bash"}}},
       options.table(), [&] { return print(options); });
 }

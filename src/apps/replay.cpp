@@ -6,9 +6,10 @@
 #include "command_line/command.h"
 #include "command_line/component_options.h"
 #include "command_line/log_options.h"
-#include "command_line/output_options.h"
+#include "command_line/plot_option.h"
 #include "command_line/warnings.h"
 #include "gap/odd_motion.h"
+#include "io/progress.h"
 
 namespace {
 
@@ -21,31 +22,30 @@ struct Options {
   std::string output;
   std::string plot;
   LogOptions log_options;
-  OutputOptions outputs;
 
   OptionTable table() {
     return {component.table(),
-            Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required(),
-            Option("--output", output, "FILE", "CSV to write: time_s,displacement_m,force_N").required(),
-            plotOption(plot, "forces over time and displacement"),
-            log_options.table(),
-            outputs.table()};
+            Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required().reads(),
+            Option("--output", output, "FILE", "CSV to write: time_s,displacement_m,force_N")
+                .required()
+                .writes(io::FileKind::force_csv),
+            plotOption(plot, "forces over time and displacement"), log_options.table()};
   }
 };
 
 int run(const Options& options) {
-  options.outputs.check(
-      {{"--config", options.component.config}, {"--log", options.log}},
-      {{"--output", options.output, io::FileKind::force_csv}, {"--plot", options.plot, io::FileKind::figure}});
   options.log_options.requireUse({options.log});
   const io::ComponentDescription description = options.component.read("replay");
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
-  log::writeForceCsv(options.output, log, result.force);
+  {
+    const io::Activity writing("writing " + options.output);
+    log::writeForceCsv(options.output, log, result.force);
+  }
   if (!options.plot.empty()) {
-    io::drawFigure(gap::replayFigure(description.name, log, result.force), options.plot);
+    drawPlot(gap::replayFigure(description.name, log, result.force), options.plot);
   }
   if (result.bridged > 0) {
     printNote("replay",
@@ -60,6 +60,12 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   return runCommand(
-      argc, argv, {"replay", "Simulates a component on a recorded log: the same forces as the node, to the last bit."},
+      argc, argv,
+      {"replay",
+       "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
+       {{"The force of a log", "--config component.yaml --log log.csv --output force.csv"},
+        {"The same as a picture", "--config component.yaml --log log.csv --output force.csv --plot force.svg"},
+        {"Columns without names, in mm and kN",
+         "--config component.yaml --log raw.csv --columns time displacement force --unit mm,kN --output force.csv"}}},
       options.table(), [&] { return run(options); });
 }

@@ -41,6 +41,9 @@ int main(int argc, char** argv) {
       line.argc(), line.argv(),
       {"simulate",
        "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
-           ros_interface::describeNodeSettings()},
+           ros_interface::describeNodeSettings(),
+       {{"The components of a file", "_config_file:=component.yaml"},
+        {"With two threads and short time gaps", "_config_file:=component.yaml _threads:=2 _max_gap:=0.1"},
+        {"Below a namespace", "__ns:=bench _config_file:=component.yaml"}}},
       {}, [&] { return serve(line); });
 }

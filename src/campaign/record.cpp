@@ -18,10 +18,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* const kSchema = "rubber_suspension/job_record/1";
+const char* const kRecordSchema = "rubber_suspension/job_record/1";
 
 ordered_json recordJson(const Record& record) {
-  return {{"schema", kSchema},           {"id", record.id},
+  return {{"schema", kRecordSchema},     {"id", record.id},
           {"version", record.version},   {"status", record.failed() ? "failed" : "done"},
           {"error", record.error},       {"values", record.values},
           {"evidence", record.evidence}, {"files", record.files},

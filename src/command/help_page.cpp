@@ -1,4 +1,4 @@
-// From the text of --help to pages and completion.
+// From the text of --help-all to pages and completion.
 #include "command/help_page.h"
 
 #include <fmt/format.h>
@@ -125,7 +125,7 @@ std::string commandNames(const std::vector<HelpPage>& pages) {
 
 // The body of the function; a command that is not in the tables, as the Python scripts, is asked itself.
 constexpr const char* kCompletion =
-    R"bash(    *) options=$("${COMP_WORDS[0]}" "$command" --help 2>/dev/null | grep -oE -- '--[a-z][a-z-]*' | sort -u) ;;
+    R"bash(    *) options=$("${COMP_WORDS[@]:0:2}" --help 2>/dev/null | grep -oE -- '--[a-z][a-z-]*' | sort -u) ;;
   esac
   # An option may have several values: the one that the word belongs to is the last before it.
   local i option=
@@ -149,6 +149,21 @@ constexpr const char* kCompletion =
   fi
 }
 complete -F _rubber_suspension rubber-suspension
+
+# rosrun rubber_suspension COMMAND as rubber-suspension COMMAND; all else as rosbash has it, which bash may not have loaded.
+_rubber_suspension_rosrun() {
+  if [ "$COMP_CWORD" -gt 2 ] && [ "${COMP_WORDS[1]}" = rubber_suspension ]; then
+    local COMP_WORDS=(rubber-suspension "${COMP_WORDS[@]:2}") COMP_CWORD=$((COMP_CWORD - 1))
+    _rubber_suspension
+  else
+    if ! declare -F _roscomplete_exe >/dev/null && [ -r /usr/share/bash-completion/completions/rosrun ]; then
+      . /usr/share/bash-completion/completions/rosrun
+      complete -F _rubber_suspension_rosrun rosrun
+    fi
+    ! declare -F _roscomplete_exe >/dev/null || _roscomplete_exe
+  fi
+}
+complete -F _rubber_suspension_rosrun rosrun
 )bash";
 
 }  // namespace
@@ -170,8 +185,13 @@ HelpPage parseHelp(const std::string& command, const std::string& text) {
   page.command = command;
   const std::string usage = fmt::format("Usage: {}", command);
   bool described = false;
+  bool in_examples = false;
   for (const std::string& line : linesOf(text)) {
-    if (startsWith(line, usage)) {
+    if (in_examples) {
+      page.examples.push_back(line);
+    } else if (described && line == "Examples:") {
+      in_examples = true;
+    } else if (startsWith(line, usage)) {
       described = true;
       page.usage = log::trimmed(line.substr(usage.size()));
     } else if (!described) {
@@ -213,6 +233,9 @@ std::string manPage(const HelpPage& page, const std::string& version) {
   text += ".SH DESCRIPTION\n" + descriptionInRoff(page.description) + ".SH OPTIONS\n";
   for (const HelpOption& option : page.options) {
     text += optionInRoff(option);
+  }
+  if (!page.examples.empty()) {
+    text += ".SH EXAMPLES\n" + descriptionInRoff(page.examples);
   }
   return text + kExitStatus + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", roff(kProgram));
 }

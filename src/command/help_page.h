@@ -1,4 +1,4 @@
-// What a command prints with --help, taken apart again: the one table behind man pages, completion and the list of
+// What a command prints with --help-all, taken apart again: the one table behind man pages, completion and the list of
 // commands.
 #pragma once
 
@@ -18,12 +18,13 @@ struct HelpPage {
   std::vector<std::string> description;  ///< its lines; those that begin with blanks are laid out
   std::string usage;                     ///< behind the command's name
   std::vector<HelpOption> options;       ///< arguments first
+  std::vector<std::string> examples;     ///< their lines, laid out
 
   /// The first sentence of the description.
   std::string firstSentence() const;
 };
 
-/// Take apart what a command prints with --help (command_line/help.h).
+/// Take apart what a command prints with --help-all (command_line/help.h).
 HelpPage parseHelp(const std::string& command, const std::string& text);
 
 /// The commands with their first sentences, for a terminal.
@@ -35,7 +36,8 @@ std::string manPage(const HelpPage& page, const std::string& version);
 /// The page rubber-suspension(1): the command that has all others as subcommands.
 std::string manPageOfAll(const std::vector<HelpPage>& pages, const std::string& version);
 
-/// Completion of rubber-suspension for bash: commands, their options, files, folders, and components of the file given.
+/// Completion of rubber-suspension for bash, and of rosrun for this package: commands, their options, files, folders, and
+/// components of the file given.
 std::string bashCompletion(const std::vector<HelpPage>& pages);
 
 }  // namespace rubber_suspension::command

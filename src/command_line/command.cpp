@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command_line/parse.h"
@@ -24,17 +25,60 @@ std::string unitForRange(const std::string& text, const Quantity& quantity) {
   return in_any_unit && !written.empty() ? written : quantity.unit;
 }
 
-int runAsked(int argc, char** argv, const Command& command, const OptionTable& table,
-             const std::function<int()>& body) {
-  const std::string help = helpText(command, table);  // before the defaults are overwritten
+std::vector<std::string> pathsOf(const Option& option) {
+  if (const auto* const* several = std::get_if<std::vector<std::string>*>(&option.target)) {
+    return **several;
+  }
+  return {*std::get<std::string*>(option.target)};
+}
+
+bool writes(const Option& option) { return option.kind || option.files; }
+
+bool isGiven(const io::OutputFile& output) { return !output.path.empty(); }
+
+// Before anything is read.
+void checkFiles(const OptionTable& table, bool force) {
+  Files all;
+  for (const Option& option : table.options()) {
+    const Files more = option.files ? option.files() : Files();
+    all.inputs.insert(all.inputs.end(), more.inputs.begin(), more.inputs.end());
+    all.outputs.insert(all.outputs.end(), more.outputs.begin(), more.outputs.end());
+    for (const std::string& path : option.is_input || option.kind ? pathsOf(option) : std::vector<std::string>()) {
+      if (option.is_input) {
+        all.inputs.push_back({option.name, path});
+      } else {
+        all.outputs.push_back({option.name, path, *option.kind});
+      }
+    }
+  }
+  if (force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven)) {
+    throw UsageError("--force has no effect without a file to write; accepted: without it");
+  }
+  io::checkOutputs(all.inputs, all.outputs, force);
+}
+
+int runAsked(int argc, char** argv, const Command& command, const OptionTable& own, const std::function<int()>& body) {
+  bool force = false;
+  OptionTable table = own;
+  if (std::any_of(own.options().begin(), own.options().end(), writes)) {
+    table = {own,
+             Option("--force", force, "replace an existing file of another kind than the command writes, too").rare()};
+  }
+  // Before the defaults are overwritten.
+  const std::string help = helpText(command, table, HelpSize::screen);
+  const std::string all = helpText(command, table, HelpSize::all);
   switch (parse(argc, argv, command, table)) {
     case Request::help:
       std::cout << help;
+      return kSuccess;
+    case Request::help_all:
+      std::cout << all;
       return kSuccess;
     case Request::version:
       std::cout << command.name << " " << version() << '\n';
       return kSuccess;
     case Request::run:
+      checkFiles(table, force);
       return body();
   }
   return kFailed;

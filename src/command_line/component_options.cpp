@@ -6,7 +6,7 @@
 namespace rubber_suspension::command_line {
 
 OptionTable ComponentOptions::table() {
-  return {Option("--config", config, "FILE", "component file").required(),
+  return {Option("--config", config, "FILE", "component file").required().reads(),
           Option("--component", component, "NAME", "name of the component; may be left out where there is one")};
 }
 

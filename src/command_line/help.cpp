@@ -101,12 +101,48 @@ std::string row(const std::string& name, const std::string& text) {
   return line + wrapped(text, kIndent) + "\n";
 }
 
-std::string rows(const OptionTable& table, bool arguments) {
+std::string rows(const OptionTable& table, bool arguments, HelpSize size) {
   std::string text;
   for (const Option& option : table.options()) {
-    if (option.isArgument() == arguments && !option.is_hidden) {
-      text += row(option.name + placeholderOf(option), option.help + limitsOf(option));
+    if (option.isArgument() == arguments && !option.is_hidden && (size == HelpSize::all || !option.is_rare)) {
+      const std::string help = size == HelpSize::all ? option.help : option.help.substr(0, option.help.find("; "));
+      text += row(option.name + placeholderOf(option), help + limitsOf(option));
     }
+  }
+  return text;
+}
+
+// The names of what --help leaves out.
+std::string rareOnes(const OptionTable& table) {
+  std::string names;
+  for (const Option& option : table.options()) {
+    if (option.is_rare && !option.is_hidden) {
+      names += (names.empty() ? "" : ", ") + option.name;
+    }
+  }
+  return names;
+}
+
+// A call that is too long for a line continues behind a backslash.
+std::string callText(const std::string& call) {
+  std::string text;
+  std::istringstream words(call);
+  std::string line = " ";
+  for (std::string word; words >> word;) {
+    if (line.size() + word.size() + 3 > kWidth && word[0] == '-') {
+      text += line + " \\\n";
+      line = "     ";
+    }
+    line += " " + word;
+  }
+  return text + line + "\n";
+}
+
+std::string examplesOf(const Command& command) {
+  std::string text = command.examples.empty() ? "" : "\nExamples:\n";
+  for (const Example& example : command.examples) {
+    text += "  # " + example.purpose + "\n" +
+            callText("rosrun rubber_suspension " + command.name + " " + example.arguments);
   }
   return text;
 }
@@ -129,14 +165,22 @@ std::string numberText(double number) {
                                                                      : fmt::format("{:g}", number);
 }
 
-std::string helpText(const Command& command, const OptionTable& table) {
-  std::string text = wrapped(command.description, 0) + "\n" + usage(command, table) + "\n\n";
-  const std::string arguments = rows(table, true);
+std::string helpText(const Command& command, const OptionTable& table, HelpSize size) {
+  const std::string& all = command.description;
+  const std::string description = size == HelpSize::all ? all : all.substr(0, all.find("\n\n"));
+  std::string text = wrapped(description, 0) + "\n" + usage(command, table) + "\n\n";
+  const std::string arguments = rows(table, true, size);
   if (!arguments.empty()) {
     text += "Positionals:\n" + arguments + "\n";
   }
-  return text + "Options:\n" + row("-h,--help", "Print this help message and exit") +
-         row("--version", "Print the version and exit") + rows(table, false);
+  text += "Options:\n" + row("-h,--help", "Print the common options and exit") +
+          row("--help-all", "Print all options and exit") + row("--version", "Print the version and exit") +
+          rows(table, false, size);
+  const std::string rare = rareOnes(table);
+  if (size == HelpSize::screen && !rare.empty()) {
+    text += "  " + wrapped("With --help-all: " + rare, 2) + "\n";
+  }
+  return text + examplesOf(command);
 }
 
 }  // namespace rubber_suspension::command_line

@@ -8,15 +8,29 @@
 
 namespace rubber_suspension::command_line {
 
+/// A call that works as printed, in the folder of the package where it names files of config/.
+struct Example {
+  std::string purpose;    ///< as "A log without a header"
+  std::string arguments;  ///< behind the name of the command
+};
+
 /// What a command is called and does.
 struct Command {
   std::string name;
-  std::string description;  ///< begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are
+  /// Begins with a sentence "Simulates ..."; lines that begin with blanks stay as they are. What follows the first
+  /// empty line is for --help-all.
+  std::string description;
+  std::vector<Example> examples = {};
+};
+
+enum class HelpSize {
+  screen,  ///< --help: the common options, each as far as the first semicolon of its help
+  all,     ///< --help-all
 };
 
 /// Lines of a terminal's width: description, usage, arguments and options, the range and default of a value behind its
-/// meaning.
-std::string helpText(const Command& command, const OptionTable& table);
+/// meaning, examples.
+std::string helpText(const Command& command, const OptionTable& table, HelpSize size);
 
 /// How many decimal places a number of a help or an error takes: 100000 and 0.01, not 1e+05.
 std::string numberText(double number);

@@ -8,6 +8,7 @@
 
 #include "bag/bag_log.h"
 #include "command_line/command.h"
+#include "io/progress.h"
 
 namespace rubber_suspension::command_line {
 
@@ -15,10 +16,13 @@ OptionTable LogOptions::table() {
   return {
       Option("--columns", columns_, "QUANTITY=NAME",
              "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
-             "temperature=NAME, where NAME may be a number from 1; or the words alone, in the order of the columns"),
+             "temperature=NAME, where NAME may be a number from 1; or the words alone, in the order of the columns")
+          .rare(),
       Option("--unit", unit_, "LENGTH,FORCE,TIME",
-             "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms"),
-      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ", "sampling rate of a log without a time column")};
+             "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms")
+          .rare(),
+      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ", "sampling rate of a log without a time column")
+          .rare()};
 }
 
 const std::vector<std::string>& LogOptions::names() {
@@ -34,7 +38,11 @@ void LogOptions::requireUse(const std::vector<std::string>& paths) const {
 }
 
 log::Log LogOptions::read(const std::string& command, const std::string& path, const std::string& component) const {
-  log::Log log = readSilently(path, component);
+  log::Log log;
+  {
+    const io::Activity reading("reading " + path);
+    log = readSilently(path, component);
+  }
   printNotes(command, path, log.notes);
   return log;
 }

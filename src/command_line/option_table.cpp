@@ -23,42 +23,6 @@ Option::Option(std::string name_, Target target_, std::string placeholder_, std:
       help(std::move(help_)),
       most_values(takesSeveral(target) ? kAny : 1) {}
 
-Option& Option::required() {
-  is_required = true;
-  return *this;
-}
-
-Option& Option::hidden() {
-  is_hidden = true;
-  return *this;
-}
-
-Option& Option::within(double lowest, double highest) {
-  bounds = {lowest, highest};
-  return *this;
-}
-
-Option& Option::oneOf(std::vector<std::string> all) {
-  words = std::move(all);
-  return *this;
-}
-
-Option& Option::values(int least, int most) {
-  least_values = least;
-  most_values = most;
-  return *this;
-}
-
-Option& Option::defaultText(std::string text) {
-  default_text = std::move(text);
-  return *this;
-}
-
-Option& Option::checkedBy(std::function<std::string(const std::string&)> check) {
-  problem = std::move(check);
-  return *this;
-}
-
 OptionTable::OptionTable(std::initializer_list<OptionTable> parts) {
   for (const OptionTable& part : parts) {
     options_.insert(options_.end(), part.options_.begin(), part.options_.end());
@@ -66,18 +30,8 @@ OptionTable::OptionTable(std::initializer_list<OptionTable> parts) {
   }
 }
 
-OptionTable& OptionTable::needs(std::vector<std::string> options, std::vector<std::string> conditions) {
-  rules_.push_back({Rule::Kind::needs, std::move(options), std::move(conditions)});
-  return *this;
-}
-
-OptionTable& OptionTable::excludes(std::vector<std::string> options, std::vector<std::string> conditions) {
-  rules_.push_back({Rule::Kind::excludes, std::move(options), std::move(conditions)});
-  return *this;
-}
-
-OptionTable& OptionTable::oneOf(std::vector<std::string> options) {
-  rules_.push_back({Rule::Kind::one_of, std::move(options), {}});
+OptionTable& OptionTable::add(Rule rule) {
+  rules_.push_back(std::move(rule));
   return *this;
 }
 

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/output_files.h"
 #include "rubber_suspension/element/parameter.h"
 
 namespace rubber_suspension::command_line {
@@ -28,8 +29,16 @@ struct Quantity {
 using Target = std::variant<bool*, std::string*, std::vector<std::string>*, double*, int*, std::vector<int>*,
                             std::uint64_t*, Quantity>;
 
+/// What a command reads and writes besides the files that its options name, such as those in a folder.
+struct Files {
+  std::vector<io::InputFile> inputs;
+  std::vector<io::OutputFile> outputs;
+};
+
 /// One row of the table. A name without dashes is an argument, told by its place.
 struct Option {
+  static constexpr int kAny = std::numeric_limits<int>::max();
+
   /// A flag.
   Option(std::string name, bool& given, std::string help);
 
@@ -40,23 +49,36 @@ struct Option {
       : Option(std::move(name_), Target(&target_), std::move(placeholder_), std::move(help_)) {}
   Option(std::string name, Target target, std::string placeholder, std::string help);
 
-  Option& required();
-  Option& hidden();  ///< accepted, and not in any help
+  Option& required() { return is_required = true, *this; }
+
+  /// Left out of --help, which is one screen; in --help-all.
+  Option& rare() { return is_rare = true, *this; }
+
+  /// Accepted, and not in any help.
+  Option& hidden() { return is_hidden = true, *this; }
 
   /// A number from `lowest` to `highest`.
-  Option& within(double lowest, double highest);
+  Option& within(double lowest, double highest) { return bounds = {lowest, highest}, *this; }
 
   /// One of these words.
-  Option& oneOf(std::vector<std::string> words);
+  Option& oneOf(std::vector<std::string> all) { return words = std::move(all), *this; }
 
   /// So many values; a list takes any number by itself.
-  Option& values(int least, int most);
+  Option& values(int least, int most) { return least_values = least, most_values = most, *this; }
 
   /// Default of a quantity, as a user would write it.
-  Option& defaultText(std::string text);
+  Option& defaultText(std::string text) { return default_text = std::move(text), *this; }
 
   /// What is wrong with a value of this text, empty where nothing is.
-  Option& checkedBy(std::function<std::string(const std::string&)> problem);
+  Option& checkedBy(std::function<std::string(const std::string&)> check) { return problem = std::move(check), *this; }
+
+  /// A file, or several. No file is written that is also read, nor, without --force, one that is of another kind:
+  /// checked before the command does anything. A command that writes has the option --force.
+  Option& reads() { return is_input = true, *this; }
+  Option& writes(io::FileKind written) { return kind = written, *this; }
+
+  /// A folder, or the like, with the files that it stands for; asked once all options are read.
+  Option& standsFor(std::function<Files()> all) { return files = std::move(all), *this; }
 
   bool isArgument() const { return name.compare(0, 1, "-") != 0; }
   bool isFlag() const { return std::holds_alternative<bool*>(target); }
@@ -66,14 +88,17 @@ struct Option {
   std::string placeholder;
   std::string help;
   bool is_required = false;
+  bool is_rare = false;
   bool is_hidden = false;
   std::optional<std::pair<double, double>> bounds;
   std::vector<std::string> words;
-  static constexpr int kAny = std::numeric_limits<int>::max();
   int least_values = 1;
   int most_values = 1;       ///< kAny by itself for a list
   std::string default_text;  ///< empty: none to be shown
   std::function<std::string(const std::string&)> problem;
+  bool is_input = false;
+  std::optional<io::FileKind> kind;
+  std::function<Files()> files;
 };
 
 /// Which options go with which. A condition is an option that is given, as "--plan", or an option and its value, as
@@ -95,14 +120,20 @@ class OptionTable {
   OptionTable(Option option) : options_{std::move(option)} {}  // NOLINT: a row is a table
   OptionTable(std::initializer_list<OptionTable> parts);
 
-  OptionTable& needs(std::vector<std::string> options, std::vector<std::string> conditions);
-  OptionTable& excludes(std::vector<std::string> options, std::vector<std::string> conditions);
-  OptionTable& oneOf(std::vector<std::string> options);
+  OptionTable& needs(std::vector<std::string> options, std::vector<std::string> conditions) {
+    return add({Rule::Kind::needs, std::move(options), std::move(conditions)});
+  }
+  OptionTable& excludes(std::vector<std::string> options, std::vector<std::string> conditions) {
+    return add({Rule::Kind::excludes, std::move(options), std::move(conditions)});
+  }
+  OptionTable& oneOf(std::vector<std::string> options) { return add({Rule::Kind::one_of, std::move(options), {}}); }
 
   const std::vector<Option>& options() const { return options_; }
   const std::vector<Rule>& rules() const { return rules_; }
 
  private:
+  OptionTable& add(Rule rule);
+
   std::vector<Option> options_;
   std::vector<Rule> rules_;
 };

@@ -44,6 +44,7 @@ class Parser {
  public:
   Parser(const Command& command, const OptionTable& table) : table_(table), app_(command.description, command.name) {
     app_.set_help_flag("-h,--help");
+    app_.set_help_all_flag("--help-all");
     app_.add_flag_callback("--version", [] { throw VersionRequest(); });
     for (const Option& option : table.options()) {
       constrain(option, *std::visit([&](const auto& target) { return add(option, target); }, option.target));
@@ -53,6 +54,8 @@ class Parser {
   Request parse(int argc, char** argv) {
     try {
       app_.parse(argc, argv);
+    } catch (const CLI::CallForAllHelp&) {
+      return Request::help_all;
     } catch (const CLI::Success&) {
       return Request::help;
     } catch (const VersionRequest&) {
@@ -106,7 +109,7 @@ class Parser {
   }
 
   std::string unknownOption() const {
-    std::vector<std::string> names = {"help", "version"};
+    std::vector<std::string> names = {"help", "help-all", "version"};
     for (const Option& option : table_.options()) {
       if (!option.isArgument() && !option.is_hidden) {
         names.push_back(option.name.substr(2));

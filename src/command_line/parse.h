@@ -7,7 +7,7 @@
 namespace rubber_suspension::command_line {
 
 /// What a command line asks for.
-enum class Request { run, help, version };
+enum class Request { run, help, help_all, version };
 
 /// Fills the targets of the table. Throws UsageError, in one line, where the words do not fit the table or its rules;
 /// a misspelt option comes with the one that was probably meant.

@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
-constexpr double kCycles = 10.0;           // in a window: the first does not count, and some are to be left for folds
+constexpr double kCyclesOfExcerpt = 10.0;  // in a window: the first does not count, and some are to be left for folds
 constexpr double kMoves = 0.1;             // of the deviation of the window that moves most: less is a standstill
 constexpr std::size_t kLeastShare = 2000;  // samples of a log, however many logs there are: ten cycles of 200 samples
 
@@ -26,7 +26,7 @@ struct Window {
 
 // Even parts of a log with as many samples each as a window of a share has, to whole stretches of the survey.
 std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
-  const double least = kCycles * log.motion.samplesPerCycle();
+  const double least = kCyclesOfExcerpt * log.motion.samplesPerCycle();
   const double most = static_cast<double>(share) / least;
   const auto windows = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(kWindows)));
   const std::size_t stretch = log.motion.stretch();

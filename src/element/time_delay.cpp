@@ -11,7 +11,7 @@ constexpr int kSamples = 256;
 constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, how many there are, then times and displacements.
-enum Slot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };
+enum DelaySlot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };
 
 int before(int index) { return (index + kSamples - 1) % kSamples; }
 int after(int index) { return (index + 1) % kSamples; }

@@ -19,6 +19,9 @@ FolderLock::FolderLock(std::filesystem::path folder) : folder_(std::move(folder)
   if (failure) {
     throw std::runtime_error(folder_.string() + ": cannot be made: " + failure.message());
   }
+  if (made_) {
+    removal_.emplace(folder_.string());
+  }
   descriptor_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(descriptor_);

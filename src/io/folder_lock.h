@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "log/new_file.h"
 
 namespace rubber_suspension::io {
 
 /// Holds a folder for this process, by an advisory lock on the folder itself (flock), which ends with the process
-/// however that ends. The folder is made where it is missing, and removed again where nothing has come into it.
+/// however that ends. The folder is made where it is missing, and removed again where nothing has come into it, by
+/// whatever signal the process is ended.
 class FolderLock {
  public:
   /// Throws OutputRefused where another process, or another lock of this one, holds the folder; std::runtime_error
@@ -19,6 +23,7 @@ class FolderLock {
  private:
   std::filesystem::path folder_;
   bool made_ = false;
+  std::optional<log::RemovedBySignal> removal_;
   int descriptor_ = -1;
 };
 

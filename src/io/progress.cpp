@@ -1,4 +1,4 @@
-// A progress bar on a terminal.
+// How far work is that takes long, on a terminal.
 #include "io/progress.h"
 
 #include <fmt/format.h>
@@ -18,6 +18,11 @@ std::size_t terminalWidth() {
   return known ? size.ws_col : 80;
 }
 
+void removeLine() {
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace
 
 Progress::Progress(std::string label, std::size_t total)
@@ -27,7 +32,7 @@ Progress::Progress(std::string label, std::size_t total)
 
 Progress::~Progress() {
   if (shown_) {
-    std::fputs("\r\x1b[K", stderr);
+    removeLine();
   }
 }
 
@@ -59,6 +64,39 @@ std::string Progress::bar(const std::string& label, int percent, std::size_t wid
   const std::size_t filled = kLength * static_cast<std::size_t>(percent) / 100;
   return fmt::format("{} {:3d} % [{}{}]", label, percent, std::string(filled, '='), std::string(kLength - filled, ' '))
       .substr(0, width);
+}
+
+Activity::Activity(std::string label) : label_(std::move(label)) {
+  if (isatty(STDERR_FILENO) != 0) {
+    thread_ = std::thread([this] { run(); });
+  }
+}
+
+Activity::~Activity() {
+  if (thread_.joinable()) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_ended_ = true;
+    }
+    ended_.notify_one();
+    thread_.join();
+  }
+}
+
+void Activity::run() {
+  constexpr std::chrono::seconds kStep{1};
+  bool shown = false;
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ended_.wait_for(lock, kStep, [this] { return is_ended_; })) {
+    const auto since = std::chrono::steady_clock::now() - start_;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since).count();
+    std::fprintf(stderr, "\r%s\x1b[K", fmt::format("{}, {} s", label_, seconds).substr(0, terminalWidth() - 1).c_str());
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) {
+    removeLine();
+  }
 }
 
 }  // namespace rubber_suspension::io

@@ -1,10 +1,13 @@
-// A progress bar on a terminal.
+// How far work is that takes long, on a terminal.
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace rubber_suspension::io {
 
@@ -31,6 +34,26 @@ class Progress {
   std::atomic<std::size_t> done_{0};
   std::atomic<int> percent_{-1};
   std::mutex mutex_;
+};
+
+/// For work whose end is not known: from its second second on, says on stderr what is done and for how long already, if
+/// that is a terminal. One at a time, and no Progress within.
+class Activity {
+ public:
+  explicit Activity(std::string label);
+  Activity(const Activity&) = delete;
+  Activity& operator=(const Activity&) = delete;
+  ~Activity();  ///< removes the line
+
+ private:
+  void run();
+
+  const std::string label_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_ended_ = false;
+  std::thread thread_;
 };
 
 }  // namespace rubber_suspension::io

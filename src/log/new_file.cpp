@@ -30,9 +30,11 @@ struct Slot {
 Slot slots[kSlots];
 
 extern "C" void removeUnfinishedFiles(int signal) {
-  for (Slot& slot : slots) {
-    if (slot.filled.load()) {
-      unlink(slot.path);
+  for (const auto remove : {unlink, rmdir}) {  // files first, then the folders that are empty without them
+    for (Slot& slot : slots) {
+      if (slot.filled.load()) {
+        remove(slot.path);
+      }
     }
   }
   std::signal(signal, SIG_DFL);
@@ -192,6 +194,13 @@ void NewFile::commit() {
   slot_ = -1;
   writing_path_.clear();
 }
+
+RemovedBySignal::RemovedBySignal(const std::string& folder) {
+  watchSignals();
+  slot_ = takeSlot(followedPath(folder));
+}
+
+RemovedBySignal::~RemovedBySignal() { freeSlot(slot_); }
 
 void writeNewFile(const std::string& path, const std::string& content) {
   NewFile file(path);

@@ -35,6 +35,18 @@ class NewFile {
   int slot_ = -1;             // in the list of files that a signal removes; -1: none
 };
 
+/// A folder that a signal which ends the process removes, where it is empty but for unfinished files.
+class RemovedBySignal {
+ public:
+  explicit RemovedBySignal(const std::string& folder);
+  RemovedBySignal(const RemovedBySignal&) = delete;
+  RemovedBySignal& operator=(const RemovedBySignal&) = delete;
+  ~RemovedBySignal();
+
+ private:
+  int slot_;
+};
+
 /// True for what is written where it stands: devices and pipes, and /dev/stdout and the like, which lead to files that
 /// are open already.
 bool isStream(const std::string& path);

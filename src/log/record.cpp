@@ -8,9 +8,9 @@
 #include <cmath>
 #include <complex>
 #include <random>
-#include <unsupported/Eigen/FFT>
 
 #include "log/even_blocks.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::log {
@@ -225,7 +225,7 @@ Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
 }
 
 Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment) {
-  Eigen::FFT<double> fft;
+  numerics::Fourier fourier;
   const Eigen::Index lines = segment / 2 + 1;
   Eigen::VectorXd density = Eigen::VectorXd::Zero(lines);
   Eigen::ArrayXd window(segment);
@@ -236,11 +236,10 @@ Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, E
   const double scale = 2.0 * dt / window.square().sum();
   Eigen::Index segments = 0;
   std::vector<double> piece(static_cast<std::size_t>(segment));
-  std::vector<std::complex<double>> spectrum;
   for (Eigen::Index start = 0; start + segment <= signal.size(); start += std::max<Eigen::Index>(segment / 2, 1)) {
     const Eigen::ArrayXd part = signal.segment(start, segment).array();
     Eigen::Map<Eigen::ArrayXd>(piece.data(), segment) = (part - part.mean()) * window;
-    fft.fwd(spectrum, piece);
+    const std::vector<std::complex<double>> spectrum = fourier.halfSpectrum(piece);
     for (Eigen::Index i = 0; i < lines; ++i) {
       density[i] += scale * std::norm(spectrum[static_cast<std::size_t>(i)]);
     }

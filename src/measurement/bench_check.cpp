@@ -9,10 +9,10 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <unsupported/Eigen/FFT>
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -134,11 +134,7 @@ class CrossSpectrum {
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
       windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
     }
-    Eigen::FFT<double> fft;
-    fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    std::vector<std::complex<double>> spectrum;
-    fft.fwd(spectrum, windowed);
-    return spectrum;
+    return numerics::Fourier().halfSpectrum(windowed);
   }
 
   void add(const VectorXd& displacement, const VectorXd& force) {

@@ -13,7 +13,7 @@ struct CommandOutput {
 };
 CommandOutput outputOf(const std::string& command, const std::string& option);
 
-/// Markdown: the --help of each command. Throws std::runtime_error that names a command without one.
+/// Markdown: the --help-all of each command. Throws std::runtime_error that names a command without one.
 std::string commandReference(const std::vector<std::string>& commands);
 
 }  // namespace rubber_suspension::ros_interface

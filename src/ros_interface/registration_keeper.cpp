@@ -20,7 +20,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kPeriod(2);
-constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
+constexpr double kCallLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
@@ -29,8 +29,8 @@ XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments, con
   std::string host;
   std::uint32_t port = 0;
   XmlRpcValue answer;
-  const bool answered =
-      ros::network::splitURI(ownUri(), host, port) && callWithin(kLimit, host, port, method, arguments, answer, stop);
+  const bool answered = ros::network::splitURI(ownUri(), host, port) &&
+                        callWithin(kCallLimit, host, port, method, arguments, answer, stop);
   return answered && answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 ? answer[2] : XmlRpcValue();
 }
 
@@ -87,7 +87,7 @@ void RegistrationKeeper::run() {
 
 RegistrationKeeper::Registration RegistrationKeeper::ask() {
   XmlRpcValue payload;
-  switch (callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_)) {
+  switch (callMaster(kCallLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_)) {
     case CallResult::done:
       return Registration::known;
     case CallResult::refused:
@@ -101,7 +101,7 @@ RegistrationKeeper::Registration RegistrationKeeper::ask() {
 // publisher registers after us.
 bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std::string& type) {
   XmlRpcValue publishers;
-  if (callMaster(kLimit, "registerSubscriber", callArguments({topic, type, ownUri()}), publishers, stop_) !=
+  if (callMaster(kCallLimit, "registerSubscriber", callArguments({topic, type, ownUri()}), publishers, stop_) !=
           CallResult::done ||
       !isListOfTexts(publishers)) {
     return false;
@@ -118,7 +118,7 @@ bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std:
 bool RegistrationKeeper::registerAnew() {
   XmlRpcValue payload;
   const auto publisher = [&](const std::string& topic, const std::string& type) {
-    return callMaster(kLimit, "registerPublisher", callArguments({topic, type, ownUri()}), payload, stop_) ==
+    return callMaster(kCallLimit, "registerPublisher", callArguments({topic, type, ownUri()}), payload, stop_) ==
            CallResult::done;
   };
   const auto subscriber = [this](const std::string& topic, const std::string& type) {
@@ -127,7 +127,7 @@ bool RegistrationKeeper::registerAnew() {
   const std::string service_uri =
       fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
   for (const std::string& service : services_) {
-    if (callMaster(kLimit, "registerService", callArguments({service, service_uri, ownUri()}), payload, stop_) !=
+    if (callMaster(kCallLimit, "registerService", callArguments({service, service_uri, ownUri()}), payload, stop_) !=
         CallResult::done) {
       return false;
     }

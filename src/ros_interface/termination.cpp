@@ -15,8 +15,8 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr double kMasterLimit = 0.5;       // [s]
-constexpr std::chrono::seconds kLimit(5);  // hundreds of topics leave the master one by one
+constexpr double kMasterLimit = 0.5;               // [s]
+constexpr std::chrono::seconds kShutdownLimit(5);  // hundreds of topics leave the master one by one
 
 sigset_t endingSignals() {
   sigset_t signals;
@@ -56,7 +56,7 @@ void Termination::wait() {
       return;
     }
   }
-  const auto end = std::chrono::steady_clock::now() + kLimit;
+  const auto end = std::chrono::steady_clock::now() + kShutdownLimit;
   if (!ros::isInitialized() || !masterAnswers(kMasterLimit)) {
     endNow("it does not answer");
   }

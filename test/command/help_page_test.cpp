@@ -30,6 +30,10 @@ Options:
   --components COUNT ...    numbers of components
   --output FOLDER           folder of the report
 
+Examples:
+  # A log
+  rosrun rubber_suspension replay --log a.csv \
+      --output b.csv
 )";
 
 command::HelpPage page() { return command::parseHelp("replay", kHelp); }
@@ -48,6 +52,9 @@ TEST(ParseHelp, FindsEveryPart) {
   EXPECT_EQ(parsed.options[3].placeholder, "SECONDS");
   EXPECT_EQ(parsed.options[3].text, "time to wait for the node (0.01 to 1e+06; default 300)");
   EXPECT_EQ(parsed.options[4].placeholder, "COUNT ...");
+  EXPECT_EQ(parsed.options[5].text, "folder of the report");
+  EXPECT_THAT(parsed.examples,
+              ElementsAre("  # A log", "  rosrun rubber_suspension replay --log a.csv \\", "      --output b.csv"));
 }
 
 TEST(ManPage, HasTheOptionsInRoff) {
@@ -56,6 +63,7 @@ TEST(ManPage, HasTheOptionsInRoff) {
   EXPECT_THAT(text, HasSubstr("rubber\\-suspension\\-replay \\- simulates a component on a log\n"));
   EXPECT_THAT(text, HasSubstr(".TP\n\\fB\\-\\-config\\fR \\fIFILE\\fR\ncomponent file (required)\n"));
   EXPECT_THAT(text, HasSubstr(".nf\n  ~max_gap            longest time\n.fi\n"));
+  EXPECT_THAT(text, HasSubstr(".SH EXAMPLES\n.nf\n  # A log\n"));
 }
 
 TEST(ManPage, TakesNoTextForARequest) {

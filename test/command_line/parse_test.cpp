@@ -37,8 +37,8 @@ struct Values {
         Option("--quick", quick, "less of everything"),
         Option("--threads", threads, "COUNT", "number of threads").within(1, 64),
         Option("--components", components, "COUNT", "numbers of components").within(1, 500),
-        Option("--samples", samples, "COUNT", "samples; all if absent").within(10, 1e11),
-        Option("--speed", speed, "M/S", "speed of the vehicle").within(0.1, 100000),
+        Option("--samples", samples, "COUNT", "samples; all if absent").within(10, 1e11).rare(),
+        Option("--speed", speed, "M/S", "speed of the vehicle; constant").within(0.1, 100000),
         Option("--amplitude", Quantity{&amplitude, "m"}, "METRES", "amplitude, such as '2 mm'"),
         Option("--frequency", Quantity{&frequency, "Hz"}, "HZ", "frequency"),
         Option("--range", Quantity{&range, "m"}, "METRES", "ends of a range").values(2, 2),
@@ -51,7 +51,7 @@ struct Values {
   }
 };
 
-const Command kCommand = {"try", "Tries a table of options."};
+const Command kCommand = {"try", "Tries a table of options.\n\nAnd more.", {{"Less", "--quick"}}};
 
 Request parse(Values& values, std::vector<std::string> words) {
   words.insert(words.begin(), "try");
@@ -150,8 +150,8 @@ TEST(Parse, KnowsHelpAndVersionWhateverElseIsWrong) {
 
 TEST(Help, ShowsRangesWordsAndDefaults) {
   Values values;
-  const std::string help = helpText(kCommand, values.table());
-  EXPECT_THAT(help, HasSubstr("Tries a table of options.\nUsage: try [OPTIONS] [task]\n"));
+  const std::string help = helpText(kCommand, values.table(), HelpSize::all);
+  EXPECT_THAT(help, HasSubstr("Tries a table of options.\n\nAnd more.\nUsage: try [OPTIONS] [task]\n"));
   EXPECT_THAT(help, HasSubstr("  task                      work to do (run, plan; default run)\n"));
   EXPECT_THAT(help, HasSubstr("  --log FILE ...            logs to read\n"));
   EXPECT_THAT(help, HasSubstr("  --threads COUNT           number of threads (1 to 64; default 2)\n"));
@@ -161,6 +161,41 @@ TEST(Help, ShowsRangesWordsAndDefaults) {
   EXPECT_THAT(help, HasSubstr("  --range METRES METRES     ends of a range\n"));
   EXPECT_THAT(help, HasSubstr("share of the force (default 10 %)\n"));
   EXPECT_THAT(help, Not(HasSubstr("--echo")));
+}
+
+TEST(Help, LeavesOutWhatIsRare) {
+  Values values;
+  const std::string help = helpText(kCommand, values.table(), HelpSize::screen);
+  EXPECT_THAT(help, HasSubstr("Tries a table of options.\nUsage: "));
+  EXPECT_THAT(help, HasSubstr("  --speed M/S               speed of the vehicle (0.1 to 100000; default 1.5)\n"));
+  EXPECT_THAT(help, Not(HasSubstr("--samples COUNT")));
+  EXPECT_THAT(help, HasSubstr("  With --help-all: --samples\n"));
+  EXPECT_THAT(help, HasSubstr("\nExamples:\n  # Less\n  rosrun rubber_suspension try --quick\n"));
+}
+
+// What runCommand() makes of files that the table names: by its exit status.
+TEST(RunCommand, ChecksTheFilesOfTheTableBeforeItRuns) {
+  const auto status = [](const std::string& input, const std::string& output, bool forced) {
+    std::string read;
+    std::string written;
+    OptionTable table = {Option("--log", read, "FILE", "log to read").reads(),
+                         Option("--output", written, "FILE", "file to write").writes(io::FileKind::force_csv)};
+    std::vector<std::string> words = {"try", "--log", input, "--output", output};
+    if (forced) {
+      words.emplace_back("--force");
+    }
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+      pointers.push_back(word.data());
+    }
+    return runCommand(static_cast<int>(pointers.size()), pointers.data(), kCommand, table, [] { return 0; });
+  };
+  const std::string source = TEST_DIR "/command_line/parse_test.cpp";
+  EXPECT_EQ(status(source, "/dev/null", false), kSuccess);
+  EXPECT_EQ(status(source, source, true), kWrongUsage) << "would be written over";
+  EXPECT_EQ(status("other.csv", source, false), kWrongUsage) << "is of another kind";
+  EXPECT_EQ(status("other.csv", source, true), kSuccess);
+  EXPECT_EQ(status("other.csv", "", true), kWrongUsage) << "--force without effect";
 }
 
 }  // namespace

@@ -30,6 +30,15 @@ def completions(*words):
     return answer.stdout.split()
 
 
+def rosrun_completions(*words):
+    """The same behind rosrun, in a shell that has read setup.sh and nothing else."""
+    script = '. "$1"; shift; function=$(complete -p rosrun | sed -E "s/.* -F ([^ ]+) .*/\\1/"); compopt() { :; }; ' \
+             'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); "$function" rosrun; printf "%s\n" "${COMPREPLY[@]}"'
+    answer = subprocess.run(["bash", "--norc", "-c", script, "bash", PROGRAM.parents[1] / "setup.sh", "rosrun", *words],
+                            capture_output=True, text=True, timeout=60, check=True)
+    return answer.stdout.split()
+
+
 class Dispatcher(unittest.TestCase):
     def test_lists_every_command(self):
         answer = run("--help")
@@ -45,6 +54,12 @@ class Dispatcher(unittest.TestCase):
         answer = run("estimate", "--config", "/nonexistent.yaml")
         self.assertEqual(answer.returncode, 1)
         self.assertTrue(answer.stderr.startswith("estimate: /nonexistent.yaml"), answer.stderr)
+
+    def test_scripts_show_a_screen_with_examples(self):
+        for script in ("generate_track", "live_plot"):
+            text = run(script, "--help").stdout
+            self.assertLessEqual(text.count("\n"), 30)
+            self.assertEqual(text.count(f"  rosrun rubber_suspension {script} --"), 3)
 
     def test_works_by_a_link(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -72,6 +87,17 @@ class Completion(unittest.TestCase):
         self.assertEqual(completions("replay", "--config", str(CONFIG), "--component", "left"), ["left_secondary"])
         folders = completions("diagnose", "--log", "x", "--output", str(CONFIG.parents[1]) + "/conf")
         self.assertEqual(folders, [str(CONFIG.parent)])
+
+
+    def test_behind_rosrun(self):
+        self.assertEqual(rosrun_completions("rubber_suspension", "replay", "--con"), ["--config"])
+        self.assertIn("--sampling-rate", rosrun_completions("rubber_suspension", "replay", "--s"))
+        self.assertEqual(rosrun_completions("rubber_suspension", "replay", "--config", str(CONFIG), "--component", "left"),
+                         ["left_secondary"])
+        self.assertIn("--sampling-rate", rosrun_completions("rubber_suspension", "generate_track", "--s"))
+
+    def test_leaves_the_rest_to_rosbash(self):
+        self.assertIn("rubber_suspension", rosrun_completions("rubber_susp"))
 
 
 class ManPages(unittest.TestCase):

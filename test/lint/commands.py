@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds every command to one style of --help and --version, and the page docs/commands.md to what they print.
+"""Holds every command to one style of --help, --help-all and --version, and the page docs/commands.md to what they print.
 
 Usage: commands.py FOLDER_OF_THE_COMMANDS VERSION PAGE COMMAND...; one line per violation, exit status 1 if there is any.
 """
@@ -11,6 +11,8 @@ import sys
 
 
 WIDTH = 100  # of a terminal, and of a page
+SCREEN = 30  # lines of --help
+EXAMPLES = 3
 # Name, placeholder, and description with the lines that continue it.
 OPTION = re.compile(r"^  ((?:-\w,)?--[\w-]+)(?: (\S+))?[^\n]*?\s{2,}(\S[^\n]*(?:\n {28}[^\n]*)*)$", re.M)
 
@@ -36,7 +38,7 @@ def violations(folder, command, version):
     for option in ("--help", "--version"):
         if option not in text:
             yield f"--help does not name {option}"
-    yield from option_violations(text)
+    yield from screen_violations(command, text, run(program, "--help-all").stdout)
     answer = run(program, "--version")
     if (answer.returncode, answer.stdout) != (0, f"{command} {version}\n"):
         yield f"--version prints '{answer.stdout.strip()}', not '{command} {version}'"
@@ -46,6 +48,27 @@ def violations(folder, command, version):
     answer = run(program, "--versoin")
     if answer.returncode != 2 or "(did you mean --version?)" not in answer.stderr:
         yield f"a misspelt option ends with {answer.returncode} and '{answer.stderr.strip()}', without the right one"
+
+
+def screen_violations(command, screen, everything):
+    """--help is one screen with examples; --help-all has all of it and more, in the same style."""
+    if screen.count("\n") > SCREEN:
+        yield f"--help has {screen.count(chr(10))} lines, more than a screen of {SCREEN}"
+    known = options_in(everything)
+    for option in sorted(options_in(screen) - known):
+        yield f"--help names {option}, which --help-all does not"
+    for line in everything.splitlines():
+        if len(line) > WIDTH and not line.startswith("Usage"):
+            yield f"--help-all has a line of {len(line)} characters, more than {WIDTH}: '{line[:40]}...'"
+    examples = screen.partition("\nExamples:\n")[2]
+    calls = re.findall(rf"^  rosrun rubber_suspension {command} ", examples, re.M)
+    if len(calls) != EXAMPLES or not everything.endswith(examples):
+        yield f"--help has {len(calls)} examples, not {EXAMPLES}, or --help-all has others"
+    yield from option_violations(everything)
+
+
+def options_in(text):
+    return set(re.findall(r"(?<![\w-])--[a-z][\w-]*", text))
 
 
 def option_violations(text):

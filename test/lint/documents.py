@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds the pages written by hand to the files, commands and launch files that they name, and pages and comments to the
-words of the field.
+"""Holds the pages written by hand to the files, commands and launch files that they name, pages and comments to the words
+of the field, and the messages of the sources to the options that commands have.
 
 Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -20,6 +20,9 @@ FOREIGN = {
 WRITTEN = {"augmented.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
 # These of them have a plain meaning in comments, too.
 PLAIN_IN_COMMENTS = {"own parameter"}
+OTHER_PROGRAMS = re.compile(r"\b(squeue|sbatch|SBATCH)\b")
+# Options that a program gives to itself or to another.
+NO_MESSAGES = {"benchmark_latency": {"--echo", "--core"}, "latency_benchmark": {"--echo"}}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 
 
@@ -104,6 +107,20 @@ def comment_violations(text):
             yield f"says '{word}'; the field says: {instead}"
 
 
+def message_violations(path, text, known):
+    """An option that a message names is one of the command: of those that print it, as far as the folder tells."""
+    folder, name = path.parts[1], path.stem
+    every = set().union(*known.values())
+    reading = set.intersection(*(options for options in known.values() if "--columns" in options))
+    accepted = {"log": reading, "bag": reading, "diagnosis": known["diagnose"], "campaign": known["campaign"],
+                "apps": known.get(name, every)}.get(folder, every) | NO_MESSAGES.get(name, set())
+    code = re.sub(r"^\s*//.*", "", text, flags=re.M)
+    for literal in re.findall(r'"((?:[^"\\\n]|\\.)*)"', code):
+        if not OTHER_PROGRAMS.search(literal):
+            for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][\w-]*", literal)) - accepted):
+                yield f"a message names {option}, which is no option there: \"{literal[:60]}\""
+
+
 def main(root):
     known = {"options": options(root), "sources": sources(root),
              "arguments": {path.name: {arg.get("name") for arg in ElementTree.parse(path).getroot().findall("arg")}
@@ -116,7 +133,8 @@ def main(root):
     for path in [*(root / "launch").glob("*.launch"), *(root / "config").rglob("*.yaml"), root / "CHANGELOG.rst"]:
         found += [f"{path.relative_to(root)}: {v}" for v in word_violations(path.read_text(encoding="utf-8"))]
     for path in sorted(path for folder in ("src", "include") for path in (root / folder).rglob("*.[hc]*")):
-        found += [f"{path.relative_to(root)}: {v}" for v in comment_violations(path.read_text(encoding="utf-8"))]
+        text, name = path.read_text(encoding="utf-8"), path.relative_to(root)
+        found += [f"{name}: {v}" for v in (*comment_violations(text), *message_violations(name, text, known["options"]))]
     for path in (root / "docs/images").iterdir():
         if path.stat().st_size > LARGEST_PICTURE:
             size = path.stat().st_size

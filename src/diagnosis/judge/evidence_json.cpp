@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kSchema = "rubber_suspension/evidence/2";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/2";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -83,8 +83,8 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
 }
 
 NamedEvidence evidenceOf(const ordered_json& value) {
-  if (value.at("schema") != kSchema) {
-    throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kSchema);
+  if (value.at("schema") != kEvidenceSchema) {
+    throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kEvidenceSchema);
   }
   NamedEvidence named;
   Evidence& evidence = named.evidence;
@@ -115,7 +115,7 @@ std::string toJson(const NamedEvidence& named) {
   for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
     hypotheses.push_back(hypothesisJson(hypothesis));
   }
-  const ordered_json value = {{"schema", kSchema},
+  const ordered_json value = {{"schema", kEvidenceSchema},
                               {"effects", named.effects},
                               {"noise_floor", evidence.noise_floor},
                               {"slow_noise", evidence.slow_noise},

@@ -15,11 +15,11 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSettling = 5.0;        // [s] after a start, until what was left from before has gone
 constexpr double kShortestPause = 10.0;  // [s] between two looks
 constexpr double kLogLength = 30.0;      // [s] of the logs that a window is cut into, at least
-constexpr std::size_t kMostLogs = 4;
+constexpr std::size_t kMostPieces = 4;
 constexpr double kFewestInBlock = 20;
 constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion that is left in a log that is thinned
 constexpr int kResamplings = 100;
@@ -83,7 +83,7 @@ std::size_t largestStep(const log::Log& log) {
 
 std::vector<log::Log> cut(const log::Log& whole) {
   const double duration = whole.time(whole.size() - 1) - whole.time(0);
-  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(duration / kLogLength), 1, kMostLogs);
+  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(duration / kLogLength), 1, kMostPieces);
   std::vector<log::Log> logs(count);
   for (std::size_t i = 0; i < whole.size(); ++i) {
     log::Log& log = logs[i * count / whole.size()];
@@ -110,7 +110,7 @@ class LiveDiagnosis::Model {
   // Not a number where there is no force.
   double force(const LiveSample& sample) {
     const component::StreamForce answer = stream_.push(sample.stamp, sample.displacement);
-    return component::isAccepted(answer.acceptance) ? answer.force.total : kNone;
+    return component::isAccepted(answer.acceptance) ? answer.force.total : kNoForce;
   }
 
  private:
@@ -192,16 +192,16 @@ void LiveDiagnosis::simulate(const LiveSample& sample) {
   block.samples += 1.0;
   block.force.add(sample.force);
   block.configured.add(sample.force - configured_model_->force(sample));
-  block.re_estimated.add(re_estimated_model_ ? sample.force - re_estimated_model_->force(sample) : kNone);
-  block.augmented.add(augmented_model_ ? sample.force - augmented_model_->force(sample) : kNone);
+  block.re_estimated.add(re_estimated_model_ ? sample.force - re_estimated_model_->force(sample) : kNoForce);
+  block.augmented.add(augmented_model_ ? sample.force - augmented_model_->force(sample) : kNoForce);
 }
 
 void LiveDiagnosis::finishBlock() {
   const Block& block = *block_;
   if (block.whole && block.samples >= kFewestInBlock && seconds(block.begin - first_) >= kSettling) {
     judgement_.addBlock({block.begin, block.force.root(block.samples), block.configured.root(block.samples),
-                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNone,
-                         augmented_model_ ? block.augmented.root(block.samples) : kNone});
+                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNoForce,
+                         augmented_model_ ? block.augmented.root(block.samples) : kNoForce});
     regime_begin_ = judgement_.regimeBegin().value_or(first_);
   }
   block_.reset();

@@ -1,0 +1,27 @@
+// The option --plot, the same for every command that ends in numbers over an axis.
+#pragma once
+
+#include <string>
+
+#include "command_line/option_table.h"
+#include "io/progress.h"
+#include "rubber_suspension/io/figure.h"
+
+namespace rubber_suspension::command_line {
+
+/// "figure of `what` to draw". Another extension than those of figures is refused before any work is done.
+inline Option plotOption(std::string& path, const std::string& what) {
+  return Option("--plot", path, "FILE", "figure of " + what + " to draw, .svg or .png")
+      .writes(io::FileKind::figure)
+      .checkedBy([](const std::string& name) {
+        return name.empty() || io::isFigurePath(name) ? "" : name + "; accepted: a name that ends in .svg or .png";
+      });
+}
+
+/// Draws it, with word on a terminal that it takes its time. Throws io::FigureError.
+inline void drawPlot(const io::Figure& figure, const std::string& path) {
+  const io::Activity drawing("drawing " + path);
+  io::drawFigure(figure, path);
+}
+
+}  // namespace rubber_suspension::command_line

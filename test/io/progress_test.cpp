@@ -1,0 +1,77 @@
+// What a terminal shows of work that takes long, and that nothing else shows anything.
+#include "io/progress.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <thread>
+
+namespace rubber_suspension {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+void putInPlaceOfStderr(int descriptor) {
+  std::fflush(stderr);
+  dup2(descriptor, STDERR_FILENO);
+}
+
+// What the work writes to stderr where that is a terminal.
+std::string shownOnTerminal(const std::function<void()>& work) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) {
+    return "no terminal";
+  }
+  const int screen = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const int before = dup(STDERR_FILENO);
+  putInPlaceOfStderr(screen);
+  work();
+  putInPlaceOfStderr(before);
+  std::array<char, 4096> buffer{};
+  fcntl(terminal, F_SETFL, O_NONBLOCK);
+  const ssize_t count = read(terminal, buffer.data(), buffer.size());
+  close(before);
+  close(screen);
+  close(terminal);
+  return count > 0 ? std::string(buffer.data(), static_cast<std::size_t>(count)) : "";
+}
+
+TEST(Activity, IsShownFromTheSecondSecondOnAndRemoved) {
+  const std::string shown = shownOnTerminal([] {
+    const io::Activity activity("reading a.csv");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+  });
+  EXPECT_THAT(shown, HasSubstr("reading a.csv, 1 s"));
+  EXPECT_THAT(shown, EndsWith("\r\x1b[K"));
+}
+
+TEST(Activity, SaysNothingOfWorkThatIsShort) {
+  EXPECT_EQ(shownOnTerminal([] { const io::Activity activity("reading a.csv"); }), "");
+}
+
+TEST(Activity, SaysNothingToAFile) {
+  testing::internal::CaptureStderr();
+  {
+    const io::Activity activity("reading a.csv");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Progress, ShowsHowMuchIsDone) {
+  EXPECT_THAT(shownOnTerminal([] {
+                io::Progress progress("simulating", 4);
+                progress.advance(2);
+              }),
+              HasSubstr("simulating  50 % [===================="));
+}
+
+}  // namespace
+}  // namespace rubber_suspension
