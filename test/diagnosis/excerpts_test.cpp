@@ -20,7 +20,7 @@ namespace {
 
 using diagnosis::Excerpts;
 
-constexpr std::int64_t kStep = 10000000;  // [ns]
+constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
 
 // A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
 log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
@@ -28,7 +28,7 @@ log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
   log.name = "stairs";
   const auto each = static_cast<std::size_t>(seconds * 100.0);
   for (std::size_t i = 0; i < each * amplitudes.size(); ++i) {
-    log.stamp.push_back(static_cast<std::int64_t>(i) * kStep);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * kNanoseconds);
     log.displacement.push_back(1e-3 * amplitudes[i / each] *
                                std::sin(2.0 * element::kPi * 0.01 * static_cast<double>(i)));
     log.force.push_back(1e6 * log.displacement.back());
