@@ -59,8 +59,10 @@ struct RunningModel {
 
 /// What a channel did since it was made, and since the last report.
 struct ChannelReport {
-  component::StreamCounters counters;  ///< since the node started, over resets and reloads
-  std::uint64_t disabled = 0;          ///< samples that came while the component was disabled
+  component::StreamCounters counters;   ///< since the node started, over resets and reloads
+  std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
+  std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
+  std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
   std::uint64_t undecodable = 0;  ///< messages that are no samples
   std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
@@ -154,6 +156,7 @@ class ComponentChannel {
   std::string note_;                      // how the last promotion ended
   std::int64_t since_ = 0;                // and with which sample
   component::StreamCounters earlier_;     // of the models before a reload
+  std::uint64_t beyond_valid_ = 0;
   std::uint64_t disabled_ = 0;
   std::uint64_t lost_ = 0;
   std::uint64_t refused_temperatures_ = 0;

@@ -1,10 +1,21 @@
 // Command lines of programs that are ROS nodes.
 #include "ros_interface/command_line.h"
 
+#include <fmt/format.h>
+#include <ros/duration.h>
 #include <ros/exception.h>
 #include <ros/init.h>
+#include <ros/network.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+
+#include "log/text.h"
+#include "ros_interface/termination.h"
+#include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -18,6 +29,23 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
+// The address of the master, as roscpp finds it. roscpp itself would end the process where it is none.
+std::string masterUri(const std::vector<std::string>& arguments) {
+  const std::string option = "__master:=";
+  const char* const from_environment = std::getenv("ROS_MASTER_URI");
+  std::string uri = from_environment == nullptr ? "" : from_environment;
+  for (const std::string& argument : arguments) {
+    uri = argument.compare(0, option.size(), option) == 0 ? argument.substr(option.size()) : uri;
+  }
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(uri, host, port)) {
+    throw std::runtime_error(
+        fmt::format("ROS_MASTER_URI: {}; accepted: http://HOST:PORT", uri.empty() ? "not set" : log::quoted(uri)));
+  }
+  return uri;
+}
+
 }  // namespace
 
 RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) {
@@ -25,7 +53,36 @@ RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) 
   pointers_ = pointersTo(own_);
 }
 
-void RosCommandLine::initialise(const std::string& node_name, std::uint32_t options) {
+// roscpp waits for its master without a limit, and before a signal can end it.
+bool RosCommandLine::waitForMaster(double timeout) const {
+  constexpr double kTurn = 1.0;      // [s]
+  constexpr double kPatience = 2.0;  // until it is said [s]
+  const std::string uri = masterUri(all_);
+  std::string host;
+  std::uint32_t port = 0;
+  ros::network::splitURI(uri, host, port);
+  const auto begin = std::chrono::steady_clock::now();
+  for (bool said = false; !isEnding();) {
+    const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (waited >= timeout) {
+      throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));
+    }
+    if (masterAnswers(std::min(kTurn, timeout - waited), host, port)) {
+      return true;
+    }
+    if (!said && waited > kPatience) {
+      fmt::print(stderr, "waiting for the master at {}\n", uri);
+      said = true;
+    }
+    ros::WallDuration(0.05).sleep();
+  }
+  return false;
+}
+
+bool RosCommandLine::initialise(const std::string& node_name, std::uint32_t options, double timeout) {
+  if (!waitForMaster(timeout)) {
+    return false;
+  }
   std::vector<char*> pointers = pointersTo(all_);
   int count = static_cast<int>(pointers.size());
   try {
@@ -33,6 +90,7 @@ void RosCommandLine::initialise(const std::string& node_name, std::uint32_t opti
   } catch (const ros::Exception& error) {
     throw std::runtime_error(error.what());
   }
+  return true;
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,15 @@ class RosCommandLine {
   int argc() const { return static_cast<int>(pointers_.size()); }
   char** argv() { return pointers_.data(); }
 
-  /// Initialise ROS with the arguments meant for it and the options of ros::init_options. Throws std::runtime_error
-  /// where the arguments are malformed.
-  void initialise(const std::string& node_name, std::uint32_t options = 0);
+  /// Initialise ROS with the arguments meant for it and the options of ros::init_options, once the master answers;
+  /// false where the process is to end before. Throws std::runtime_error where the arguments or the master's address
+  /// are malformed, or no master answers within `timeout` [s].
+  bool initialise(const std::string& node_name, std::uint32_t options = 0,
+                  double timeout = std::numeric_limits<double>::infinity());
 
  private:
+  bool waitForMaster(double timeout) const;
+
   std::vector<std::string> all_;
   std::vector<std::string> own_;
   std::vector<char*> pointers_;

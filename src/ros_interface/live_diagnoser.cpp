@@ -12,6 +12,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "io/cancellation.h"
 namespace rubber_suspension::ros_interface {
 namespace {
 
@@ -124,7 +125,7 @@ void LiveDiagnoser::run() {
     for (Watched& watched : watched_) {
       try {
         serve(watched);
-      } catch (const diagnosis::LookCancelled&) {
+      } catch (const io::Cancelled&) {
         return;
       } catch (const std::exception& error) {
         ROS_ERROR_THROTTLE(60.0, "live diagnosis of %s: %s", watched.channel->name().c_str(), error.what());

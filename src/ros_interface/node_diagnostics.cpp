@@ -60,8 +60,14 @@ std::string describeFaults(const node::ChannelReport& before, const node::Channe
   const component::StreamCounters& fresh = now.counters;
   std::string text;
   append(text, old.not_finite, fresh.not_finite, "not finite (dropped)");
+  append(text, old.force_not_finite, fresh.force_not_finite, "force not finite (dropped)");
   append(text, old.repeated, fresh.repeated, "with a repeated stamp (dropped)");
   append(text, old.stepped_back, fresh.stepped_back, "with a stamp that steps back (dropped)");
+  if (now.valid) {
+    append(text, before.beyond_valid, now.beyond_valid,
+           fmt::format("beyond valid_displacement, {:g} to {:g} mm (served)", 1e3 * now.valid->lower,
+                       1e3 * now.valid->upper));
+  }
   append(text, before.undecodable, now.undecodable, "that cannot be decoded (dropped)");
   append(text, before.lost, now.lost, "lost before they arrived");
   append(text, before.undelivered, now.undelivered,
@@ -91,6 +97,7 @@ void fillStatus(const node::ChannelReport& before, const node::ChannelReport& no
   status.add("accepted", counters.accepted);
   status.add("dropped", counters.dropped() + now.disabled);
   status.add("dropped, not finite", counters.not_finite);
+  status.add("dropped, force not finite", counters.force_not_finite);
   status.add("dropped, repeated stamp", counters.repeated);
   status.add("dropped, stepped back", counters.stepped_back);
   status.add("dropped, disabled", now.disabled);
@@ -100,6 +107,7 @@ void fillStatus(const node::ChannelReport& before, const node::ChannelReport& no
   addLosses(now.undelivered_to, status);
   status.add("restarts", counters.restarted);
   status.add("time gaps bridged", counters.bridged);
+  status.add("beyond valid displacement", now.beyond_valid);
   status.add("latency median [us]", microseconds(now.latency.percentile(0.5)));
   status.add("latency 99 % [us]", microseconds(now.latency.percentile(0.99)));
   status.add("latency maximum [us]", microseconds(now.latency.maximum()));

@@ -9,8 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/cancellation.h"
 #include "node/regular_file.h"
 #include "node/state_file.h"
+#include "ros_interface/termination.h"
 #include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
@@ -153,6 +155,7 @@ std::string NodeServices::reload() const {
   if (!masterAnswers(kLimit)) {
     throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
   }
+  const io::Cancellable cancellable(isEnding);
   exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
   return fmt::format("{} components reloaded", group_.channels().size());
 }

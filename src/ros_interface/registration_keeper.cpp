@@ -12,6 +12,7 @@
 
 #include <chrono>
 
+#include "ros_interface/termination.h"
 #include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
@@ -64,7 +65,10 @@ bool isListOfTexts(const XmlRpcValue& value) {
 }  // namespace
 
 RegistrationKeeper::RegistrationKeeper(std::vector<std::string> services)
-    : services_(std::move(services)), thread_([this] { run(); }) {}
+    : services_(std::move(services)),
+      service_uri_(
+          fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
+      thread_([this] { run(); }) {}
 
 RegistrationKeeper::~RegistrationKeeper() {
   {
@@ -97,13 +101,26 @@ RegistrationKeeper::Registration RegistrationKeeper::ask() {
   }
 }
 
+// Register a publisher, subscriber or service. What comes to the master while this node leaves it is taken back.
+bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, const std::string& detail,
+                              const std::string& uri, XmlRpcValue& payload) {
+  if (isEnding()) {
+    return false;
+  }
+  const bool done =
+      callMaster(kLimit, "register" + kind, callArguments({name, detail, uri}), payload, stop_) == CallResult::done;
+  if (isEnding()) {
+    XmlRpcValue ignored;
+    callMaster(kLimit, "unregister" + kind, callArguments({name, kind == "Service" ? detail : uri}), ignored, stop_);
+  }
+  return done;
+}
+
 // And connect to the publishers that have registered before: tell our own subscriptions, as the master does when a
 // publisher registers after us.
 bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std::string& type) {
   XmlRpcValue publishers;
-  if (callMaster(kLimit, "registerSubscriber", callArguments({topic, type, ownUri()}), publishers, stop_) !=
-          CallResult::done ||
-      !isListOfTexts(publishers)) {
+  if (!tell("Subscriber", topic, type, ownUri(), publishers) || !isListOfTexts(publishers)) {
     return false;
   }
   if (publishers.size() > 0) {
@@ -118,17 +135,13 @@ bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std:
 bool RegistrationKeeper::registerAnew() {
   XmlRpcValue payload;
   const auto publisher = [&](const std::string& topic, const std::string& type) {
-    return callMaster(kLimit, "registerPublisher", callArguments({topic, type, ownUri()}), payload, stop_) ==
-           CallResult::done;
+    return tell("Publisher", topic, type, ownUri(), payload);
   };
   const auto subscriber = [this](const std::string& topic, const std::string& type) {
     return registerSubscriber(topic, type);
   };
-  const std::string service_uri =
-      fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
   for (const std::string& service : services_) {
-    if (callMaster(kLimit, "registerService", callArguments({service, service_uri, ownUri()}), payload, stop_) !=
-        CallResult::done) {
+    if (!tell("Service", service, service_uri_, ownUri(), payload)) {
       return false;
     }
   }
@@ -139,10 +152,10 @@ bool RegistrationKeeper::registerAnew() {
 void RegistrationKeeper::check() {
   try {
     const Registration registration = ask();
-    if (registration == Registration::no_answer && !lost_ && !stop_) {
+    if (registration == Registration::no_answer && !lost_ && !stop_ && !isEnding()) {
       ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
     }
-    incomplete_ = incomplete_ || registration == Registration::unknown;
+    incomplete_ = incomplete_ || (registration == Registration::unknown && !isEnding());
     if (incomplete_ && registration != Registration::no_answer && registerAnew()) {
       incomplete_ = false;
       ROS_WARN("the master did not know this node any more; registered again");

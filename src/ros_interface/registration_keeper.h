@@ -1,6 +1,8 @@
 // Registers the node again when the master was restarted: without, nobody new would find it, for ever.
 #pragma once
 
+#include <xmlrpcpp/XmlRpcValue.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
@@ -11,8 +13,9 @@
 namespace rubber_suspension::ros_interface {
 
 /// Asks the master every two seconds whether it knows this process, in a thread of its own and never for longer than a
-/// time limit: a master that hangs, or a cable that is pulled, holds up nothing else. Connections between nodes outlive
-/// their master, so samples are served all the while, over connections that are not touched.
+/// time limit: a master that hangs, or a cable that is pulled, holds up nothing else. Once the process is to end
+/// nothing is registered any more. Connections between nodes outlive their master, so samples are served all the while,
+/// over connections that are not touched.
 class RegistrationKeeper {
  public:
   /// `services` are resolved names.
@@ -28,9 +31,12 @@ class RegistrationKeeper {
   void check();
   Registration ask();
   bool registerAnew();
+  bool tell(const std::string& kind, const std::string& name, const std::string& detail, const std::string& uri,
+            XmlRpc::XmlRpcValue& payload);
   bool registerSubscriber(const std::string& topic, const std::string& type);
 
   std::vector<std::string> services_;
+  const std::string service_uri_;
   bool lost_ = false;        // the master did not answer
   bool incomplete_ = false;  // registering again was not finished
   std::atomic<bool> stop_{false};

@@ -2,7 +2,10 @@
 #include "ros_interface/simulate_node.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
+#include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/param.h>
 #include <sys/stat.h>
 #include <xmlrpcpp/XmlRpcException.h>
@@ -10,7 +13,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/cancellation.h"
 #include "ros_interface/loopback.h"
+#include "ros_interface/termination.h"
+#include "ros_interface/timed_call.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -28,7 +34,42 @@ bool exists(const std::string& path) {
   return lstat(path.c_str(), &status) == 0;
 }
 
+// Give large blocks back when they are freed: by itself the allocator takes one large message for a habit, and keeps
+// room for the next.
+void giveLargeBlocksBack() {
+  constexpr int kLarge = 256 * 1024;
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+  mallopt(M_TRIM_THRESHOLD, 2 * kLarge);
+}
+
+// Services, timers and diagnostics, until the end. ros::spin() would leave that to ROS, which ends from within.
+void spinUntilEnd(SimulateNode& node) {
+  while (!isEnding()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  }
+  constexpr double kMasterLimit = 0.5;  // [s]
+  node.registerNoMore();
+  if (!masterAnswers(kMasterLimit)) {
+    giveUpMaster();
+  }
+}
+
 }  // namespace
+
+void runSimulateNode(RosCommandLine& line) {
+  giveLargeBlocksBack();
+  const Termination termination;
+  if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
+    return;
+  }
+  try {
+    SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"));
+    spinUntilEnd(node);
+  } catch (const io::Cancelled&) {
+    ROS_INFO("ended before it served");
+  }
+  ros::shutdown();  // waits for the thread that has begun to
+}
 
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
     : handle_(handle), private_handle_(private_handle) {
@@ -40,6 +81,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 }
 
 void SimulateNode::start() {
+  const io::Cancellable cancellable(isEnding);
   loggers_ = LoggerService::get();  // first, as whoever calls roscpp's own ends the process
   prepareLog();
   settings_ = readNodeSettings(private_handle_);
@@ -50,8 +92,10 @@ void SimulateNode::start() {
   advertiseServices();
 }
 
+void SimulateNode::registerNoMore() { registration_.reset(); }
+
 SimulateNode::~SimulateNode() {
-  registration_.reset();
+  registerNoMore();
   if (live_) {
     live_->stop();  // services and diagnostics may ask it until they end
   }
@@ -106,6 +150,7 @@ void SimulateNode::startServing() {
     threads_.push_back(std::make_unique<ServingThread>());
   }
   for (std::size_t i = 0; i < channels_.size(); ++i) {
+    io::checkCancelled();
     ros::NodeHandle group(handle_);
     group.setCallbackQueue(&threads_[i % count]->queue());
     servers_.push_back(std::make_unique<SampleServer>(group, *channels_[i], settings_.queue_size));

@@ -8,6 +8,7 @@
 
 #include "node/channel_group.h"
 #include "ros_interface/bundle_server.h"
+#include "ros_interface/command_line.h"
 #include "ros_interface/live_diagnoser.h"
 #include "ros_interface/logger_service.h"
 #include "ros_interface/node_diagnostics.h"
@@ -19,14 +20,22 @@
 
 namespace rubber_suspension::ros_interface {
 
+/// The program `simulate`: serve until a signal comes or ROS is shut down, then take the node off the master. The
+/// process is to return at once after that. Throws as SimulateNode does.
+void runSimulateNode(RosCommandLine& line);
+
 /// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
 class SimulateNode {
  public:
-  /// Throws std::exception with one line that says what is wrong; then nothing was advertised.
+  /// Throws std::exception with one line that says what is wrong; then nothing was advertised. Throws io::Cancelled
+  /// where the process is to end before the node serves.
   SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
   ~SimulateNode();
   SimulateNode(const SimulateNode&) = delete;
   SimulateNode& operator=(const SimulateNode&) = delete;
+
+  /// No thread of the node calls the master any more.
+  void registerNoMore();
 
  private:
   void start();

@@ -1,6 +1,7 @@
 // XML-RPC calls that end.
 #include "ros_interface/timed_call.h"
 
+#include <ros/datatypes.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcClient.h>
@@ -8,6 +9,11 @@
 
 #include <algorithm>
 #include <chrono>
+
+// roscpp has it, and ros::init() calls it, but no header tells.
+namespace ros::master {
+void init(const M_string& remappings);
+}
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -74,10 +80,14 @@ CallResult callMaster(double limit, const std::string& method, const XmlRpcValue
   return static_cast<int>(answer[0]) == 1 ? CallResult::done : CallResult::refused;
 }
 
-bool masterAnswers(double limit) {
-  XmlRpcValue payload;
+bool masterAnswers(double limit) { return masterAnswers(limit, ros::master::getHost(), ros::master::getPort()); }
+
+bool masterAnswers(double limit, const std::string& host, std::uint32_t port) {
+  XmlRpcValue answer;
   const std::atomic<bool> stop{false};
-  return callMaster(limit, "getPid", callArguments({}), payload, stop) != CallResult::no_answer;
+  return callWithin(limit, host, port, "getPid", callArguments({}), answer, stop) && isAnswer(answer);
 }
+
+void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }
 
 }  // namespace rubber_suspension::ros_interface

@@ -4,6 +4,7 @@
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,12 @@ CallResult callMaster(double limit, const std::string& method, const XmlRpc::Xml
 
 /// True if the master answers within `limit` [s].
 bool masterAnswers(double limit);
+
+/// The same of the master at this address.
+bool masterAnswers(double limit, const std::string& host, std::uint32_t port);
+
+/// From now on roscpp calls nobody in the master's place: each call fails at once. For the end of a process whose
+/// master hangs, since roscpp waits without a limit. No other thread may call the master meanwhile.
+void giveUpMaster();
 
 }  // namespace rubber_suspension::ros_interface

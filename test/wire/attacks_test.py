@@ -25,14 +25,9 @@ SIMULATE = ""
 SANITIZED = False
 NODE = "/simulate"
 MEBIBYTE = 1 << 20
-FRAME = b"x"
+FRAME = tcpros.FRAME
 FORCE_SIZE = 4 + 16 + len(FRAME) + 40
-
-
-def sample(number, displacement=1e-3, frame=FRAME):
-    stamp = 1000 * 1000 + number  # [ms]
-    return tcpros.text(struct.pack("<III", number, stamp // 1000, stamp % 1000 * 1000000) + tcpros.text(frame) +
-                       struct.pack("<d", displacement))
+sample = tcpros.sample
 
 
 class Attack(unittest.TestCase):
