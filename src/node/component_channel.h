@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -66,7 +65,6 @@ struct ChannelReport {
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
   std::uint64_t undecodable = 0;  ///< messages that are no samples
   std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
-  std::map<std::string, std::uint64_t> undelivered_to;  ///< the same by subscriber
   bool enabled = true;
   bool started = false;
   double last_time = 0.0;                  ///< stamp of the last accepted sample [s]

@@ -6,16 +6,18 @@
 #include <ros/exception.h>
 #include <ros/init.h>
 #include <ros/network.h>
+#include <ros/this_node.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "log/text.h"
-#include "ros_interface/termination.h"
-#include "ros_interface/timed_call.h"
+#include "roscpp_fixes/master_call.h"
+#include "roscpp_fixes/termination.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -27,6 +29,19 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     pointers.push_back(text.data());
   }
   return pointers;
+}
+
+// Of this process; empty in a nodelet.
+std::vector<std::string>& processArguments() {
+  static std::vector<std::string> arguments;
+  return arguments;
+}
+
+// The name of the private parameter that an argument sets; empty for any other argument.
+std::string privateParameterOf(const std::string& argument) {
+  const std::size_t end = argument.find(":=");
+  const bool is_private = end != std::string::npos && argument[0] == '_' && argument.compare(0, 2, "__") != 0;
+  return is_private ? argument.substr(1, end - 1) : "";
 }
 
 // The address of the master, as roscpp finds it. roscpp itself would end the process where it is none.
@@ -49,8 +64,34 @@ std::string masterUri(const std::vector<std::string>& arguments) {
 }  // namespace
 
 RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) {
+  processArguments() = all_;
   ros::removeROSArgs(argc, argv, own_);
   pointers_ = pointersTo(own_);
+}
+
+RosCommandLine::~RosCommandLine() {
+  constexpr double kLimit = 0.5;  // [s]
+  const std::atomic<bool> stop{false};
+  for (const std::string& argument : all_) {
+    const std::string name = initialised_ ? privateParameterOf(argument) : "";
+    XmlRpc::XmlRpcValue payload;
+    if (!name.empty() && roscpp_fixes::callMaster(kLimit, "deleteParam",
+                                                  roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}),
+                                                  payload, stop) == roscpp_fixes::CallResult::no_answer) {
+      return;
+    }
+  }
+}
+
+std::string originOfParameter(const std::string& name) {
+  const std::vector<std::string>& arguments = processArguments();
+  const auto any = [&](const auto& matches) { return std::any_of(arguments.begin(), arguments.end(), matches); };
+  if (any([&](const std::string& argument) { return privateParameterOf(argument) == name; })) {
+    return "the argument _" + name;
+  }
+  const bool launched = any([](const std::string& argument) { return argument.compare(0, 7, "__log:=") == 0; });
+  return fmt::format("the private parameter ~{}{}", name,
+                     launched ? " of a launch file" : ", as it stands at the master");
 }
 
 // roscpp waits for its master without a limit, and before a signal can end it.
@@ -62,12 +103,12 @@ bool RosCommandLine::waitForMaster(double timeout) const {
   std::uint32_t port = 0;
   ros::network::splitURI(uri, host, port);
   const auto begin = std::chrono::steady_clock::now();
-  for (bool said = false; !isEnding();) {
+  for (bool said = false; !roscpp_fixes::isEnding();) {
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (waited >= timeout) {
       throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));
     }
-    if (masterAnswers(std::min(kTurn, timeout - waited), host, port)) {
+    if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), host, port)) {
       return true;
     }
     if (!said && waited > kPatience) {
@@ -90,6 +131,7 @@ bool RosCommandLine::initialise(const std::string& node_name, std::uint32_t opti
   } catch (const ros::Exception& error) {
     throw std::runtime_error(error.what());
   }
+  initialised_ = true;
   return true;
 }
 

@@ -12,6 +12,11 @@ namespace rubber_suspension::ros_interface {
 class RosCommandLine {
  public:
   RosCommandLine(int argc, char** argv);
+  /// Takes the private parameters that the arguments have set (_NAME:=VALUE) off the master again, where they would
+  /// otherwise hold for the next process of this name.
+  ~RosCommandLine();
+  RosCommandLine(const RosCommandLine&) = delete;
+  RosCommandLine& operator=(const RosCommandLine&) = delete;
 
   /// The arguments that are left for the program, its name first.
   int argc() const { return static_cast<int>(pointers_.size()); }
@@ -26,9 +31,13 @@ class RosCommandLine {
  private:
   bool waitForMaster(double timeout) const;
 
+  bool initialised_ = false;
   std::vector<std::string> all_;
   std::vector<std::string> own_;
   std::vector<char*> pointers_;
 };
+
+/// Where the value of a private parameter comes from: "the argument _NAME", say.
+std::string originOfParameter(const std::string& name);
 
 }  // namespace rubber_suspension::ros_interface

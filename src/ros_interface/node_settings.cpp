@@ -11,7 +11,9 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "io/cancellation.h"
 #include "node/regular_file.h"
+#include "ros_interface/command_line.h"
 #include "ros_interface/node_interface.h"
 #include "ros_interface/parameter_yaml.h"
 #include "rubber_suspension/estimation/notes.h"
@@ -261,11 +263,18 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
         fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
   }
   const auto& path = static_cast<const std::string&>(file);
-  node::requireRegularFile(path);
-  auto loaded = io::loadComponentFile(path);
-  refuseReserved(loaded, path, private_handle);
-  warnOfSpecifications(loaded, path);
-  return loaded;
+  try {
+    node::requireRegularFile(path);
+    auto loaded = io::loadComponentFile(path);
+    refuseReserved(loaded, path, private_handle);
+    warnOfSpecifications(loaded, path);
+    return loaded;
+  } catch (const io::Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(
+        fmt::format("{} (the path is that of {})", error.what(), originOfParameter("config_file")));
+  }
 }
 
 std::string describeNodeSettings() {

@@ -6,10 +6,7 @@
 
 #include "node/message_bounds.h"
 #include "ros_interface/arrival.h"
-#include "ros_interface/checked_subscription.h"
-#ifdef RUBBER_SUSPENSION_MUTANT  // a program of the tests
-#include "../test/wire/mutant.h"
-#endif
+#include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -32,13 +29,13 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
     : channel_(channel) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   publisher_.advertise<Force>(handle, channel.name() + "/force", answerQueueSize(queue_size));
-  subscriber_ = subscribeChecked<Displacement>(
+  subscriber_ = roscpp_fixes::subscribeChecked<Displacement>(
       handle, channel.name() + "/displacement", size, node::isStampedNumber, undecodable_,
       [this](const ros::MessageEvent<const Displacement>& event) { serve(event); });
-  measured_subscriber_ = subscribeChecked<MeasuredForce>(
+  measured_subscriber_ = roscpp_fixes::subscribeChecked<MeasuredForce>(
       handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
       [this](const ros::MessageEvent<const MeasuredForce>& event) { compare(event); });
-  temperature_subscriber_ = subscribeChecked<sensor_msgs::Temperature>(
+  temperature_subscriber_ = roscpp_fixes::subscribeChecked<sensor_msgs::Temperature>(
       handle, channel.name() + "/temperature", size, node::isStampedPair, undecodable_,
       [this](const ros::MessageEvent<const sensor_msgs::Temperature>& event) { takeTemperature(event); });
 }
@@ -73,11 +70,6 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   }
   const auto message = pool_.take();
   fillForce(sample, force, *message);
-#ifdef RUBBER_SUSPENSION_MUTANT
-  if (!wire_test::mutate(channel_, message, publisher_)) {
-    return;
-  }
-#endif
   publisher_.publish(message);
   channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
 }

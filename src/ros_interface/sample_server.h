@@ -9,13 +9,12 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <string>
 
 #include "node/component_channel.h"
 #include "node/sequence_watch.h"
-#include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
+#include "roscpp_fixes/answer_publisher.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -40,7 +39,6 @@ class SampleServer {
 
   /// Forces that a subscriber did not get because it reads too slowly.
   std::uint64_t undelivered() const { return publisher_.undelivered(); }
-  std::map<std::string, std::uint64_t> undeliveredTo() const { return publisher_.undeliveredTo(); }
 
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
@@ -51,7 +49,7 @@ class SampleServer {
   MessagePool<Force> pool_;
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> undecodable_{0};
-  AnswerPublisher publisher_;
+  roscpp_fixes::AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
   ros::Subscriber measured_subscriber_;
   ros::Subscriber temperature_subscriber_;

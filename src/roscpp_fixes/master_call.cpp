@@ -1,5 +1,5 @@
 // XML-RPC calls that end.
-#include "ros_interface/timed_call.h"
+#include "roscpp_fixes/master_call.h"
 
 #include <ros/datatypes.h>
 #include <ros/master.h>
@@ -15,7 +15,7 @@ namespace ros::master {
 void init(const M_string& remappings);
 }
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -43,12 +43,12 @@ class Client : public XmlRpc::XmlRpcClient {
   }
 };
 
+}  // namespace
+
 bool isAnswer(const XmlRpcValue& answer) {
   return answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 &&
          answer[0].getType() == XmlRpcValue::TypeInt;
 }
-
-}  // namespace
 
 XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
   XmlRpcValue value;
@@ -90,4 +90,4 @@ bool masterAnswers(double limit, const std::string& host, std::uint32_t port) {
 
 void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }
 
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes

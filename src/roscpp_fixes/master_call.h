@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 
 /// What came of a call to a master.
 enum class CallResult {
@@ -28,6 +28,9 @@ bool callWithin(double limit, const std::string& host, std::uint32_t port, const
 CallResult callMaster(double limit, const std::string& method, const XmlRpc::XmlRpcValue& arguments,
                       XmlRpc::XmlRpcValue& payload, const std::atomic<bool>& stop);
 
+/// True for what a master or a node answers: status, message, payload.
+bool isAnswer(const XmlRpc::XmlRpcValue& answer);
+
 /// True if the master answers within `limit` [s].
 bool masterAnswers(double limit);
 
@@ -38,4 +41,4 @@ bool masterAnswers(double limit, const std::string& host, std::uint32_t port);
 /// master hangs, since roscpp waits without a limit. No other thread may call the master meanwhile.
 void giveUpMaster();
 
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes

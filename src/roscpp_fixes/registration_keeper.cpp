@@ -1,5 +1,5 @@
 // Registers the node again when the master was restarted.
-#include "ros_interface/registration_keeper.h"
+#include "roscpp_fixes/registration_keeper.h"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -11,11 +11,12 @@
 #include <xmlrpcpp/XmlRpcException.h>
 
 #include <chrono>
+#include <utility>
 
-#include "ros_interface/termination.h"
-#include "ros_interface/timed_call.h"
+#include "roscpp_fixes/master_call.h"
+#include "roscpp_fixes/termination.h"
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -32,39 +33,21 @@ XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments, con
   XmlRpcValue answer;
   const bool answered =
       ros::network::splitURI(ownUri(), host, port) && callWithin(kLimit, host, port, method, arguments, answer, stop);
-  return answered && answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 ? answer[2] : XmlRpcValue();
-}
-
-// Rows of [topic, type], until one fails.
-template <class Row>
-bool forEachTopic(const XmlRpcValue& topics, Row row) {
-  if (topics.getType() != XmlRpcValue::TypeArray) {
-    return false;
-  }
-  for (int i = 0; i < topics.size(); ++i) {
-    if (!row(static_cast<const std::string&>(topics[i][0]), static_cast<const std::string&>(topics[i][1]))) {
-      return false;
-    }
-  }
-  return true;
+  return answered && isAnswer(answer) ? answer[2] : XmlRpcValue();
 }
 
 // Addresses of nodes; a master that answers anything else is not followed.
 bool isListOfTexts(const XmlRpcValue& value) {
-  if (value.getType() != XmlRpcValue::TypeArray) {
-    return false;
+  bool texts = value.getType() == XmlRpcValue::TypeArray;
+  for (int i = 0; texts && i < value.size(); ++i) {
+    texts = value[i].getType() == XmlRpcValue::TypeString;
   }
-  for (int i = 0; i < value.size(); ++i) {
-    if (value[i].getType() != XmlRpcValue::TypeString) {
-      return false;
-    }
-  }
-  return true;
+  return texts;
 }
 
 }  // namespace
 
-RegistrationKeeper::RegistrationKeeper(std::vector<std::string> services)
+RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services)
     : services_(std::move(services)),
       service_uri_(
           fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
@@ -89,19 +72,7 @@ void RegistrationKeeper::run() {
   }
 }
 
-RegistrationKeeper::Registration RegistrationKeeper::ask() {
-  XmlRpcValue payload;
-  switch (callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_)) {
-    case CallResult::done:
-      return Registration::known;
-    case CallResult::refused:
-      return Registration::unknown;
-    default:
-      return Registration::no_answer;
-  }
-}
-
-// Register a publisher, subscriber or service. What comes to the master while this node leaves it is taken back.
+// What comes to the master while this node leaves it is taken back.
 bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, const std::string& detail,
                               const std::string& uri, XmlRpcValue& payload) {
   if (isEnding()) {
@@ -116,54 +87,56 @@ bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, 
   return done;
 }
 
-// And connect to the publishers that have registered before: tell our own subscriptions, as the master does when a
-// publisher registers after us.
-bool RegistrationKeeper::registerSubscriber(const std::string& topic, const std::string& type) {
-  XmlRpcValue publishers;
-  if (!tell("Subscriber", topic, type, ownUri(), publishers) || !isListOfTexts(publishers)) {
-    return false;
+// Our own list of publishers or subscribers, in rows of [topic, type]. A subscription is also told of the publishers
+// that have registered before, as the master does of those that come later.
+bool RegistrationKeeper::tellTopics(const std::string& kind, const std::string& method) {
+  XmlRpcValue topics = askSelf(method, callArguments({}), stop_);
+  bool done = topics.getType() == XmlRpcValue::TypeArray;
+  for (int i = 0; done && i < topics.size(); ++i) {
+    const std::string& topic = topics[i][0];
+    XmlRpcValue payload;
+    done = tell(kind, topic, topics[i][1], ownUri(), payload) && (kind == "Publisher" || isListOfTexts(payload));
+    if (done && kind == "Subscriber" && payload.size() > 0) {
+      XmlRpcValue arguments = callArguments({topic});
+      arguments[2] = payload;
+      askSelf("publisherUpdate", arguments, stop_);
+    }
   }
-  if (publishers.size() > 0) {
-    XmlRpcValue arguments = callArguments({topic});
-    arguments[2] = publishers;
-    askSelf("publisherUpdate", arguments, stop_);
-  }
-  return true;
+  return done;
 }
 
 // False where the master stopped answering; it is then asked again.
 bool RegistrationKeeper::registerAnew() {
   XmlRpcValue payload;
-  const auto publisher = [&](const std::string& topic, const std::string& type) {
-    return tell("Publisher", topic, type, ownUri(), payload);
-  };
-  const auto subscriber = [this](const std::string& topic, const std::string& type) {
-    return registerSubscriber(topic, type);
-  };
-  for (const std::string& service : services_) {
+  for (const std::string& service : services_()) {
     if (!tell("Service", service, service_uri_, ownUri(), payload)) {
       return false;
     }
   }
-  return forEachTopic(askSelf("getPublications", callArguments({}), stop_), publisher) &&
-         forEachTopic(askSelf("getSubscriptions", callArguments({}), stop_), subscriber);
+  return tellTopics("Publisher", "getPublications") && tellTopics("Subscriber", "getSubscriptions");
 }
 
 void RegistrationKeeper::check() {
   try {
-    const Registration registration = ask();
-    if (registration == Registration::no_answer && !lost_ && !stop_ && !isEnding()) {
+    XmlRpcValue payload;
+    const CallResult known =
+        callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_);
+    if (stop_ || isEnding()) {
+      return;
+    }
+    const bool answers = known != CallResult::no_answer;
+    if (!answers && !lost_) {
       ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
     }
-    incomplete_ = incomplete_ || (registration == Registration::unknown && !isEnding());
-    if (incomplete_ && registration != Registration::no_answer && registerAnew()) {
+    lost_ = !answers;
+    incomplete_ = incomplete_ || known == CallResult::refused;
+    if (incomplete_ && answers && registerAnew()) {
       incomplete_ = false;
       ROS_WARN("the master did not know this node any more; registered again");
     }
-    lost_ = registration == Registration::no_answer;
   } catch (const XmlRpc::XmlRpcException& error) {
     ROS_WARN("the master answers what no master should: %s", error.getMessage().c_str());
   }
 }
 
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes

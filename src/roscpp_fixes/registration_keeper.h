@@ -5,12 +5,13 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 
 /// Asks the master every two seconds whether it knows this process, in a thread of its own and never for longer than a
 /// time limit: a master that hangs, or a cable that is pulled, holds up nothing else. Once the process is to end
@@ -18,24 +19,21 @@ namespace rubber_suspension::ros_interface {
 /// over connections that are not touched.
 class RegistrationKeeper {
  public:
-  /// `services` are resolved names.
-  explicit RegistrationKeeper(std::vector<std::string> services);
+  /// `services`: resolved names of those that there are now, asked for by any thread.
+  explicit RegistrationKeeper(std::function<std::vector<std::string>()> services);
   ~RegistrationKeeper();
   RegistrationKeeper(const RegistrationKeeper&) = delete;
   RegistrationKeeper& operator=(const RegistrationKeeper&) = delete;
 
  private:
-  enum class Registration { known, unknown, no_answer };
-
   void run();
   void check();
-  Registration ask();
   bool registerAnew();
   bool tell(const std::string& kind, const std::string& name, const std::string& detail, const std::string& uri,
             XmlRpc::XmlRpcValue& payload);
-  bool registerSubscriber(const std::string& topic, const std::string& type);
+  bool tellTopics(const std::string& kind, const std::string& method);
 
-  std::vector<std::string> services_;
+  const std::function<std::vector<std::string>()> services_;
   const std::string service_uri_;
   bool lost_ = false;        // the master did not answer
   bool incomplete_ = false;  // registering again was not finished
@@ -45,4 +43,4 @@ class RegistrationKeeper {
   std::thread thread_;
 };
 
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes

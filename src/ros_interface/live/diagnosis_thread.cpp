@@ -1,10 +1,11 @@
 // The live diagnosis of all components in a thread of its own.
-#include "ros_interface/live_diagnoser.h"
+#include "ros_interface/live/diagnosis_thread.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pthread.h>
 #include <ros/console.h>
+#include <rubber_suspension/Diagnosis.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -33,8 +34,6 @@ bool isNews(const diagnosis::LiveFindings& before, const diagnosis::LiveFindings
 
 bool isGap(const std::string& verdict) { return verdict != "watching" && verdict != "none"; }
 
-}  // namespace
-
 Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
   Diagnosis message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(findings.stamp));
@@ -59,29 +58,10 @@ Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
   return message;
 }
 
-void fillDiagnosisStatus(const diagnosis::LiveFindings& findings, diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  const std::string& verdict = findings.now.verdict;
-  const auto level = verdict == "check_bench" ? DiagnosticStatus::ERROR
-                     : isGap(verdict)         ? DiagnosticStatus::WARN
-                                              : DiagnosticStatus::OK;
-  status.summary(level, findings.now.effects.empty()
-                            ? verdict
-                            : fmt::format("{}: {}", verdict, fmt::join(findings.now.effects, ", ")));
-  status.add("sentence", findings.sentence);
-  status.add("looks", findings.looks);
-  status.add("window [s]", findings.window);
-  status.add("gap as configured", findings.gap.as_configured);
-  status.add("gap with what was found", findings.gap.augmented);
-  status.add("noise floor", findings.gap.noise_floor);
-  status.add("evidence", fmt::format("{:.3g} of {:.3g}", findings.now.evidence, findings.now.threshold));
-  if (findings.now.since) {
-    status.add("since [s]", fmt::format("{:.3f}", 1e-9 * static_cast<double>(*findings.now.since)));
-  }
-}
+}  // namespace
 
-LiveDiagnoser::LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
-                             const LiveDiagnoserSettings& settings)
+DiagnosisThread::DiagnosisThread(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
+                                 const LiveDiagnoserSettings& settings)
     : settings_(settings) {
   for (node::ComponentChannel* channel : channels) {
     auto configured = channel->configured();
@@ -100,7 +80,9 @@ LiveDiagnoser::LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::Co
   pthread_setname_np(thread_.native_handle(), "diagnosis");
 }
 
-void LiveDiagnoser::stop() {
+DiagnosisThread::~DiagnosisThread() { DiagnosisThread::stop(); }
+
+void DiagnosisThread::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
@@ -111,13 +93,13 @@ void LiveDiagnoser::stop() {
   }
 }
 
-bool LiveDiagnoser::isStopping() const {
+bool DiagnosisThread::isStopping() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return stopping_;
 }
 
 // On Linux niceness belongs to the thread.
-void LiveDiagnoser::run() {
+void DiagnosisThread::run() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
     ROS_WARN("the live diagnosis runs at normal priority");
   }
@@ -136,7 +118,7 @@ void LiveDiagnoser::run() {
   }
 }
 
-void LiveDiagnoser::serve(Watched& watched) {
+void DiagnosisThread::serve(Watched& watched) {
   auto configured = watched.channel->configured();
   if (configured != watched.configured) {  // the component file was read again
     watched.configured = std::move(configured);
@@ -157,7 +139,7 @@ void LiveDiagnoser::serve(Watched& watched) {
   }
 }
 
-void LiveDiagnoser::tell(Watched& watched) {
+void DiagnosisThread::tell(Watched& watched) {
   const diagnosis::LiveFindings findings = watched.live->findings();
   auto found = watched.live->found();
   const bool news = isNews(watched.findings, findings);
@@ -176,7 +158,7 @@ void LiveDiagnoser::tell(Watched& watched) {
   }
 }
 
-const LiveDiagnoser::Watched& LiveDiagnoser::at(const std::string& component) const {
+const DiagnosisThread::Watched& DiagnosisThread::at(const std::string& component) const {
   const auto found = std::find_if(watched_.begin(), watched_.end(),
                                   [&](const Watched& watched) { return watched.channel->name() == component; });
   if (found == watched_.end()) {
@@ -185,7 +167,7 @@ const LiveDiagnoser::Watched& LiveDiagnoser::at(const std::string& component) co
   return *found;
 }
 
-io::ComponentDescription LiveDiagnoser::found(const std::string& component) const {
+io::ComponentDescription DiagnosisThread::found(const std::string& component) const {
   const Watched& watched = at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!watched.found) {
@@ -195,10 +177,35 @@ io::ComponentDescription LiveDiagnoser::found(const std::string& component) cons
   return *watched.found;
 }
 
-diagnosis::LiveFindings LiveDiagnoser::findings(const std::string& component) const {
+void DiagnosisThread::fillStatus(const std::string& component,
+                                 diagnostic_updater::DiagnosticStatusWrapper& status) const {
   const Watched& watched = at(component);
   const std::lock_guard<std::mutex> lock(mutex_);
-  return watched.findings;
+  const diagnosis::LiveFindings& findings = watched.findings;
+  using diagnostic_msgs::DiagnosticStatus;
+  const std::string& verdict = findings.now.verdict;
+  const auto level = verdict == "check_bench" ? DiagnosticStatus::ERROR
+                     : isGap(verdict)         ? DiagnosticStatus::WARN
+                                              : DiagnosticStatus::OK;
+  status.summary(level, findings.now.effects.empty()
+                            ? verdict
+                            : fmt::format("{}: {}", verdict, fmt::join(findings.now.effects, ", ")));
+  status.add("sentence", findings.sentence);
+  status.add("looks", findings.looks);
+  status.add("window [s]", findings.window);
+  status.add("gap as configured", findings.gap.as_configured);
+  status.add("gap with what was found", findings.gap.augmented);
+  status.add("noise floor", findings.gap.noise_floor);
+  status.add("evidence", fmt::format("{:.3g} of {:.3g}", findings.now.evidence, findings.now.threshold));
+  if (findings.now.since) {
+    status.add("since [s]", fmt::format("{:.3f}", 1e-9 * static_cast<double>(*findings.now.since)));
+  }
 }
 
 }  // namespace rubber_suspension::ros_interface
+
+extern "C" rubber_suspension::ros_interface::LiveDiagnoser* rubber_suspension_make_live_diagnoser(
+    ros::NodeHandle& handle, const std::vector<rubber_suspension::node::ComponentChannel*>& channels,
+    const rubber_suspension::ros_interface::LiveDiagnoserSettings& settings) {
+  return new rubber_suspension::ros_interface::DiagnosisThread(handle, channels, settings);
+}

@@ -1,9 +1,7 @@
-// The live diagnosis of all components in a thread of its own, and its topics.
+// The live diagnosis of all components in a thread of its own, and its topics: a library that the node loads.
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <rubber_suspension/Diagnosis.h>
 
 #include <condition_variable>
 #include <cstdint>
@@ -15,38 +13,22 @@
 #include <vector>
 
 #include "diagnosis/live/live_diagnosis.h"
-#include "node/component_channel.h"
+#include "ros_interface/live_diagnoser.h"
 
 namespace rubber_suspension::ros_interface {
 
-struct LiveDiagnoserSettings {
-  int memory = 300000;  ///< samples with a measured force that are kept per component
-  int nice = 19;        ///< niceness of the thread
-};
-
-/// What is said as a message, and as a diagnostic status.
-Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings);
-void fillDiagnosisStatus(const diagnosis::LiveFindings& findings, diagnostic_updater::DiagnosticStatusWrapper& status);
-
 /// One thread for all components: it reads the samples that the channels keep, under the short locks that these have
-/// anyhow, and looks at one component after the other. Nothing waits for it.
-class LiveDiagnoser {
+/// anyhow, and looks at one component after the other.
+class DiagnosisThread final : public LiveDiagnoser {
  public:
   /// The channels must outlive the object.
-  LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
-                const LiveDiagnoserSettings& settings);
-  ~LiveDiagnoser() { stop(); }
-  LiveDiagnoser(const LiveDiagnoser&) = delete;
-  LiveDiagnoser& operator=(const LiveDiagnoser&) = delete;
+  DiagnosisThread(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
+                  const LiveDiagnoserSettings& settings);
+  ~DiagnosisThread() override;
 
-  /// End the thread: a look that runs is cancelled. What was found last can still be asked for.
-  void stop();
-
-  /// The model that closes what was found of a component. Throws std::invalid_argument that says why there is none.
-  io::ComponentDescription found(const std::string& component) const;
-
-  /// As of the last round of the thread.
-  diagnosis::LiveFindings findings(const std::string& component) const;
+  void stop() override;
+  io::ComponentDescription found(const std::string& component) const override;
+  void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const override;
 
  private:
   struct Watched {
