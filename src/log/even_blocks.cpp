@@ -140,8 +140,9 @@ void EvenBlocks::interpolate(const Log& left, std::size_t l, const Log& block, s
 }
 
 void EvenBlocks::endStretch(const Log& last, std::size_t sample) {
-  const double duration = seconds(last.stamp[sample] - first_stamp_);
-  const auto samples = std::min(static_cast<std::size_t>(std::floor(duration / steps_.dt)) + 1, steps_.samples);
+  constexpr double kRounding = 1e-6;  // of a step
+  const double steps = seconds(last.stamp[sample] - first_stamp_) / steps_.dt;
+  const auto samples = std::min(static_cast<std::size_t>(std::floor(steps + kRounding)) + 1, steps_.samples);
   for (; done_ < samples; ++done_) {
     even_.displacement.push_back(last.displacement[sample]);
     even_.force.push_back(last.force[sample]);

@@ -80,8 +80,8 @@ TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
   ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
   // Where this kernel does not permit it, the node says so and goes on.
   const std::string& host = ros::network::getHost();
-  const bool expected = (host == "localhost" || host.compare(0, 4, "127.") == 0) &&
-                        roscpp_fixes::keepSlaveApiToLoopback().empty();
+  const bool expected =
+      (host == "localhost" || host.compare(0, 4, "127.") == 0) && roscpp_fixes::keepSlaveApiToLoopback().empty();
   EXPECT_EQ(interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
   EXPECT_TRUE(loader.unload("/simulate"));
 }

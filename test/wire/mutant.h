@@ -1,5 +1,5 @@
-// Faults for a node that the driver of this folder must not let pass: included before all else in a program of the tests,
-// it stands between the node and its publishers.
+// Faults for a node that the driver of this folder must not let pass: included before all else in a program of the
+// tests, it stands between the node and its publishers.
 #pragma once
 
 #include <rubber_suspension/Force.h>
@@ -16,8 +16,8 @@
 
 namespace rubber_suspension::roscpp_fixes {
 
-/// Does to one force in 100,000 what the environment variable MUTANT says: `twice`, `none`, `ulp` or `count`; with `leak`
-/// 16 bytes are lost with every force.
+/// Does to one force in 100,000 what the environment variable MUTANT says: `twice`, `none`, `ulp` or `count`; with
+/// `leak` 16 bytes are lost with every force.
 class MutantPublisher : public AnswerPublisher {
  public:
   template <class Message>
