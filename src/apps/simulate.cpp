@@ -1,21 +1,20 @@
 // The node `simulate`: forces of rubber components for the displacements on their topics.
-#include "apps/command.h"
+#include "command_line/command.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/simulate_node.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
-      line.argc(), line.argv(), "simulate",
-      "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
-          ros_interface::describeNodeSettings(),
-      [&](CLI::App&) {
-        return [&] {
-          ros_interface::runSimulateNode(line);
-          return kSuccess;
-        };
+      line.argc(), line.argv(),
+      {"simulate",
+       "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
+           ros_interface::describeNodeSettings()},
+      {}, [&] {
+        ros_interface::runSimulateNode(line);
+        return kSuccess;
       });
 }

@@ -32,6 +32,7 @@ BELOW = {
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},
     "roscpp_fixes": set(),
+    "command_line": {"element", "component", "response", "estimation", "log", "io", "gap", "bag"},
     "ros_interface": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag", "roscpp_fixes"},
