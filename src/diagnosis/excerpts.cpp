@@ -100,7 +100,7 @@ std::string nameOf(const log::Log& part, const LogSurvey& log) {
 double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_cast<double>(later - earlier) * 1e-9; }
 
 // The step over a time gap from one sample to the first of a stretch, short of the step with which the stretch begins:
-// the displacement goes on in a straight line, as in `replay` and the node.
+// the displacement continues in a straight line, as in `replay` and the node.
 LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
   const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
   const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
@@ -113,7 +113,7 @@ bool changes(const std::vector<double>& values) {
   return *low < *high;
 }
 
-// A log or an excerpt of one goes on behind each of its time gaps as another, to which the step over the time gap
+// A log or an excerpt of one continues behind each of its time gaps as another, to which the step over the time gap
 // leads: no spectrum knows what was in it. Stretches of which no record can be made are left out.
 void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::vector<log::Log>& logs,
                   std::vector<LeadIn>& lead_ins) {
@@ -140,7 +140,7 @@ void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::ve
     return;
   }
   logs[before].notes.push_back(fmt::format(
-      "{} time gaps: spectra begin anew behind each; {} samples between them left out", first.size() - 1, left_out));
+      "{} time gaps: spectra begin again behind each; {} samples between them left out", first.size() - 1, left_out));
 }
 
 // Takes excerpts of a log, and what leads into them, from its samples as they come.

@@ -16,7 +16,7 @@ namespace rubber_suspension::log {
 /// Even steps for a log. They are those of the log itself, by their mean, where none differs from the median by more
 /// than the jitter allowed; else the median, or so much more that there are no more than twice as many samples as in
 /// the log, or 20,000. A step longer than half a second and than 20 times that of nine in ten samples is a time gap: no
-/// even steps lead across it, they begin anew behind it.
+/// even steps lead across it, they begin again behind it.
 struct EvenSteps {
   static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 

@@ -29,7 +29,7 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
-// Spectra begin anew behind a time gap.
+// Spectra begin again behind a time gap.
 std::ptrdiff_t beginOfLastStretch(const std::vector<MatchedSample>& samples, SimulatedForce force) {
   return static_cast<std::ptrdiff_t>(log::stretchesOf(logOf(samples, force)).back());
 }

@@ -16,8 +16,8 @@
 #include <stdexcept>
 
 #include "log/text.h"
+#include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/termination.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -103,7 +103,7 @@ bool RosCommandLine::waitForMaster(double timeout) const {
   std::uint32_t port = 0;
   ros::network::splitURI(uri, host, port);
   const auto begin = std::chrono::steady_clock::now();
-  for (bool said = false; !roscpp_fixes::isEnding();) {
+  for (bool said = false; !isEnding();) {
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (waited >= timeout) {
       throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));

@@ -19,8 +19,8 @@
 #include "io/cancellation.h"
 #include "node/regular_file.h"
 #include "node/state_file.h"
+#include "ros_interface/termination.h"
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/termination.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -199,7 +199,7 @@ std::string NodeServices::reload() const {
   if (!roscpp_fixes::masterAnswers(kLimit)) {
     throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
   }
-  const io::Cancellable cancellable(roscpp_fixes::isEnding);
+  const io::Cancellable cancellable(isEnding);
   exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
   return fmt::format("{} components reloaded", group_.channels().size());
 }

@@ -16,10 +16,10 @@
 #include <stdexcept>
 
 #include "io/cancellation.h"
+#include "ros_interface/termination.h"
 #include "roscpp_fixes/logger_service.h"
 #include "roscpp_fixes/loopback.h"
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/termination.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -58,7 +58,7 @@ void giveLargeBlocksBack() {
 
 // Services, timers and diagnostics, until the end. ros::spin() would leave that to ROS, which ends from within.
 void spinUntilEnd(SimulateNode& node) {
-  while (!roscpp_fixes::isEnding()) {
+  while (!isEnding()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   }
   constexpr double kMasterLimit = 0.5;  // [s]
@@ -91,7 +91,7 @@ void ClaimedComponents::claim(const std::string& component, const std::string& n
 
 void runSimulateNode(RosCommandLine& line) {
   giveLargeBlocksBack();
-  const roscpp_fixes::Termination termination;
+  const Termination termination;
   if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
     return;
   }
@@ -114,7 +114,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 }
 
 void SimulateNode::start() {
-  const io::Cancellable cancellable(roscpp_fixes::isEnding);
+  const io::Cancellable cancellable(isEnding);
   loggers_ = roscpp_fixes::takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
   prepareLog();
   settings_ = readNodeSettings(private_handle_);
@@ -232,13 +232,14 @@ void SimulateNode::advertiseServices() {
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_,
                                              [this](const std::string& component) { return foundModel(component); });
-  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>([this] {
-    std::vector<std::string> services = services_->names();
+  const auto services = [this] {
+    std::vector<std::string> names = services_->names();
     for (const std::string& name : roscpp_fixes::loggerServices()) {
-      services.push_back(name);
+      names.push_back(name);
     }
-    return services;
-  });
+    return names;
+  };
+  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>(services, isEnding);
 }
 
 }  // namespace rubber_suspension::ros_interface

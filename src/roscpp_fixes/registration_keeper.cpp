@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "roscpp_fixes/master_call.h"
-#include "roscpp_fixes/termination.h"
 
 namespace rubber_suspension::roscpp_fixes {
 namespace {
@@ -47,8 +46,10 @@ bool isListOfTexts(const XmlRpcValue& value) {
 
 }  // namespace
 
-RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services)
+RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services,
+                                       std::function<bool()> is_ending)
     : services_(std::move(services)),
+      is_ending_(std::move(is_ending)),
       service_uri_(
           fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
       thread_([this] { run(); }) {}
@@ -75,12 +76,12 @@ void RegistrationKeeper::run() {
 // What comes to the master while this node leaves it is taken back.
 bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, const std::string& detail,
                               const std::string& uri, XmlRpcValue& payload) {
-  if (isEnding()) {
+  if (is_ending_()) {
     return false;
   }
   const bool done =
       callMaster(kLimit, "register" + kind, callArguments({name, detail, uri}), payload, stop_) == CallResult::done;
-  if (isEnding()) {
+  if (is_ending_()) {
     XmlRpcValue ignored;
     callMaster(kLimit, "unregister" + kind, callArguments({name, kind == "Service" ? detail : uri}), ignored, stop_);
   }
@@ -121,7 +122,7 @@ void RegistrationKeeper::check() {
     XmlRpcValue payload;
     const CallResult known =
         callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_);
-    if (stop_ || isEnding()) {
+    if (stop_ || is_ending_()) {
       return;
     }
     const bool answers = known != CallResult::no_answer;

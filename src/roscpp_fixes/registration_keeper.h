@@ -19,8 +19,9 @@ namespace rubber_suspension::roscpp_fixes {
 /// over connections that are not touched.
 class RegistrationKeeper {
  public:
-  /// `services`: resolved names of those that there are now, asked for by any thread.
-  explicit RegistrationKeeper(std::function<std::vector<std::string>()> services);
+  /// `services`: resolved names of those that there are now; `is_ending`: whether the process is to end. Both are called
+  /// in the thread.
+  RegistrationKeeper(std::function<std::vector<std::string>()> services, std::function<bool()> is_ending);
   ~RegistrationKeeper();
   RegistrationKeeper(const RegistrationKeeper&) = delete;
   RegistrationKeeper& operator=(const RegistrationKeeper&) = delete;
@@ -34,6 +35,7 @@ class RegistrationKeeper {
   bool tellTopics(const std::string& kind, const std::string& method);
 
   const std::function<std::vector<std::string>()> services_;
+  const std::function<bool()> is_ending_;
   const std::string service_uri_;
   bool lost_ = false;        // the master did not answer
   bool incomplete_ = false;  // registering again was not finished

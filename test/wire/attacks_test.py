@@ -27,7 +27,7 @@ SANITIZED = False
 NODE = "/simulate"
 MEBIBYTE = 1 << 20
 FRAME = tcpros.FRAME
-FORCE_SIZE = 4 + 16 + len(FRAME) + 40
+FORCE_SIZE = tcpros.FORCE_SIZE
 sample = tcpros.sample
 
 

@@ -41,18 +41,14 @@ class Ends:
         return path
 
     def stream(self, writer, reader, over):
-        """Samples as fast as the node takes them, until it has gone."""
+        """Samples as fast as the node answers them, until it has gone."""
         number = 0
-        reader.setblocking(False)
         try:
             while not over.is_set():
-                writer.sendall(b"".join(tcpros.sample(number + i) for i in range(200)))
-                number += 200
-                try:
-                    reader.recv(1 << 18)
-                except BlockingIOError:
-                    pass
-        except OSError:
+                writer.sendall(b"".join(tcpros.sample(number + i) for i in range(50)))
+                number += 50
+                tcpros.receive(reader, 50 * tcpros.FORCE_SIZE)
+        except (OSError, tcpros.WireError):
             pass
 
     def registrations(self, network):

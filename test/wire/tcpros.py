@@ -18,6 +18,7 @@ HOST = "127.0.0.1"
 CALLER = "/wire_driver"
 PATIENCE = 60.0  # only bounds how long a failure takes [s]
 FRAME = b"x"
+FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # of a Force with its length
 
 
 class WireError(RuntimeError):

@@ -1,5 +1,5 @@
 // The orderly end of a node.
-#include "roscpp_fixes/termination.h"
+#include "ros_interface/termination.h"
 
 #include <pthread.h>
 #include <ros/init.h>
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <csignal>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 namespace {
 
 constexpr std::chrono::seconds kLimit(5);
@@ -65,4 +65,4 @@ void Termination::wait() {
   }
 }
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-namespace rubber_suspension::roscpp_fixes {
+namespace rubber_suspension::ros_interface {
 
 /// True once this process is to end: by a signal, or because ROS is being shut down. Long work ends early then.
 bool isEnding();
@@ -27,4 +27,4 @@ class Termination {
   std::thread thread_;
 };
 
-}  // namespace rubber_suspension::roscpp_fixes
+}  // namespace rubber_suspension::ros_interface
