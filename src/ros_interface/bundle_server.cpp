@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include "node/message_bounds.h"
-#include "ros_interface/arrival.h"
 #include "ros_interface/sample_server.h"
 #include "roscpp_fixes/checked_subscription.h"
 

@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include "node/message_bounds.h"
-#include "ros_interface/arrival.h"
 #include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
@@ -14,6 +13,13 @@ namespace rubber_suspension::ros_interface {
 std::uint32_t answerQueueSize(int queue_size) {
   constexpr std::uint32_t kFewest = 40000;
   return std::max(kFewest, 4 * static_cast<std::uint32_t>(queue_size));
+}
+
+std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_clock::time_point callback) {
+  if (ros::Time::isSystemTime()) {
+    return std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec());
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - callback).count();
 }
 
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message) {

@@ -8,6 +8,7 @@
 #include <sensor_msgs/Temperature.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +21,10 @@ namespace rubber_suspension::ros_interface {
 
 /// Answers that may wait for a subscriber that reads slowly, where that many samples may wait for the node.
 std::uint32_t answerQueueSize(int queue_size);
+
+/// From the arrival of a message to now [ns]. ROS stamps arrivals with ros::Time, which stands for real time only while
+/// no simulated time is in use; then what is known is the time since `callback`, when the message's callback began.
+std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_clock::time_point callback);
 
 /// Write the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
