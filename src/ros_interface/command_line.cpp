@@ -75,9 +75,9 @@ RosCommandLine::~RosCommandLine() {
   for (const std::string& argument : all_) {
     const std::string name = initialised_ ? privateParameterOf(argument) : "";
     XmlRpc::XmlRpcValue payload;
-    if (!name.empty() && roscpp_fixes::callMaster(kLimit, "deleteParam",
-                                                  roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}),
-                                                  payload, stop) == roscpp_fixes::CallResult::no_answer) {
+    if (!name.empty() && !roscpp_fixes::callMaster(
+                             kLimit, "deleteParam",
+                             roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}), payload, stop)) {
       return;
     }
   }

@@ -45,11 +45,6 @@ class Client : public XmlRpc::XmlRpcClient {
 
 }  // namespace
 
-bool isAnswer(const XmlRpcValue& answer) {
-  return answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 &&
-         answer[0].getType() == XmlRpcValue::TypeInt;
-}
-
 XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
   XmlRpcValue value;
   value[0] = ros::this_node::getName();
@@ -59,33 +54,32 @@ XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
   return value;
 }
 
-bool callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
-                const XmlRpcValue& arguments, XmlRpcValue& answer, const std::atomic<bool>& stop) {
+std::optional<int> callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
+                              const XmlRpcValue& arguments, XmlRpcValue& payload, const std::atomic<bool>& stop) {
   try {
-    Client client(host, port);
-    return client.callWithin(limit, method, arguments, answer, stop);
+    XmlRpcValue answer;
+    if (!Client(host, port).callWithin(limit, method, arguments, answer, stop) ||
+        answer.getType() != XmlRpcValue::TypeArray || answer.size() != 3 ||
+        answer[0].getType() != XmlRpcValue::TypeInt) {
+      return std::nullopt;
+    }
+    payload = answer[2];
+    return static_cast<int>(answer[0]);
   } catch (const XmlRpc::XmlRpcException&) {
-    return false;
+    return std::nullopt;
   }
 }
 
-CallResult callMaster(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& payload,
-                      const std::atomic<bool>& stop) {
-  XmlRpcValue answer;
-  if (!callWithin(limit, ros::master::getHost(), ros::master::getPort(), method, arguments, answer, stop) ||
-      !isAnswer(answer)) {
-    return CallResult::no_answer;
-  }
-  payload = answer[2];
-  return static_cast<int>(answer[0]) == 1 ? CallResult::done : CallResult::refused;
+std::optional<int> callMaster(double limit, const std::string& method, const XmlRpcValue& arguments,
+                              XmlRpcValue& payload, const std::atomic<bool>& stop) {
+  return callWithin(limit, ros::master::getHost(), ros::master::getPort(), method, arguments, payload, stop);
 }
 
 bool masterAnswers(double limit) { return masterAnswers(limit, ros::master::getHost(), ros::master::getPort()); }
 
 bool masterAnswers(double limit, const std::string& host, std::uint32_t port) {
-  XmlRpcValue answer;
-  const std::atomic<bool> stop{false};
-  return callWithin(limit, host, port, "getPid", callArguments({}), answer, stop) && isAnswer(answer);
+  XmlRpcValue payload;
+  return callWithin(limit, host, port, "getPid", callArguments({}), payload, std::atomic<bool>{false}).has_value();
 }
 
 void giveUpMaster() { ros::master::init({{"__master", "http://127.0.0.1:1"}}); }

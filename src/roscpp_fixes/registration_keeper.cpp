@@ -29,10 +29,11 @@ std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 XmlRpcValue askSelf(const std::string& method, const XmlRpcValue& arguments, const std::atomic<bool>& stop) {
   std::string host;
   std::uint32_t port = 0;
-  XmlRpcValue answer;
-  const bool answered =
-      ros::network::splitURI(ownUri(), host, port) && callWithin(kLimit, host, port, method, arguments, answer, stop);
-  return answered && isAnswer(answer) ? answer[2] : XmlRpcValue();
+  XmlRpcValue payload;
+  return ros::network::splitURI(ownUri(), host, port) &&
+                 callWithin(kLimit, host, port, method, arguments, payload, stop)
+             ? payload
+             : XmlRpcValue();
 }
 
 // Addresses of nodes; a master that answers anything else is not followed.
@@ -79,8 +80,7 @@ bool RegistrationKeeper::tell(const std::string& kind, const std::string& name, 
   if (is_ending_()) {
     return false;
   }
-  const bool done =
-      callMaster(kLimit, "register" + kind, callArguments({name, detail, uri}), payload, stop_) == CallResult::done;
+  const bool done = callMaster(kLimit, "register" + kind, callArguments({name, detail, uri}), payload, stop_) == 1;
   if (is_ending_()) {
     XmlRpcValue ignored;
     callMaster(kLimit, "unregister" + kind, callArguments({name, kind == "Service" ? detail : uri}), ignored, stop_);
@@ -120,18 +120,17 @@ bool RegistrationKeeper::registerAnew() {
 void RegistrationKeeper::check() {
   try {
     XmlRpcValue payload;
-    const CallResult known =
+    const std::optional<int> known =
         callMaster(kLimit, "lookupNode", callArguments({ros::this_node::getName()}), payload, stop_);
     if (stop_ || is_ending_()) {
       return;
     }
-    const bool answers = known != CallResult::no_answer;
-    if (!answers && !lost_) {
+    if (!known && !lost_) {
       ROS_WARN("the master does not answer; samples are served on, over the connections that are there");
     }
-    lost_ = !answers;
-    incomplete_ = incomplete_ || known == CallResult::refused;
-    if (incomplete_ && answers && registerAnew()) {
+    lost_ = !known;
+    incomplete_ = incomplete_ || (known && known != 1);
+    if (incomplete_ && known && registerAnew()) {
       incomplete_ = false;
       ROS_WARN("the master did not know this node any more; registered again");
     }

@@ -19,8 +19,8 @@ namespace rubber_suspension::roscpp_fixes {
 /// over connections that are not touched.
 class RegistrationKeeper {
  public:
-  /// `services`: resolved names of those that there are now; `is_ending`: whether the process is to end. Both are called
-  /// in the thread.
+  /// `services`: resolved names of those that there are now; `is_ending`: whether the process is to end. Both are
+  /// called in the thread.
   RegistrationKeeper(std::function<std::vector<std::string>()> services, std::function<bool()> is_ending);
   ~RegistrationKeeper();
   RegistrationKeeper(const RegistrationKeeper&) = delete;
