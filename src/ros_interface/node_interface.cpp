@@ -97,8 +97,8 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       service<std_srvs::Trigger>("~load_state", "continue from the state in ~state_file"),
       service<std_srvs::Trigger>("~reload", "read the component file again; unchanged components keep their state"),
       service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement and keeps its state"),
-      service<ResetComponent>("~reset_component", "reset one component: at rest, as new"),
-      service<EnableComponent>("~enable_component", "as ~set_enabled, for one component"),
+      service<ResetComponent>("~reset_component", "reset the one of the name `component`: at rest, as new"),
+      service<EnableComponent>("~enable_component", "as ~set_enabled, for the one of the name `component`"),
       service<std_srvs::Trigger>(
           "COMPONENT/promote",
           "where ~diagnose or ~promote_file is set: put the model of ~promote_file in the place "
