@@ -103,7 +103,7 @@ TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
     text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + ", *a" +
             std::to_string(i - 1) + "]\n";
   }
-  EXPECT_THAT(errorOf(text), HasSubstr("unknown key"));
+  EXPECT_THAT(errorOf(text), HasSubstr("each alias"));
   EXPECT_THAT(errorOf("components: &c\n  a: *c\n"), HasSubstr("file.yaml:"));
 }
 
