@@ -10,7 +10,7 @@
 #include <set>
 
 #include "element/suggestion.h"
-#include "io/yaml_nesting.h"
+#include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/io/rig_tolerances.h"
@@ -70,6 +70,10 @@ class Reader {
       return std::nullopt;
     }
     try {
+      if (const auto line = io::lineExpandedTooFar(text)) {
+        report(*line, "", io::acceptedExpansion());
+        return std::nullopt;
+      }
       return YAML::Load(text);
     } catch (const YAML::Exception& error) {
       report(std::max(error.mark.line + 1, 1), "", fmt::format("not YAML: {}; accepted: a jobs file", error.msg));

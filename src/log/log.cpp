@@ -13,7 +13,6 @@
 
 #include "element/suggestion.h"
 #include "kernel/sample_checks.h"
-#include "log/file_format.h"
 #include "log/log_columns.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -117,17 +116,6 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
     format.rate = rate;
   }
   return format;
-}
-
-Log readLog(const std::string& path, const LogFormat& format) {
-  switch (formatOfFile(path)) {
-    case FileFormat::matlab:
-      return readMatLog(path, format);
-    case FileFormat::hdf5:
-      return readHdf5Log(path, format);
-    default:
-      return readCsvLog(path, format);
-  }
 }
 
 void checkLog(const Log& log) {

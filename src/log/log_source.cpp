@@ -100,4 +100,15 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   return sourceOf(std::move(kept));
 }
 
+Log readLog(const std::string& path, const LogFormat& format) {
+  switch (formatOfFile(path)) {
+    case FileFormat::matlab:
+      return readMatLog(path, format);
+    case FileFormat::hdf5:
+      return readHdf5Log(path, format);
+    default:
+      return readCsvLog(path, format);
+  }
+}
+
 }  // namespace rubber_suspension::log

@@ -1,5 +1,5 @@
 // The service ~get_loggers of this process.
-#include "ros_interface/logger_service.h"
+#include "roscpp_fixes/logger_service.h"
 
 #include <ros/console.h>
 #include <ros/console_impl.h>
@@ -8,24 +8,19 @@
 #include <ros/this_node.h>
 #include <roscpp/GetLoggers.h>
 
-#include <array>
 #include <mutex>
-#include <string>
 #include <utility>
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 namespace {
 
 // The lowest level that a logger lets through, by the name that ~set_logger_level takes.
 std::string levelOf(const std::string& logger) {
   using ros::console::levels::Level;
-  static const std::array<std::pair<Level, const char*>, 5> levels = {{{Level::Debug, "debug"},
-                                                                       {Level::Info, "info"},
-                                                                       {Level::Warn, "warn"},
-                                                                       {Level::Error, "error"},
-                                                                       {Level::Fatal, "fatal"}}};
+  static constexpr std::pair<Level, const char*> kLevels[] = {
+      {Level::Debug, "debug"}, {Level::Info, "info"}, {Level::Warn, "warn"}, {Level::Error, "error"}};
   void* const handle = ros::console::impl::getHandle(logger);
-  for (const auto& [level, name] : levels) {
+  for (const auto& [level, name] : kLevels) {
     if (ros::console::impl::isEnabledFor(handle, level)) {
       return name;
     }
@@ -45,26 +40,22 @@ bool answer(roscpp::GetLoggers::Request& /*request*/, roscpp::GetLoggers::Respon
 
 }  // namespace
 
-std::shared_ptr<LoggerService> LoggerService::get() {
+std::shared_ptr<ros::ServiceServer> takeOverLoggerService() {
   static std::mutex mutex;
-  static std::weak_ptr<LoggerService> existing;
+  static std::weak_ptr<ros::ServiceServer> existing;
   const std::lock_guard<std::mutex> lock(mutex);
-  std::shared_ptr<LoggerService> result = existing.lock();
+  std::shared_ptr<ros::ServiceServer> result = existing.lock();
   if (!result) {
-    existing = result = std::make_shared<LoggerService>();
+    const std::string name = loggerServices().front();
+    ros::ServiceManager::instance()->unadvertiseService(name);
+    existing = result = std::make_shared<ros::ServiceServer>(ros::NodeHandle().advertiseService(name, answer));
   }
   return result;
 }
 
-std::vector<std::string> LoggerService::names() {
+std::vector<std::string> loggerServices() {
   const std::string& node = ros::this_node::getName();
   return {ros::names::append(node, "get_loggers"), ros::names::append(node, "set_logger_level")};
 }
 
-LoggerService::LoggerService() {
-  const std::string name = names().front();
-  ros::ServiceManager::instance()->unadvertiseService(name);
-  server_ = handle_.advertiseService(name, answer);
-}
-
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes

@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-namespace rubber_suspension::ros_interface {
+namespace rubber_suspension::roscpp_fixes {
 
 /// True if these bytes are a message of the topic.
 using MessageCheck = std::function<bool(const std::uint8_t* data, std::size_t size)>;
@@ -52,4 +52,4 @@ ros::Subscriber subscribeChecked(ros::NodeHandle& handle, const std::string& top
   return handle.subscribe(options);
 }
 
-}  // namespace rubber_suspension::ros_interface
+}  // namespace rubber_suspension::roscpp_fixes
