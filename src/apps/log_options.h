@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -21,8 +23,10 @@ class LogOptions {
            "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
            "temperature=NAME, where NAME may be a number from 1; or the words alone, in the order of the columns")
         ->type_name("QUANTITY=NAME");
-    app.add_option("--unit", unit_, "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms")
-        ->type_name("LENGTH,FORCE,TIME");
+    app.add_option("--unit", unit_, "units of columns, such as force=kN displacement=mm")->type_name("QUANTITY=UNIT");
+    app.add_option("--decimal", decimal_, "decimal mark of a text, , or .")->type_name("MARK");
+    app.add_option("--segment", segment_, "which of several logs in one file, from 1, or all")->type_name("NUMBER");
+    app.add_option("--bridge", bridge_, "longest time without a number that is passed over")->type_name("SECONDS");
     app.add_option("--sampling-rate", sampling_rate_, "sampling rate of a log without a time column")->type_name("HZ");
   }
 
@@ -60,14 +64,17 @@ class LogOptions {
  private:
   log::LogFormat format() const {
     try {
-      return log::makeLogFormat(columns_, unit_, sampling_rate_);
+      return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_, bridge_);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
     }
   }
 
   std::vector<std::string> columns_;
-  std::string unit_;
+  std::vector<std::string> unit_;
+  std::string decimal_;
+  std::string segment_;
+  double bridge_ = -1.0;
   double sampling_rate_ = 0.0;
 };
 

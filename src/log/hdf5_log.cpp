@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "log/column_table.h"
-#include "log/hdf5_blocks.h"
+#include "log/file_readers.h"
 #include "log/hdf5_mutex.h"
 #include "log/log_columns.h"
 
@@ -196,16 +196,19 @@ class Hdf5File {
     nameColumns(columns_);
   }
 
-  std::vector<ColumnName> names() const {
-    std::vector<ColumnName> names;
+  /// Its columns, of at most so many numbers each. The file has to outlive them.
+  ColumnTable table(std::size_t most) const {
+    ColumnTable table{{}, {}, columns(most)};
     for (const Hdf5Column& column : columns_) {
       ColumnName name = parseColumnName(column.name, column.unit);
       name.bare = leafOf(name.bare);
-      names.push_back(name);
+      table.names.push_back(name);
+      table.groups.push_back(groupOf(column.path));
     }
-    return names;
+    return table;
   }
 
+ private:
   /// Columns of as many numbers as may be read; longer ones are refused.
   ColumnFile columns(std::size_t most) const {
     return {
@@ -220,7 +223,6 @@ class Hdf5File {
         }};
   }
 
- private:
   static hid_t open(const std::string& path) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
     return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -245,15 +247,15 @@ auto withFile(const std::string& path, const Read& read) {
 
 }  // namespace
 
-Log readHdf5Log(const std::string& path, const LogFormat& format) {
+std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format) {
   return withFile(path, [&](const Hdf5File& file) {
-    return logFromColumns(file.names(), file.columns(kMaximumLogRows), format, logName(path));
+    return logsFromColumns(file.table(kMaximumLogRows), format, logName(path));
   });
 }
 
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
   return withFile(path, [&](const Hdf5File& file) {
-    return blocksFromColumns(file.names(), file.columns(kAllSamples), format, logName(path), kLogBlock, take);
+    return blocksFromColumns(file.table(kAllSamples), format, logName(path), kLogBlock, take);
   });
 }
 

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "log/csv_blocks.h"
 #include "log/file_format.h"
-#include "log/hdf5_blocks.h"
+#include "log/file_readers.h"
 #include "log/log_columns.h"
 #include "log/samples.h"
 
@@ -57,7 +56,9 @@ class FileSource : public LogSource {
   FileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
       : path_(std::move(path)), format_(std::move(format)), read_(read_blocks) {}
 
-  std::string name() const override { return logName(path_); }
+  std::string name() const override {
+    return format_.segment == 0 ? logName(path_) : segmentName(logName(path_), format_.segment);
+  }
   std::vector<std::string> read(const Take& take) const override { return read_(path_, format_, take); }
 
  private:
@@ -98,6 +99,17 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   kept.name = file->name();
   kept.notes = std::move(notes);
   return sourceOf(std::move(kept));
+}
+
+LogSources openLogs(const std::string& path, const LogFormat& format) {
+  if (format.segment != kAllSegments) {
+    return {openLog(path, format)};
+  }
+  LogSources sources;
+  for (Log& log : readLogs(path, format)) {
+    sources.push_back(sourceOf(std::move(log)));
+  }
+  return sources;
 }
 
 }  // namespace rubber_suspension::log

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "log/column_table.h"
+#include "log/file_readers.h"
 #include "log/hdf5_mutex.h"
 #include "log/log_columns.h"
 #include "rubber_suspension/log/log.h"
@@ -93,21 +94,24 @@ class MatLogReader {
     }
   }
 
-  Log read(const std::string& name) {
+  std::vector<Log> read(const std::string& name) {
     listColumns();
-    std::vector<ColumnName> names;
-    std::transform(columns_.begin(), columns_.end(), std::back_inserter(names),
-                   [](const MatColumn& column) { return parseColumnName(column.name); });
-    return logFromColumns(
-        names,
-        {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
+    ColumnTable table;
+    for (const MatColumn& column : columns_) {
+      table.names.push_back(parseColumnName(column.name));
+      if (!column.field.empty()) {
+        table.names.back().bare = parseColumnName(column.field).bare;
+      }
+      table.groups.push_back(column.field.empty() ? "" : column.variable);
+    }
+    table.file = {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
          [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, and all of them
            keep(place, column);
            std::vector<double> numbers = std::move(kept_.at(place));
            kept_.erase(place);
            return numbers;
-         }},
-        format_, name);
+         }};
+    return logsFromColumns(table, format_, name);
   }
 
  private:
@@ -213,7 +217,7 @@ class MatLogReader {
 
 }  // namespace
 
-Log readMatLog(const std::string& path, const LogFormat& format) {
+std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());
   try {
     return MatLogReader(path, format).read(logName(path));

@@ -112,7 +112,7 @@ TEST_F(MakeCampaign, TheManifestReadsBack) {
   const campaign::Manifest manifest =
       make(std::string(kFleet) +
            "    hold_out: last.csv\n    rig: {gain: 1 %}\n    reports: none\n    sampling_rate: 200\n"
-           "    columns: [time=time_s]\n    unit: mm,kN\n");
+           "    columns: [time=time_s]\n    unit: displacement=mm force=kN\n");
   std::filesystem::create_directories(folder_.path("out"));
   campaign::writeManifest(manifest, folder_.path("out"));
   const campaign::Manifest again = campaign::readManifest(folder_.path("out"));

@@ -55,7 +55,7 @@ log::LogFormat formatOf(const std::string& options) {
     if (word.compare(0, 2, "--") == 0) {
       option = word;
     } else if (option == "--unit") {
-      unit = word;
+      unit += word + " ";
     } else if (option == "--sampling-rate") {
       rate = std::stod(word);
     } else if (!columns.empty() && word.find('=') == std::string::npos &&

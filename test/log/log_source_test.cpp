@@ -101,7 +101,7 @@ TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
     }
     H5Fclose(hdf5);
     const log::LogFormat format =
-        wide ? log::makeLogFormat({"displacement=1", "force=2"}, "mm,N", 1000.0) : log::makeLogFormat({}, "", 1000.0);
+        wide ? log::makeLogFormat({"displacement=1", "force=2"}, "displacement=mm force=N", 1000.0) : log::makeLogFormat({}, "", 1000.0);
     const auto source = log::openLog(file.path(), format);
     expectEqual(collected(*source), log::readLog(file.path(), format));
     expectEqual(collected(*source), log::readLog(file.path(), format));

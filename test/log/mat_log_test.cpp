@@ -41,7 +41,7 @@ TEST(MatLog, NotesWhatItIgnores) {
 
 // Single precision displacement [cm] and time [s] as whole numbers in the fields of the file's only struct.
 TEST(MatLog, FieldsOfAStructWithMapping) {
-  const log::LogFormat format = log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "cm,N", 0.0);
+  const log::LogFormat format = log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "displacement=cm force=N", 0.0);
   const log::Log log = read("struct", format);
   EXPECT_THAT(log.stamp, ElementsAre(0, 1000000000, 2000000000, 3000000000, 4000000000));
   EXPECT_THAT(log.displacement, ElementsAre(0.0, 0.01, 0.02, 0.01, 0.0));
