@@ -1,9 +1,9 @@
 // The options that say how to read a log, the same for every command that reads one.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -64,7 +64,8 @@ class LogOptions {
  private:
   log::LogFormat format() const {
     try {
-      return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_, bridge_);
+      return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
+                                bridge_);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
     }

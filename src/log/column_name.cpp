@@ -95,8 +95,8 @@ std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
 
 bool splitSuffix(ColumnName& name) {
   const std::size_t at = name.text.rfind('_');
-  return at != std::string::npos &&
-         isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) && splitAt(name, at, at + 1);
+  return at != std::string::npos && isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) &&
+         splitAt(name, at, at + 1);
 }
 
 }  // namespace

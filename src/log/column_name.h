@@ -21,12 +21,12 @@ std::string siUnit(Quantity quantity);
 /// A column as the file names it. The unit stands behind the name, "Kraft [kN]", "Kraft (kN)", "Kraft / kN",
 /// "Kraft in kN", "force_kN", or in a row of units.
 struct ColumnName {
-  std::string text;          ///< as in the file, UTF-8
-  std::string bare;          ///< without unit
-  std::string unit;          ///< as in the file; empty where none is told
-  bool names_unit = false;   ///< the unit stands in the text
-  bool unit_known = true;    ///< false for a word behind the name of a quantity that is no unit: "Force [kilos]"
-  std::string second = {};   ///< text of the cell below, where that is a name, too
+  std::string text;         ///< as in the file, UTF-8
+  std::string bare;         ///< without unit
+  std::string unit;         ///< as in the file; empty where none is told
+  bool names_unit = false;  ///< the unit stands in the text
+  bool unit_known = true;   ///< false for a word behind the name of a quantity that is no unit: "Force [kilos]"
+  std::string second = {};  ///< text of the cell below, where that is a name, too
 
   /// "Kraft [kN]" also where the unit stands in a row of its own.
   std::string withUnit() const;

@@ -147,7 +147,7 @@ std::vector<std::string> cellsBelow(std::string_view line, Separator separator, 
       return {};
     }
     const auto unit = unitInField(cells.back());
-    any_unit = any_unit || (unit && !unit->empty());
+    any_unit = any_unit || (unit && !unit->empty() && quantityOfUnit(*unit));
   }
   cells.resize(any_unit && cells.size() <= count ? count : 0);
   return cells;
@@ -363,11 +363,12 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   second.resize(count);
   std::vector<std::string> above = unitsAbove(header, row - 1);
   above.resize(above.empty() ? 0 : count);
-  for (std::size_t i = 0; i < count && !units.empty() && !two_rows; ++i) {
-    header.names[i] = parseColumnName(header.names[i].text, units[i]);  // units without names
+  const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
+  for (std::size_t i = 0; i < count && units_alone; ++i) {
+    header.names[i] = parseColumnName(header.names[i].text, units[i]);
   }
-  header.names = two_rows ? columnNames(second, units) : units.empty() ? columnNames(first, above) : header.names;
-  header.has_units_row = !units.empty();
+  header.names = two_rows ? columnNames(second, units) : units_alone ? header.names : columnNames(first, above);
+  header.has_units_row = two_rows || units_alone;
   header.line = lines_[row - (two_rows ? 2 : 1)].number;
 }
 

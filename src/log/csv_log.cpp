@@ -172,8 +172,8 @@ class CsvLogReader {
     resolveTime(head);
     beginRows();
     by_fields_ = header_.separator != Separator::comma || format_.decimal == ',';
-    const auto rows = std::find_if(head.begin(), head.end(),
-                                   [&](const TextLine& line) { return line.number >= header_.next_line; });
+    const auto rows =
+        std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= header_.next_line; });
     read_ahead_.insert(read_ahead_.begin(), rows, head.end());
   }
 
@@ -181,6 +181,7 @@ class CsvLogReader {
     log_ = Log();
     log_.notes = notesOnIgnored(header_.names, columns_, format_);
     rules_.emplace(format_, columns_, "line");
+    clock_ = TimeTextReader();
     first_row_ = 0;
     blank_line_ = comments_ = 0;
   }
@@ -399,7 +400,7 @@ class CsvLogReader {
       return value;
     }
     return isNumberBefore(field, parsed_end, field_end) && std::isfinite(value) ? value
-                                                                               : unmeasured(field, field_end, column);
+                                                                                : unmeasured(field, field_end, column);
   }
 
   // Blanks may follow. strtod takes hexadecimal numbers as well.
@@ -527,8 +528,9 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
     if (found_mark == '\0' && !reader->hasHandedOut() && !isStream(path)) {
       return withReader(path, format, read, other.decimal);
     }
-    throw LogError(fmt::format("{}:{}: a decimal {}, where marks before may be between thousands; accepted: --decimal {}",
-                               path, reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
+    throw LogError(
+        fmt::format("{}:{}: a decimal {}, where marks before may be between thousands; accepted: --decimal {}", path,
+                    reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
     throw;  // of who takes the samples
   } catch (const RowError& error) {

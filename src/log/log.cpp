@@ -94,7 +94,8 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   if (channel == nullptr || channel->column.empty()) {
     throw std::invalid_argument(fmt::format(
         "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that of the "
-        "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in the "
+        "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in "
+        "the "
         "order of the columns",
         quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
   }
@@ -191,8 +192,7 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   format.segment = segment.empty() ? 0 : segmentNumber(segment);
   constexpr double kLongestBridge = 3600.0;  // [s]
   if (!(bridge <= kLongestBridge)) {
-    throw std::invalid_argument(
-        fmt::format("--bridge: {:g} s; accepted: 0 to {:g} s", bridge, kLongestBridge));
+    throw std::invalid_argument(fmt::format("--bridge: {:g} s; accepted: 0 to {:g} s", bridge, kLongestBridge));
   }
   if (bridge >= 0.0) {
     format.bridge = bridge;
@@ -227,19 +227,17 @@ std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vec
     return format.segment - 1;
   }
   constexpr std::size_t kMostNamed = 6;
-  const std::vector<std::string> named(segments.begin(),
-                                       segments.begin() + static_cast<std::ptrdiff_t>(std::min(segments.size(), kMostNamed)));
-  throw std::runtime_error(fmt::format("{} log{} in one file: {}{}; accepted: --segment 1{}", segments.size(),
-                                       segments.size() == 1 ? "" : "s", join(named),
-                                       segments.size() > kMostNamed ? ", ..." : "",
-                                       segments.size() == 1 ? "" : fmt::format(" to {}, or --segment all", segments.size())));
+  const std::vector<std::string> named(
+      segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(std::min(segments.size(), kMostNamed)));
+  throw std::runtime_error(
+      fmt::format("{} log{} in one file: {}{}; accepted: --segment 1{}", segments.size(),
+                  segments.size() == 1 ? "" : "s", join(named), segments.size() > kMostNamed ? ", ..." : "",
+                  segments.size() == 1 ? "" : fmt::format(" to {}, or --segment all", segments.size())));
 }
 
 std::string segmentName(const std::string& file, std::size_t number) { return fmt::format("{}_{}", file, number); }
 
-Log readLog(const std::string& path, const LogFormat& format) {
-  return onlyLog(path, readLogs(path, format));
-}
+Log readLog(const std::string& path, const LogFormat& format) { return onlyLog(path, readLogs(path, format)); }
 
 void checkLog(const Log& log) {
   checkLengths(log);

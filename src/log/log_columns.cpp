@@ -59,10 +59,9 @@ Places placeOfNumber(const std::string& text, std::size_t count) {
 
 // Where the column is that the user named: as in the file, without its unit, or by its number.
 Places placesOfOption(const std::vector<ColumnName>& header, const std::string& name) {
-  Places places =
-      placesWhere(header, [&](const ColumnName& column) {
-        return column.text == name || column.withUnit() == name || (!column.second.empty() && column.second == name);
-      });
+  Places places = placesWhere(header, [&](const ColumnName& column) {
+    return column.text == name || column.withUnit() == name || (!column.second.empty() && column.second == name);
+  });
   if (places.empty()) {
     places = placesWhere(header, [&](const ColumnName& column) { return column.bare == name; });
   }
@@ -163,8 +162,9 @@ void setUnit(Column& column, const std::string& unit, Quantity quantity) {
     const double size = column.conversion(1.0);
     if (size > largestUnit(quantity)) {
       const std::string lower = lowerCase(unit);
-      throw std::invalid_argument(fmt::format("unit {} is {:g} {}{}", quoted(unit), size, siUnit(quantity),
-                                              lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : ""));
+      throw std::invalid_argument(
+          fmt::format("unit {} is {:g} {}{}", quoted(unit), size, siUnit(quantity),
+                      lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : ""));
     }
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(fmt::format("column {}: {}; accepted: a unit of {}, in the header or by --unit {}=UNIT",

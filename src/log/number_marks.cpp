@@ -77,12 +77,15 @@ void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) 
     throw OtherDecimalMark{decimal};
   }
   if (decimal_ != '\0') {
-    throw std::runtime_error(fmt::format(
-        "{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators of thousands "
-        "but the other mark",
-        quoted(std::string(text)), nameOfMark(decimal),
-        told_ ? "--decimal" : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_) : "another line",
-        nameOfMark(decimal_)));
+    throw std::runtime_error(
+        fmt::format("{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators "
+                    "of thousands "
+                    "but the other mark",
+                    quoted(std::string(text)), nameOfMark(decimal),
+                    told_               ? "--decimal"
+                    : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
+                                        : "another line",
+                    nameOfMark(decimal_)));
   }
   decimal_ = decimal;
   decimal_line_ = line;
@@ -99,9 +102,8 @@ void NumberMarks::lookAt(std::string_view text, Quantity quantity, std::size_t l
   marked_ = true;
   if (last_may_be_either_) {
     if (decimal_ == '\0' && assumed_ == otherMark(marks.last)) {
-      throw std::runtime_error(
-          fmt::format("{} has a {} where others have a {}; accepted: --decimal , or --decimal .",
-                      quoted(std::string(text)), nameOfMark(marks.last), nameOfMark(assumed_)));
+      throw std::runtime_error(fmt::format("{} has a {} where others have a {}; accepted: --decimal , or --decimal .",
+                                           quoted(std::string(text)), nameOfMark(marks.last), nameOfMark(assumed_)));
     }
     assumed_ = decimal_ == '\0' ? marks.last : assumed_;
     const bool first = column.line == 0 && (decimal_ == '\0' || decimal_ == marks.last);
@@ -163,8 +165,8 @@ void NumberMarks::see(double value, Quantity quantity) {
   column.large = column.large || (!last_marked_ && std::abs(value) >= 1000.0);
   if (column.last_marked >= 0 && column.last_marked != marked) {
     column.as_decimals += relativeStep(column.last, value);
-    column.as_thousands += relativeStep((column.last_marked == 1 ? 1000.0 : 1.0) * column.last,
-                                        (marked == 1 ? 1000.0 : 1.0) * value);
+    column.as_thousands +=
+        relativeStep((column.last_marked == 1 ? 1000.0 : 1.0) * column.last, (marked == 1 ? 1000.0 : 1.0) * value);
   }
   column.last = value;
   column.last_marked = marked;
@@ -178,13 +180,13 @@ void NumberMarks::requireClear(const Columns& columns) const {
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
-      throw RowError(column.line,
-                     fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
-                                 "{} (the {} stands before decimals), or {}",
-                                 named[i]->name, column.text, mark, nameOfMark(mark),
-                                 decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)",
-                                                                otherMark(mark))
-                                                  : "a file without marks between thousands"));
+      throw RowError(
+          column.line,
+          fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
+                      "{} (the {} stands before decimals), or {}",
+                      named[i]->name, column.text, mark, nameOfMark(mark),
+                      decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)", otherMark(mark))
+                                       : "a file without marks between thousands"));
     }
   }
 }

@@ -54,11 +54,11 @@ class NumberMarks {
   struct ColumnMarks {
     bool decimals = false;  // some that can be nothing else, or are told
     bool unmarked = false;
-    bool large = false;  // unmarked ones from 1000 on: then none has marks between thousands
+    bool large = false;    // unmarked ones from 1000 on: then none has marks between thousands
     std::size_t line = 0;  // of the first that may be either; 0: none
     std::string text;      // that one
     double last = 0.0;
-    int last_marked = -1;     // 1, 0; -1: no number yet
+    int last_marked = -1;       // 1, 0; -1: no number yet
     double as_decimals = 0.0;   // size of the steps between marked and unmarked numbers, relative, read so
     double as_thousands = 0.0;  // and so
   };

@@ -180,21 +180,19 @@ void SampleRules::finish() const {
 std::vector<std::string> SampleRules::notes() const {
   std::vector<std::string> notes;
   if (missing_ > 0) {
-    notes.push_back(fmt::format("{} row{} without a number, the first in {} {} ({}): left out, time gaps of at most "
-                                "{:.3g} s are bridged",
-                                missing_, plural(missing_), word_, first_missing_.place, first_missing_.unmeasured,
-                                longest_gap_));
+    notes.push_back(
+        fmt::format("{} row{} without a number, the first in {} {} ({}): left out, time gaps of at most "
+                    "{:.3g} s are bridged",
+                    missing_, plural(missing_), word_, first_missing_.place, first_missing_.unmeasured, longest_gap_));
   }
   if (merged_ > 0) {
     notes.push_back(fmt::format("{} row{} that repeat{} the one before, stamp and values, the first in {} {}: left out",
                                 merged_, plural(merged_), merged_ == 1 ? "s" : "", word_, first_merged_));
   }
   if (own_stamps_ > 0) {
-    notes.push_back(fmt::format("the stamps of column {} are replaced by --sampling-rate {:g}{}",
-                                quoted(columns_.time.label), *format_.rate,
-                                bad_stamps_ == 0 ? ""
-                                                 : fmt::format(": {} of {} are not later than the one before",
-                                                               bad_stamps_, own_stamps_)));
+    notes.push_back(fmt::format(
+        "the stamps of column {} are replaced by --sampling-rate {:g}{}", quoted(columns_.time.label), *format_.rate,
+        bad_stamps_ == 0 ? "" : fmt::format(": {} of {} are not later than the one before", bad_stamps_, own_stamps_)));
   }
   return notes;
 }

@@ -58,25 +58,26 @@ struct Spelling {
 };
 
 constexpr Spelling kSpellings[] = {
-    {"c", "degC"},        {"deg c", "degC"},    {"deg. c", "degC"},  {"degc", "degC"},   {"\u00b0c", "degC"},
-    {"\u00b0 c", "degC"}, {"grad c", "degC"},   {"f", "degF"},       {"deg f", "degF"},  {"degf", "degF"},
-    {"\u00b0f", "degF"},  {"kn", "kN"},         {"dan", "daN"},      {"newtons", "N"},   {"lb", "lbf"},
-    {"lbs", "lbf"},       {"pounds", "lbf"},    {"lbsf", "lbf"},     {"klbf", "kip"},    {"klb", "kip"},
-    {"klbs", "kip"},      {"kips", "kip"},      {"kp", "kgf"},       {"kgf", "kgf"},     {"nm", "N m"},
-    {"knm", "kN m"},      {"mm", "mm"},         {"cm", "cm"},        {"m", "m"},         {"um", "um"},
-    {"micron", "um"},     {"microns", "um"},    {"mils", "mil"},     {"thou", "mil"},    {"inch", "in"},
-    {"inches", "in"},     {"\"", "in"},         {"s", "s"},          {"sec", "s"},       {"secs", "s"},
-    {"sec.", "s"},        {"seconds", "s"},     {"sek", "s"},        {"sek.", "s"},      {"sekunden", "s"},
-    {"ms", "ms"},         {"msec", "ms"},       {"msek", "ms"},      {"usec", "us"},     {"us", "us"},
-    {"mins", "min"},      {"minuten", "min"},   {"hrs", "h"},        {"std", "h"},
+    {"c", "degC"},        {"deg c", "degC"},  {"deg. c", "degC"}, {"degc", "degC"},  {"\u00b0c", "degC"},
+    {"\u00b0 c", "degC"}, {"grad c", "degC"}, {"f", "degF"},      {"deg f", "degF"}, {"degf", "degF"},
+    {"\u00b0f", "degF"},  {"kn", "kN"},       {"dan", "daN"},     {"newtons", "N"},  {"lb", "lbf"},
+    {"lbs", "lbf"},       {"pounds", "lbf"},  {"lbsf", "lbf"},    {"klbf", "kip"},   {"klb", "kip"},
+    {"klbs", "kip"},      {"kips", "kip"},    {"kp", "kgf"},      {"kgf", "kgf"},    {"nm", "N m"},
+    {"knm", "kN m"},      {"mm", "mm"},       {"cm", "cm"},       {"m", "m"},        {"um", "um"},
+    {"micron", "um"},     {"microns", "um"},  {"mils", "mil"},    {"thou", "mil"},   {"inch", "in"},
+    {"inches", "in"},     {"\"", "in"},       {"s", "s"},         {"sec", "s"},      {"secs", "s"},
+    {"sec.", "s"},        {"seconds", "s"},   {"sek", "s"},       {"sek.", "s"},     {"sekunden", "s"},
+    {"ms", "ms"},         {"msec", "ms"},     {"msek", "ms"},     {"usec", "us"},    {"us", "us"},
+    {"mins", "min"},      {"minuten", "min"}, {"hrs", "h"},       {"std", "h"},
 };
 
 bool isUnitByte(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
-// One unit expression: words between blanks, `*` and `/`, with integer exponents; the grammar of UDUNITS allows numbers,
-// origins ("since") and logarithms in it as well.
+// One unit expression: words between blanks, `*` and `/`, with integer exponents; the grammar of UDUNITS allows
+// numbers, origins ("since") and logarithms in it as well.
 bool isUnitExpression(const std::string& text) {
   if (text.find('%') != std::string::npos) {
     return text == "%";
@@ -311,8 +312,8 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
   const std::string rest = trimmed(quantity.substr(length));
   if (!isUnitExpression(rest)) {
-    throw std::invalid_argument(
-        fmt::format("{} behind the number is no unit; accepted: one number and one unit, as in '3 kN/mm'", quoted(rest)));
+    throw std::invalid_argument(fmt::format(
+        "{} behind the number is no unit; accepted: one number and one unit, as in '3 kN/mm'", quoted(rest)));
   }
   return UnitConversion(rest, unit)(value);
 }

@@ -401,7 +401,8 @@ std::optional<RigFinding> stiffnessFinding(const component::Component& component
   if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness, "name the unit, as in --unit force=kN");
+  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness,
+                      "name the unit, as in --unit force=kN");
 }
 
 // Dampers: forces that go together, hundreds of times apart.

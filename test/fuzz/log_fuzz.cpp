@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path()); });
-  static const log::LogFormat kByNumber = log::makeLogFormat({"time", "displacement", "force"}, "displacement=mm force=kN time=ms", 0.0);
+  static const log::LogFormat kByNumber =
+      log::makeLogFormat({"time", "displacement", "force"}, "displacement=mm force=kN time=ms", 0.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kByNumber); });
   static const log::LogFormat kAtRate = log::makeLogFormat({"displacement=1"}, "displacement=mm", 1000.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kAtRate); });

@@ -93,7 +93,8 @@ TEST(ReadCsvLog, DoesNotDependOnTheLocale) {
 }
 
 TEST(ReadCsvLog, MappedColumnsAndUnits) {
-  const log::LogFormat format = log::makeLogFormat({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf", 0.0);
+  const log::LogFormat format =
+      log::makeLogFormat({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf", 0.0);
   const log::Log log = readText("t,Weg,Kraft\n0,1,1\n0.5,2,2\n", format);
   EXPECT_THAT(log.displacement, ElementsAre(0.01, 0.02));
   // 1 tonf is 1000 kgf = 9806.65 N by definition; a few units of rounding in the chain of conversions.
@@ -115,8 +116,11 @@ TEST(ReadCsvLog, ALogWithoutTimeTakesItsRate) {
 TEST(ReadCsvLog, ARateOverridesATimeColumnAndSaysSo) {
   const log::Log log = readText("time_s,displacement_m\n5,0\n5,1\n", log::makeLogFormat({}, "", 100.0));
   EXPECT_THAT(log.stamp, ElementsAre(0, 10000000));
-  EXPECT_THAT(log.notes, ElementsAre("the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one "
-                                     "before"));
+  EXPECT_THAT(
+      log.notes,
+      ElementsAre(
+          "the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one "
+          "before"));
 }
 
 TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
@@ -125,7 +129,8 @@ TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
 }
 
 TEST(ReadCsvLog, AUnitGoesBeforeThatOfTheHeaderAndSaysSo) {
-  const log::Log bare = readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "displacement=mm force=N", 0));
+  const log::Log bare =
+      readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "displacement=mm force=N", 0));
   EXPECT_THAT(bare.displacement, ElementsAre(0.001, 0.002));
   EXPECT_THAT(bare.force, ElementsAre(1.0, 2.0));
   EXPECT_THAT(bare.notes, ElementsAre(HasSubstr("displacement from 'displacement', force from 'force_kN', 1 Hz"),
@@ -142,8 +147,10 @@ TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
               ElementsAre("time from 'T [ms]', displacement from 'D (mm)', force from 'F [kN]', 222.222 "
                           "Hz; header in line 1, separator comma"));
   const std::vector<std::string> bare = {"time=T", "displacement=D"};
-  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "displacement=mm force=kN time=ms", 0)).stamp[1], 4500000);
-  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "displacement=mm time=min", 0)).stamp[1], 90000000000);
+  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "displacement=mm force=kN time=ms", 0)).stamp[1],
+            4500000);
+  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "displacement=mm time=min", 0)).stamp[1],
+            90000000000);
 }
 
 TEST(LogFormat, SaysWhichUnitsItAssumes) {

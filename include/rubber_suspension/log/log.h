@@ -71,10 +71,10 @@ constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 
 /// Read a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,
 /// displacement_<m|mm|um>, force_<N|kN|MN> (optional), temperature_degC (optional), then one row per sample, separated
-/// by commas. Read as well, with a note of what was taken for what: plain names in English and German with a unit behind
-/// them or in a row of units, columns of other names where exactly one has a unit of length, of force, of time; any unit
-/// of UDUNITS-2; times as a clock or a calendar shows them; separators semicolon, tab, blanks; decimal commas; marks
-/// between thousands; quotes; comments and a preamble; UTF-8, UTF-16, Latin-1; LF, CRLF, CR; gzip (docs/logs.md).
+/// by commas. Read as well, with a note of what was taken for what: plain names in English and German with a unit
+/// behind them or in a row of units, columns of other names where exactly one has a unit of length, of force, of time;
+/// any unit of UDUNITS-2; times as a clock or a calendar shows them; separators semicolon, tab, blanks; decimal commas;
+/// marks between thousands; quotes; comments and a preamble; UTF-8, UTF-16, Latin-1; LF, CRLF, CR; gzip (docs/logs.md).
 /// Further columns are ignored with a note; rows without a number are left out where little is lost, and rows that
 /// repeat the one before, with a note. Refused, with file, line and reason: columns and marks that are ambiguous, with
 /// the option that settles it; a field that is no number; a row of another length; time that does not increase; several
