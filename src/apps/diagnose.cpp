@@ -115,12 +115,16 @@ OptionTable Options::table() {
 
 std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
                                const Options& options) {
-  std::vector<log::Log> logs(paths.size());
+  std::vector<std::vector<log::Log>> of_path(paths.size());
   fit::parallelFor(paths.size(), options.threads,
-                   [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component.name); });
+                   [&](std::size_t i) { of_path[i] = options.log_options.readAll(paths[i], component.name); });
+  std::vector<log::Log> logs;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    LogOptions::printNotes("diagnose", paths[i], logs[i].notes);
-    warnOfTemperature("diagnose", paths[i], !logs[i].temperature.empty(), component);
+    for (log::Log& log : of_path[i]) {
+      LogOptions::printNotes("diagnose", paths[i], log.notes);
+      warnOfTemperature("diagnose", paths[i], !log.temperature.empty(), component);
+      logs.push_back(std::move(log));
+    }
   }
   return logs;
 }
@@ -165,11 +169,16 @@ class RememberedLog : public log::LogSource {
 // Logs to be diagnosed, which may be longer than memory.
 class OpenedLogs {
  public:
-  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component, const Options& options)
-      : paths_(paths), logs_(paths.size()) {
-    fit::parallelFor(paths.size(), options.threads, [&](std::size_t i) {
-      logs_[i] = std::make_shared<RememberedLog>(options.log_options.open(paths[i], component.name));
-    });
+  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component, const Options& options) {
+    std::vector<log::LogSources> of_path(paths.size());
+    fit::parallelFor(paths.size(), options.threads,
+                     [&](std::size_t i) { of_path[i] = options.log_options.openAll(paths[i], component.name); });
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      for (const auto& log : of_path[i]) {
+        logs_.push_back(std::make_shared<RememberedLog>(log));
+        paths_.push_back(paths[i]);
+      }
+    }
   }
 
   log::LogSources sources() const { return {logs_.begin(), logs_.end()}; }
@@ -182,7 +191,7 @@ class OpenedLogs {
   }
 
  private:
-  const std::vector<std::string>& paths_;
+  std::vector<std::string> paths_;  // of each log
   std::vector<std::shared_ptr<RememberedLog>> logs_;
 };
 
@@ -243,6 +252,11 @@ void checkOutputs(const Options& options) {
   addInputs(inputs, "--log", options.logs);
   addInputs(inputs, "--plan", options.plan);
   addInputs(inputs, "--hold-out", options.hold_out);
+  std::vector<io::InputFile> logs;
+  addInputs(logs, "--log", options.logs);
+  addInputs(logs, "--plan", options.plan);
+  addInputs(logs, "--hold-out", options.hold_out);
+  io::refuseEqualLogs(logs);
   const std::filesystem::path folder(options.output);
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::FileKind::figure}};
   for (const std::string& name : options.plan.empty() ? diagnosis::reportFiles() : diagnosis::planFiles()) {

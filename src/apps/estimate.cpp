@@ -105,7 +105,10 @@ command::SweepOptions sweepOptions(const Options& options) {
 void checkFiles(const Options& options) {
   std::vector<io::InputFile> inputs = {
       {"--config", options.config}, {"--data-sheet", options.data_sheet}, {"--from-table", options.table_path}};
-  addInputs(inputs, "--from-log", options.logs);
+  std::vector<io::InputFile> logs;
+  addInputs(logs, "--from-log", options.logs);
+  io::refuseEqualLogs(logs);
+  inputs.insert(inputs.end(), logs.begin(), logs.end());
   options.outputs.check(inputs, {{"--output", options.output, io::FileKind::component_file},
                                  {"--plot", options.plot, io::FileKind::figure}});
 }
@@ -127,9 +130,12 @@ int identifyComponent(const Options& options) {
   warnOf("estimate", description);
   std::vector<log::Log> logs;
   for (const std::string& path : options.logs) {
-    logs.push_back(options.log_options.read("estimate", path, description.name));
-    warnOf("estimate", path, gap::oddMotion(logs.back(), description));
-    warnOfTemperature("estimate", path, !logs.back().temperature.empty(), description);
+    for (log::Log& log : options.log_options.readAll(path, description.name)) {
+      LogOptions::printNotes("estimate", path, log.notes);
+      warnOf("estimate", path, gap::oddMotion(log, description));
+      warnOfTemperature("estimate", path, !log.temperature.empty(), description);
+      logs.push_back(std::move(log));
+    }
   }
   const fit::Identification result = command::identifyFromLogs(description, logs, options.identification);
   if (!options.plot.empty()) {

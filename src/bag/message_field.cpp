@@ -30,9 +30,9 @@ using MessageType = std::vector<MessageField>;
 
 std::size_t builtinSize(const std::string& type) {
   static const std::map<std::string, std::size_t> sizes = {
-      {"bool", 1},   {"int8", 1},   {"uint8", 1},   {"byte", 1},    {"char", 1},    {"int16", 2}, {"uint16", 2},
-      {"int32", 4},  {"uint32", 4}, {"float32", 4}, {"int64", 8},   {"uint64", 8},  {"float64", 8},
-      {"time", 8},   {"duration", 8}};
+      {"bool", 1},  {"int8", 1},   {"uint8", 1},   {"byte", 1},   {"char", 1},
+      {"int16", 2}, {"uint16", 2}, {"int32", 4},   {"uint32", 4}, {"float32", 4},
+      {"int64", 8}, {"uint64", 8}, {"float64", 8}, {"time", 8},   {"duration", 8}};
   const auto found = sizes.find(type);
   return found == sizes.end() ? 0 : found->second;
 }
@@ -161,8 +161,9 @@ class MessageWalk {
   bool skipToElement(const MessageField& field, const std::string& element) {
     const std::size_t count = field.count == kAnyNumber ? take<std::uint32_t>() : static_cast<std::size_t>(field.count);
     const auto named = std::find(names_.begin(), names_.end(), element);
-    const bool digits = !element.empty() && element.size() < 7 && element.find_first_not_of("0123456789") == std::string::npos;
-    const std::size_t place = digits                    ? std::stoul(element)
+    const bool digits =
+        !element.empty() && element.size() < 7 && element.find_first_not_of("0123456789") == std::string::npos;
+    const std::size_t place = digits                  ? std::stoul(element)
                               : named != names_.end() ? static_cast<std::size_t>(named - names_.begin())
                                                       : count;
     for (std::size_t i = 0; i < std::min(place, count); ++i) {
@@ -172,7 +173,7 @@ class MessageWalk {
   }
 
   void skip(const MessageField& field, std::vector<std::string>* texts) {
-    const std::size_t count = field.count == kSingle       ? 1
+    const std::size_t count = field.count == kSingle      ? 1
                               : field.count == kAnyNumber ? take<std::uint32_t>()
                                                           : static_cast<std::size_t>(field.count);
     if (const std::size_t size = builtinSize(field.type); size > 0) {
@@ -292,13 +293,13 @@ Series readMessages(const rosbag::Bag& bag, const std::string& field) {
     MessageWalk walk(definition, bytes);
     const auto value = walk.number(steps);
     if (!value) {
-      throw std::runtime_error(fmt::format("message {}: no number there; accepted: a field that is one, with [NUMBER] or "
-                                           "[NAME] where it is an array",
-                                           series.value.size() + 1));
+      throw std::runtime_error(
+          fmt::format("message {}: no number there; accepted: a field that is one, with [NUMBER] or "
+                      "[NAME] where it is an array",
+                      series.value.size() + 1));
     }
     series.value.push_back(*value);
-    series.stamp.push_back(has_header ? walk.headerStamp()
-                                      : static_cast<std::int64_t>(instance.getTime().toNSec()));
+    series.stamp.push_back(has_header ? walk.headerStamp() : static_cast<std::int64_t>(instance.getTime().toNSec()));
   }
   return series;
 }

@@ -17,7 +17,8 @@ struct Series {
   std::vector<double> value;
 };
 
-/// The numbers that "/topic/field.field" or "/topic.field[2].field" names, in the bag of that path: "/ft/wrench.force.z",
+/// The numbers that "/topic/field.field" or "/topic.field[2].field" names, in the bag of that path:
+/// "/ft/wrench.force.z",
 /// "/joint_states/position[knee]", where the name is one of the message's `name`. The first field may be left out where
 /// one alone has the next, and `data` where the topic is all. Stamps are those of the header, or the times of receipt
 /// where there is none. Throws LogError that names what there is.
