@@ -18,6 +18,7 @@
 #include "bag/message_field.h"
 #include "log/column_name.h"
 #include "log/file_format.h"
+#include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::bag {
@@ -33,7 +34,7 @@ bool endsWith(const std::string& text, const std::string& end) {
 
 std::string stem(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
-  return file.substr(0, file.find_last_of('.'));
+  return log::oneLine(file.substr(0, file.find_last_of('.')));
 }
 
 std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& end) {

@@ -15,6 +15,7 @@
 #include "campaign/path_pattern.h"
 #include "campaign/tolerance_draws.h"
 #include "fit/parallel.h"
+#include "io/output_files.h"
 #include "io/progress.h"
 #include "io/sha256.h"
 #include "log/text.h"
@@ -167,10 +168,17 @@ class Maker {
     problems_.add(fmt::format("{}:{}: jobs.{}.{}", file_.path, group.line, group.name, text));
   }
 
+  // The campaign's folder and those that it makes in it, which an earlier run may have left there.
+  bool isOwn(const std::string& path) const {
+    static const std::vector<std::string> made = {"", "/results", "/reports", "/running", "/slurm"};
+    return std::any_of(made.begin(), made.end(), [&](const std::string& name) { return path == output_ + name; });
+  }
+
   std::vector<std::string> match(const JobGroup& group, const char* key, const std::string& folder,
                                  const std::string& pattern) {
     std::vector<std::string> paths = matchPattern(folder, pattern);
-    paths.erase(std::remove(paths.begin(), paths.end(), output_), paths.end());
+    paths.erase(std::remove_if(paths.begin(), paths.end(), [&](const std::string& path) { return isOwn(path); }),
+                paths.end());
     if (paths.empty()) {
       problem(group, fmt::format("{}: {} matches nothing in {}; accepted: a pattern of existing files", key,
                                  log::quoted(pattern), folder));
@@ -178,6 +186,10 @@ class Maker {
     for (const std::string& path : paths) {
       if (!log::isUtf8(path)) {
         problem(group, fmt::format("{}: {}: the name is no UTF-8; accepted: another name", key, path));
+      }
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
+        problem(group, fmt::format("{}: {}: neither a file nor a folder; accepted: these", key, path));
       }
     }
     return paths;
@@ -273,6 +285,7 @@ class Maker {
     const std::string reading =
         fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay, log::join(job.options.columns),
                     job.options.unit, job.options.sampling_rate);
+    refuseTwice(group, place);
     for (const std::string& path : place.logs) {
       job.logs.push_back(addLog(path, job, reading));
     }
@@ -284,6 +297,21 @@ class Maker {
       return;
     }
     addDraws(group, job, component);
+  }
+
+  void refuseTwice(const JobGroup& group, const Place& place) {
+    std::vector<io::InputFile> logs;
+    for (const std::string& path : place.logs) {
+      logs.push_back({"log", path});
+    }
+    for (const std::string& path : place.hold_out) {
+      logs.push_back({"hold_out", path});
+    }
+    try {
+      io::refuseEqualLogs(logs);
+    } catch (const io::OutputRefused& error) {
+      problem(group, error.what());
+    }
   }
 
   void addDraws(const JobGroup& group, const Job& job, const io::ComponentDescription& component) {

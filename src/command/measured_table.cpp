@@ -216,7 +216,7 @@ fit::MeasuredTable parseTable(const std::string& text, const std::string& source
 fit::MeasuredTable readTable(const std::string& path) {
   try {
     fit::MeasuredTable table = parseTable(log::readFile(path, kLargestFile), path);
-    table.name = std::filesystem::path(path).stem().string();
+    table.name = log::oneLine(std::filesystem::path(path).stem().string());
     return table;
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iostream>
+#include <streambuf>
 
 #include "command_line/parse.h"
 #include "io/output_files.h"
@@ -40,6 +42,42 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& t
   return kFailed;
 }
 
+// What goes to standard output, line by line and with nothing that a terminal would obey: names of files and folders
+// may hold anything.
+class SafeOutput : std::streambuf {
+ public:
+  SafeOutput() : terminal_(std::cout.rdbuf(this)) {}
+  SafeOutput(const SafeOutput&) = delete;
+  SafeOutput& operator=(const SafeOutput&) = delete;
+  ~SafeOutput() override {
+    SafeOutput::sync();
+    std::cout.rdbuf(terminal_);
+  }
+
+ private:
+  int_type overflow(int_type c) override {
+    if (c == '\n') {
+      return write('\n') ? c : traits_type::eof();
+    }
+    line_ += traits_type::to_char_type(c);
+    return c;
+  }
+
+  int sync() override { return (line_.empty() || write('\0')) && terminal_->pubsync() == 0 ? 0 : -1; }
+
+  // With the line end, or without one.
+  bool write(char end) {
+    std::string safe = log::oneLine(line_);
+    line_.clear();
+    safe += end == '\0' ? "" : "\n";
+    const auto size = static_cast<std::streamsize>(safe.size());
+    return terminal_->sputn(safe.data(), size) == size;
+  }
+
+  std::streambuf* terminal_;
+  std::string line_;
+};
+
 }  // namespace
 
 std::string version() { return RUBBER_SUSPENSION_VERSION; }
@@ -71,6 +109,7 @@ double quantityOf(const std::string& option, const std::string& text, const Quan
 
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body) {
+  const SafeOutput output;
   try {
     const int status = runAsked(argc, argv, command, table, body);
     if (!std::cout.flush()) {

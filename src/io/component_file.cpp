@@ -666,6 +666,12 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
 std::string toYaml(const std::vector<ComponentDescription>& components) {
   std::string text = "components:\n";
   for (const ComponentDescription& component : components) {
+    if (!isBaseName(component.name)) {
+      throw ComponentFileError(
+          fmt::format("{}: no name of a component; accepted: letters, digits and underscores, a letter "
+                      "first, at most {}",
+                      log::quoted(component.name), kMaximumNameLength));
+    }
     text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
     text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
                                                              : specificationYaml(component.specification());

@@ -30,7 +30,7 @@ bool isWritten(hid_t dataset, hid_t properties) {
     needed *= (size[i] + chunk[i] - 1) / std::max<hsize_t>(chunk[i], 1);
   }
   hsize_t there = 0;
-  return H5Dget_num_chunks(dataset, H5S_ALL, &there) >= 0 && there >= needed;
+  return H5Dget_num_chunks(dataset, space.get(), &there) >= 0 && there >= needed;
 }
 
 // What is wrong goes past the library, which is of C.
