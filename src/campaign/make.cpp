@@ -285,7 +285,9 @@ class Maker {
     const std::string reading =
         fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay, log::join(job.options.columns),
                     job.options.unit, job.options.sampling_rate);
-    refuseTwice(group, place);
+    if (group.command != Command::replay) {
+      refuseCopies(group, place);
+    }
     for (const std::string& path : place.logs) {
       job.logs.push_back(addLog(path, job, reading));
     }
@@ -299,7 +301,7 @@ class Maker {
     addDraws(group, job, component);
   }
 
-  void refuseTwice(const JobGroup& group, const Place& place) {
+  void refuseCopies(const JobGroup& group, const Place& place) {
     std::vector<io::InputFile> logs;
     for (const std::string& path : place.logs) {
       logs.push_back({"log", path});

@@ -31,7 +31,7 @@ ordered_json recordJson(const Record& record) {
 
 // Copies of JSON call themselves for each level.
 ordered_json parsedShallow(const std::string& text) {
-  constexpr int kDeepest = 16;
+  static constexpr int kDeepest = 16;
   return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
     if (depth > kDeepest) {
       throw std::runtime_error(fmt::format("nested deeper than {}", kDeepest));

@@ -56,28 +56,6 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
   return line.size();
 }
 
-// By rank, not by count: where there is a tab or a semicolon, commas and blanks are within the fields.
-Separator separatorOf(std::string_view line) {
-  const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
-  const auto anywhere = [&](Separator separator) {
-    for (std::size_t at = 0; at < line.size(); ++at) {
-      at = fieldEnd(line, at, separator);
-      if (at < line.size()) {
-        return true;
-      }
-    }
-    return false;
-  };
-  const std::string_view inner = trimmedView(line);
-  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
-    return Separator::tab;
-  }
-  if (holds(Separator::semicolon)) {
-    return Separator::semicolon;
-  }
-  return holds(Separator::comma) ? Separator::comma : Separator::blanks;
-}
-
 // "Time [s]" is two words between blanks and one name.
 void joinUnits(std::vector<Field>& fields) {
   std::vector<Field> joined;
@@ -191,6 +169,27 @@ std::string toString(Separator separator) {
     default:
       return "blank";
   }
+}
+
+Separator separatorOf(std::string_view line) {
+  const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
+  const auto anywhere = [&](Separator separator) {
+    for (std::size_t at = 0; at < line.size(); ++at) {
+      at = fieldEnd(line, at, separator);
+      if (at < line.size()) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const std::string_view inner = trimmedView(line);
+  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
+    return Separator::tab;
+  }
+  if (holds(Separator::semicolon)) {
+    return Separator::semicolon;
+  }
+  return holds(Separator::comma) ? Separator::comma : Separator::blanks;
 }
 
 void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields) {

@@ -23,6 +23,9 @@ enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);
 
+/// That of a line of names: by rank, for where there is a tab or a semicolon, commas and blanks are within the fields.
+Separator separatorOf(std::string_view line);
+
 /// A field of a line: its text without blanks and quotes around it.
 struct Field {
   std::string_view text;

@@ -71,7 +71,7 @@ constexpr long double kDaysBefore1970 = 25569.0L;
 class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
-      : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark) {
+      : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, allQuantities().size()) {
     TextSource source = openText(path);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
@@ -193,7 +193,8 @@ class CsvLogReader {
     if (!wanted || (format_.segment == 0 && another_follows)) {
       return;
     }
-    marks_.requireClear(columns_);
+    marks_.requireClear(
+        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name});
     rules_->finish();
     addNotes();
     if (take_ != nullptr && log_.size() > 0) {
@@ -347,14 +348,14 @@ class CsvLogReader {
       const char* const field = starts_[column.index];
       const char* const field_end = starts_[column.index + 1] - 1;
       const double value = readNumber(field, field_end, column);
-      marks_.seePlain(field, field_end, value, quantity, line_);
+      marks_.seePlain(field, field_end, value, channelOf(quantity), line_);
       return column.toSi(value);
     };
     if (columns_.time.found()) {
       const char* const field = starts_[columns_.time.index];
       const char* const field_end = starts_[columns_.time.index + 1] - 1;
       readStamp(field, field_end);
-      marks_.seePlain(field, field_end, time_, Quantity::time, line_);
+      marks_.seePlain(field, field_end, time_, channelOf(Quantity::time), line_);
     }
     readValues(parse);
     return true;
@@ -377,17 +378,17 @@ class CsvLogReader {
                                            fields_.size() == 1 ? "" : "s", columns_.count, quoted(line)));
     }
     const auto normalised = [&](const Column& column, Quantity quantity) {
-      return marks_.normalised(fields_[column.index].text, quantity, column, line_);
+      return marks_.normalised(fields_[column.index].text, channelOf(quantity), column.name, line_);
     };
     if (columns_.time.found()) {
       const char* const text = normalised(columns_.time, Quantity::time);
       readStamp(text, marks_.end());
-      marks_.see(time_, Quantity::time);
+      marks_.see(time_, channelOf(Quantity::time));
     }
     readValues([&](const Column& column, Quantity quantity) {
       const char* const text = normalised(column, quantity);
       const double value = readNumber(text, marks_.end(), column);
-      marks_.see(value, quantity);
+      marks_.see(value, channelOf(quantity));
       return column.toSi(value);
     });
   }
@@ -447,6 +448,8 @@ class CsvLogReader {
       row_.stamp.reset();
     }
   }
+
+  static std::size_t channelOf(Quantity quantity) { return static_cast<std::size_t>(quantity); }
 
   void noteComment() {
     first_comment_ = comments_ == 0 ? line_ : first_comment_;

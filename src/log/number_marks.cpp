@@ -91,8 +91,8 @@ void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) 
   decimal_line_ = line;
 }
 
-void NumberMarks::lookAt(std::string_view text, Quantity quantity, std::size_t line) {
-  ColumnMarks& column = columns_[static_cast<std::size_t>(quantity)];
+void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t line) {
+  ColumnMarks& column = columns_[channel];
   const Marks marks(text);
   last_marked_ = marks.last != '\0';
   last_may_be_either_ = marks.mayBeThousands();
@@ -124,10 +124,11 @@ void NumberMarks::lookAt(std::string_view text, Quantity quantity, std::size_t l
   column.decimals = column.decimals || !grouped_only;
 }
 
-const char* NumberMarks::normalised(std::string_view text, Quantity quantity, const Column& column, std::size_t line) {
+const char* NumberMarks::normalised(std::string_view text, std::size_t channel, const std::string& name,
+                                    std::size_t line) {
   if (text.size() >= sizeof buffer_) {
     throw std::runtime_error(
-        fmt::format("{}: {} is not a number; accepted: a finite number", column.name, quoted(std::string(text))));
+        fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(std::string(text))));
   }
   const bool has_mark = text.find_first_of(".,") != std::string_view::npos;
   last_marked_ = last_may_be_either_ = false;
@@ -136,9 +137,9 @@ const char* NumberMarks::normalised(std::string_view text, Quantity quantity, co
   });
   if (has_mark && is_number) {
     try {
-      lookAt(text, quantity, line);
+      lookAt(text, channel, line);
     } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("{}: {}", column.name, error.what()));
+      throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
     }
   }
   const char decimal = decimal_ == '\0' ? assumed_ : decimal_;
@@ -155,8 +156,8 @@ const char* NumberMarks::normalised(std::string_view text, Quantity quantity, co
   return buffer_;
 }
 
-void NumberMarks::see(double value, Quantity quantity) {
-  ColumnMarks& column = columns_[static_cast<std::size_t>(quantity)];
+void NumberMarks::see(double value, std::size_t channel) {
+  ColumnMarks& column = columns_[channel];
   if (std::isnan(value)) {
     return;
   }
@@ -172,8 +173,7 @@ void NumberMarks::see(double value, Quantity quantity) {
   column.last_marked = marked;
 }
 
-void NumberMarks::requireClear(const Columns& columns) const {
-  const Column* const named[] = {&columns.time, &columns.displacement, &columns.force, &columns.temperature};
+void NumberMarks::requireClear(const std::vector<std::string>& names) const {
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
     const bool either = column.line > 0 && !column.decimals && column.unmarked && !column.large;
@@ -184,7 +184,7 @@ void NumberMarks::requireClear(const Columns& columns) const {
           column.line,
           fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
                       "{} (the {} stands before decimals), or {}",
-                      named[i]->name, column.text, mark, nameOfMark(mark),
+                      names[i], column.text, mark, nameOfMark(mark),
                       decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)", otherMark(mark))
                                        : "a file without marks between thousands"));
     }

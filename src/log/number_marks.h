@@ -1,13 +1,11 @@
 // Points and commas in the numbers of a text: which of them is the decimal mark, and which stands between thousands.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
-
-#include "log/log_columns.h"
+#include <vector>
 
 namespace rubber_suspension::log {
 
@@ -22,28 +20,30 @@ struct OtherDecimalMark {
 class NumberMarks {
  public:
   /// `told`: by the user; `found`: when the file was read before; '\0': neither.
-  NumberMarks(char told, char found) : told_(told != '\0'), decimal_(told != '\0' ? told : found) {}
+  /// `channels`: columns that are read.
+  NumberMarks(char told, char found, std::size_t channels)
+      : told_(told != '\0'), decimal_(told != '\0' ? told : found), columns_(channels) {}
 
   /// The number with a decimal point and without marks between thousands, ended by a 0; valid until the next call.
   /// Throws std::runtime_error where the marks contradict others, and OtherDecimalMark.
-  const char* normalised(std::string_view text, Quantity quantity, const Column& column, std::size_t line);
+  const char* normalised(std::string_view text, std::size_t channel, const std::string& name, std::size_t line);
   const char* end() const { return end_; }
 
   /// Of a field between commas, in which every mark is a point and nothing has to be normalised.
-  void seePlain(const char* field, const char* field_end, double value, Quantity quantity, std::size_t line) {
-    const ColumnMarks& column = columns_[static_cast<std::size_t>(quantity)];
+  void seePlain(const char* field, const char* field_end, double value, std::size_t channel, std::size_t line) {
+    const ColumnMarks& column = columns_[channel];
     if (!column.decimals && !column.large && !std::isnan(value)) {
-      lookAt({field, static_cast<std::size_t>(field_end - field)}, quantity, line);
-      see(value, quantity);
+      lookAt({field, static_cast<std::size_t>(field_end - field)}, channel, line);
+      see(value, channel);
     }
   }
 
   /// The value of the number that was normalised last.
-  void see(double value, Quantity quantity);
+  void see(double value, std::size_t channel);
 
   /// Throws RowError where a column has numbers such as 1.072 beside unmarked ones below 1000, and nothing tells
   /// whether that is one or a thousand.
-  void requireClear(const Columns& columns) const;
+  void requireClear(const std::vector<std::string>& names) const;
 
   bool hasDecimalComma() const { return decimal_ == ',' && marked_; }
   bool hasThousands() const { return thousands_; }
@@ -63,7 +63,7 @@ class NumberMarks {
     double as_thousands = 0.0;  // and so
   };
 
-  void lookAt(std::string_view text, Quantity quantity, std::size_t line);
+  void lookAt(std::string_view text, std::size_t channel, std::size_t line);
   void settle(char decimal, std::string_view text, std::size_t line);
 
   bool told_ = false;
@@ -74,7 +74,7 @@ class NumberMarks {
   bool thousands_ = false;
   bool last_may_be_either_ = false;
   bool last_marked_ = false;
-  std::array<ColumnMarks, 4> columns_;
+  std::vector<ColumnMarks> columns_;
   char buffer_[128] = {};
   const char* end_ = buffer_;
 };
