@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "command/measured_table.h"
@@ -281,8 +282,13 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 
 diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments) {
   diagnosis::ExperimentLimits limits;
+  std::set<std::string> keys;
   try {
     for (const std::string& assignment : assignments) {
+      const std::string key = log::trimmed(assignment.substr(0, assignment.find('=')));
+      if (!keys.insert(key).second) {
+        throw std::invalid_argument(key + " is given twice; accepted: once");
+      }
       diagnosis::setExperimentLimit(limits, assignment);
     }
   } catch (const std::invalid_argument& error) {

@@ -283,8 +283,7 @@ class Maker {
     job.options = group.options;
     job.config = inputs_.indexOf(place.config);
     const std::string reading =
-        fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay, log::join(job.options.columns),
-                    job.options.unit, job.options.sampling_rate);
+        fmt::format("{}\n{}\n{}", job.component, job.command != Command::replay, readingKey(job.options));
     if (group.command != Command::replay) {
       refuseCopies(group, place);
     }
@@ -302,12 +301,14 @@ class Maker {
   }
 
   void refuseCopies(const JobGroup& group, const Place& place) {
+    std::set<std::string> seen;  // the same name twice is told already
     std::vector<io::InputFile> logs;
-    for (const std::string& path : place.logs) {
-      logs.push_back({"log", path});
-    }
-    for (const std::string& path : place.hold_out) {
-      logs.push_back({"hold_out", path});
+    for (const auto& [key, paths] : {std::pair("log", &place.logs), std::pair("hold_out", &place.hold_out)}) {
+      for (const std::string& path : *paths) {
+        if (seen.insert(path).second) {
+          logs.push_back({key, path});
+        }
+      }
     }
     try {
       io::refuseEqualLogs(logs);
@@ -422,8 +423,14 @@ std::string summaryOf(const std::vector<std::string>& problems) {
 BadInputs::BadInputs(std::vector<std::string> problems)
     : std::runtime_error(summaryOf(problems)), problems_(std::move(problems)) {}
 
+std::string readingKey(const JobOptions& options) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,
+                     options.decimal, options.segment, options.bridge);
+}
+
 log::LogFormat logFormat(const JobOptions& options) {
-  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate);
+  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal, options.segment,
+                            options.bridge);
 }
 
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,

@@ -222,6 +222,9 @@ class TableReader {
     if (lower == joined || lower == word + " [-]") {
       return ratio;
     }
+    if (joined.size() < 3) {
+      return "";
+    }
     const std::string start = joined + "_";
     std::string unit = lower.compare(0, start.size(), start) == 0 ? text.substr(start.size()) : "";
     const std::size_t per = unit.find("_per_");
@@ -274,16 +277,18 @@ class TableReader {
     point.frequency = values.count(kFrequency) > 0 ? values[kFrequency] : values[kOmega];
     point.amplitude = values.count(kAmplitude) > 0 ? values[kAmplitude] : values[kPeakToPeak];
     point.mean = values[kMean];
-    const bool by_damping = values.count(kDamping) > 0;
-    if (values.count(kStorage) > 0 || by_damping) {
+    const auto has = [&](std::size_t quantity) { return values.count(quantity) > 0; };
+    const bool whole_loop = has(kStiffness) && (has(kLossAngle) || has(kTangent));
+    if (!whole_loop && (has(kLoss) || has(kDamping))) {
+      const bool by_damping = !has(kLoss);
       // A damping stands beside the elastic part of the stiffness.
-      const double storage = values.count(kStorage) > 0 ? values[kStorage] : values[kStiffness];
+      const double storage = has(kStorage) ? values[kStorage] : values[kStiffness];
       const double loss = by_damping ? 2.0 * element::kPi * point.frequency * values[kDamping] : values[kLoss];
       point.stiffness = std::hypot(storage, loss);
       point.loss_angle = std::atan2(loss, storage);
     } else {
-      point.stiffness = values[kStiffness];
-      point.loss_angle = values.count(kLossAngle) > 0 ? values[kLossAngle] : std::atan(values[kTangent]);
+      point.loss_angle = has(kLossAngle) ? values[kLossAngle] : std::atan(values[kTangent]);
+      point.stiffness = has(kStiffness) ? values[kStiffness] : values[kStorage] / std::cos(point.loss_angle);
     }
     if (values.count(kTemperature) > 0) {
       point.temperature = values[kTemperature];

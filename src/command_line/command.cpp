@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <new>
 #include <streambuf>
 
 #include "command_line/parse.h"
@@ -122,6 +123,9 @@ int runCommand(int argc, char** argv, const Command& command, const OptionTable&
   } catch (const io::OutputRefused& error) {
     printError(command.name, error.what());
     return kWrongUsage;
+  } catch (const std::bad_alloc&) {
+    printError(command.name, "out of memory; accepted: less to do at once, such as shorter logs or fewer --threads");
+    return kFailed;
   } catch (const std::exception& error) {
     printError(command.name, error.what());
     return kFailed;
