@@ -16,8 +16,9 @@ struct QuantityNames {
   Quantity quantity;
   const char* name;
   const char* unit;
-  std::vector<std::string> words;  // in lower case
-  std::vector<std::string> units;  // that this package writes behind the name
+  std::vector<std::string> words;   // in lower case
+  std::vector<std::string> others;  // that may name it, where nothing else does
+  std::vector<std::string> units;   // that this package writes behind the name
 };
 
 const std::vector<QuantityNames>& quantityTable() {
@@ -27,20 +28,31 @@ const std::vector<QuantityNames>& quantityTable() {
        "s",
        {"time", "zeit", "timestamp", "timestamps", "zeitstempel", "uhrzeit", "date time", "datetime", "date/time",
         "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value"},
+       {"date", "datum"},
        {"s"}},
       {Quantity::displacement,
        "displacement",
        "m",
-       {"displacement", "deflection", "position", "travel", "weg", "federweg", "auslenkung", "verschiebung",
-        "einfederung"},
+       {"displacement", "deflection", "weg", "federweg", "auslenkung", "verschiebung", "einfederung"},
+       {"position", "travel", "stroke", "hub"},
        {"m", "mm", "um"}},
-      {Quantity::force, "force", "N", {"force", "load", "kraft"}, {"N", "kN", "MN"}},
-      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {"degC"}},
+      {Quantity::force, "force", "N", {"force", "kraft"}, {"load", "last"}, {"N", "kN", "MN"}},
+      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {}, {"degC"}},
   };
   return table;
 }
 
 const QuantityNames& rowOf(Quantity quantity) { return quantityTable()[static_cast<std::size_t>(quantity)]; }
+
+std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::string> QuantityNames::*words) {
+  const std::string word = lowerCase(bare);
+  for (const QuantityNames& row : quantityTable()) {
+    if (std::find((row.*words).begin(), (row.*words).end(), word) != (row.*words).end()) {
+      return row.quantity;
+    }
+  }
+  return std::nullopt;
+}
 
 // Units that any name may end in behind an underscore. Others are too easily a word: "displacement_in", "phase_a".
 bool isPlainSuffix(const std::string& unit) {
@@ -66,7 +78,8 @@ bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
   const std::string bare = trimmed(name.text.substr(0, end));
   const bool known = isKnownUnit(unit);
   const bool in_brackets = name.text.find_first_of("[(", begin) == begin;
-  if (bare.empty() || unit.empty() || !(known || (in_brackets && quantityOfName(bare)))) {
+  if (bare.empty() || unit.empty() ||
+      !(known || (in_brackets && (quantityOfName(bare) || quantityOfOtherName(bare))))) {
     return false;
   }
   name.bare = bare;
@@ -135,19 +148,10 @@ ColumnName parseColumnName(const std::string& text, const std::string& below) {
   return name;
 }
 
-std::optional<Quantity> quantityOfName(const std::string& bare) {
-  const std::string word = lowerCase(bare);
-  for (const QuantityNames& row : quantityTable()) {
-    if (std::find(row.words.begin(), row.words.end(), word) != row.words.end()) {
-      return row.quantity;
-    }
-  }
-  return std::nullopt;
-}
+std::optional<Quantity> quantityOfName(const std::string& bare) { return quantityWith(bare, &QuantityNames::words); }
 
-bool mayNameTime(const std::string& bare) {
-  const std::string word = lowerCase(bare);
-  return word == "date" || word == "datum";
+std::optional<Quantity> quantityOfOtherName(const std::string& bare) {
+  return quantityWith(bare, &QuantityNames::others);
 }
 
 std::optional<Quantity> quantityOfUnit(const std::string& unit) {

@@ -45,8 +45,8 @@ std::optional<Quantity> quantityOfName(const std::string& bare);
 /// The quantity that the unit measures, if it is one of them.
 std::optional<Quantity> quantityOfUnit(const std::string& unit);
 
-/// The same by a word that names a date, or the number of a sample: less than the names of a time.
-bool mayNameTime(const std::string& bare);
+/// The quantity that another word may name, where nothing else is that quantity: position, load, date.
+std::optional<Quantity> quantityOfOtherName(const std::string& bare);
 
 /// True for a name that this package writes: time_s, displacement_<m|mm|um>, force_<N|kN|MN>, temperature_degC.
 bool isCanonical(const std::string& text, Quantity quantity);

@@ -25,7 +25,7 @@ class ColumnReader {
   ColumnReader(const std::vector<ColumnName>& names, const std::vector<std::size_t>& places, const ColumnFile& file,
                const LogFormat& format)
       : places_(places), file_(file), columns_(findColumns(names, format)), rules_(format, columns_, "element") {
-    requireTimeUnit(columns_);
+    requireTimeUnit(columns_, format);
     notes_ = notesOnIgnored(names, columns_, format);
     samples_ = lengthOf(columns_.displacement);
     for (const Column* column : {&columns_.time, &columns_.force, &columns_.temperature}) {

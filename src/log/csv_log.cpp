@@ -243,7 +243,7 @@ class CsvLogReader {
       return line.number >= header_.next_line && !trimmed(line.text).empty() && !isComment(line.text);
     });
     if (!columns_.time.found() || columns_.time.tells_unit || row == head.end()) {
-      requireTimeUnit(columns_);
+      requireTimeUnit(columns_, format_);
       return;
     }
     splitFields(row->text, header_.separator, fields_);
@@ -260,7 +260,7 @@ class CsvLogReader {
       columns_.time.conversion = UnitConversion("day", "s");
       columns_.time.assumed_unit = "days since 1899, as spreadsheets count them";
     }
-    requireTimeUnit(columns_);
+    requireTimeUnit(columns_, format_);
   }
 
   void readRow(const char* line) {

@@ -56,7 +56,7 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
 }
 
 // The channel of a quantity; nothing for another word.
-LogFormat::Channel* channelOf(LogFormat& format, const std::string& quantity) {
+LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity) {
   for (const Quantity one : allQuantities()) {
     if (quantity == toString(one)) {
       return &format.of[static_cast<std::size_t>(one)];
@@ -86,7 +86,7 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
   const std::string column = equals == std::string::npos ? std::to_string(place) : entry.substr(equals + 1);
-  LogFormat::Channel* const channel = channelOf(format, quantity);
+  LogFormat::Channel* const channel = channelNamed(format, quantity);
   const bool given_twice = channel != nullptr && !channel->column.empty();
   if (channel != nullptr && !given_twice) {
     setColumnAndFactor(*channel, column);
@@ -108,10 +108,10 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
 }
 
 // "force=kN", of which a unit may be of several words.
-void setUnit(LogFormat& format, const std::string& entry) {
+void setUnitOption(LogFormat& format, const std::string& entry) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
-  LogFormat::Channel* const channel = equals == std::string::npos ? nullptr : channelOf(format, quantity);
+  LogFormat::Channel* const channel = equals == std::string::npos ? nullptr : channelNamed(format, quantity);
   std::string reason = "no quantity and its unit";
   if (channel != nullptr) {
     const std::string unit = entry.substr(equals + 1);
@@ -142,7 +142,7 @@ void setUnits(LogFormat& format, const std::string& units) {
     }
   }
   for (const std::string& entry : entries) {
-    setUnit(format, entry);
+    setUnitOption(format, entry);
   }
 }
 

@@ -101,10 +101,9 @@ class ColumnFinder {
       return is_free(column) && !column.unit.empty() && !quantityOfName(column.bare) &&
              quantityOfUnit(column.unit) == quantity;
     });
-    if (quantity != Quantity::time || !measured.empty()) {
-      return measured;
-    }
-    return placesWhere(header_, [&](const ColumnName& column) { return is_free(column) && mayNameTime(column.bare); });
+    return !measured.empty() ? measured : placesWhere(header_, [&](const ColumnName& column) {
+      return is_free(column) && quantityOfOtherName(column.bare) == quantity;
+    });
   }
 
  private:
@@ -296,9 +295,12 @@ Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& form
   return columns;
 }
 
-void requireTimeUnit(const Columns& columns) {
+void requireTimeUnit(Columns& columns, const LogFormat& format) {
   if (columns.time.found() && !columns.time.tells_unit && columns.time.assumed_unit.empty()) {
-    refuseNoUnit(columns.time, Quantity::time);
+    if (!format.rate) {
+      refuseNoUnit(columns.time, Quantity::time);
+    }
+    columns.time = Column();
   }
 }
 

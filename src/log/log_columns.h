@@ -42,8 +42,8 @@ struct Columns {
 /// unit of that quantity. What is ambiguous is refused. Throws std::runtime_error with name and what is accepted.
 Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& format);
 
-/// Throws std::runtime_error for a column of time whose unit nothing tells.
-void requireTimeUnit(const Columns& columns);
+/// Throws std::runtime_error for a column of time whose unit nothing tells; beside a rate it is left out.
+void requireTimeUnit(Columns& columns, const LogFormat& format);
 
 /// True where a row of names tells enough to be a header: the columns that the format names are there, and of the
 /// others at least displacement and time, or any two.

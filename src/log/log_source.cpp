@@ -51,9 +51,9 @@ using ReadBlocks = std::vector<std::string> (*)(const std::string& path, const L
                                                 const LogSource::Take& take);
 
 // A file that is read again each time.
-class FileSource : public LogSource {
+class LogFileSource : public LogSource {
  public:
-  FileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
+  LogFileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
       : path_(std::move(path)), format_(std::move(format)), read_(read_blocks) {}
 
   std::string name() const override {
@@ -83,7 +83,7 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   if (kind == FileFormat::matlab || kind == FileFormat::bag || !isRegularFile(path)) {
     return sourceOf(readLog(path, format));
   }
-  auto file = std::make_shared<FileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
+  auto file = std::make_shared<LogFileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
   Log kept;
   bool all = true;
   std::vector<std::string> notes = file->read([&](const Log& block, std::size_t first) {

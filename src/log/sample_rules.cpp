@@ -37,7 +37,7 @@ double rateOfStamps(std::vector<std::int64_t> stamps) {
   return share * 1e9 / static_cast<double>(*middle);
 }
 
-const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
+const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
 
@@ -166,7 +166,7 @@ void SampleRules::finish() const {
                                first_missing_.unmeasured, kBridged, missing_, rows_));
   }
   if (kept_ < 2) {
-    throw std::runtime_error(fmt::format("{} sample{}; accepted: at least 2", kept_, plural(kept_)));
+    throw std::runtime_error(fmt::format("{} sample{}; accepted: at least 2", kept_, pluralOf(kept_)));
   }
   const bool good = format_.rate && own_stamps_ == rows_ && bad_stamps_ == 0;
   if (good && std::abs(ownRate() / *format_.rate - 1.0) > kRateAgrees) {
@@ -180,14 +180,14 @@ void SampleRules::finish() const {
 std::vector<std::string> SampleRules::notes() const {
   std::vector<std::string> notes;
   if (missing_ > 0) {
-    notes.push_back(
-        fmt::format("{} row{} without a number, the first in {} {} ({}): left out, time gaps of at most "
-                    "{:.3g} s are bridged",
-                    missing_, plural(missing_), word_, first_missing_.place, first_missing_.unmeasured, longest_gap_));
+    notes.push_back(fmt::format(
+        "{} row{} without a number, the first in {} {} ({}): left out, time gaps of at most "
+        "{:.3g} s are bridged",
+        missing_, pluralOf(missing_), word_, first_missing_.place, first_missing_.unmeasured, longest_gap_));
   }
   if (merged_ > 0) {
     notes.push_back(fmt::format("{} row{} that repeat{} the one before, stamp and values, the first in {} {}: left out",
-                                merged_, plural(merged_), merged_ == 1 ? "s" : "", word_, first_merged_));
+                                merged_, pluralOf(merged_), merged_ == 1 ? "s" : "", word_, first_merged_));
   }
   if (own_stamps_ > 0) {
     notes.push_back(fmt::format(
