@@ -21,6 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const log::LogFormat kByNumber =
       log::makeLogFormat({"time", "displacement", "force"}, "displacement=mm force=kN time=ms", 0.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kByNumber); });
+  static const log::LogFormat kSecond = log::makeLogFormat({}, "", 0.0, ",", "2", 1.0);
+  fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kSecond); });
   static const log::LogFormat kAtRate = log::makeLogFormat({"displacement=1"}, "displacement=mm", 1000.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kAtRate); });
   return 0;
