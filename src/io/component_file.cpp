@@ -489,6 +489,15 @@ class Loader {
              fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
     }
     refuseScaleOfTemperature(node, path, parameter);
+    // Beyond any component, and where powers of it leave the range of a double or steps through it never end.
+    constexpr double kLargestNumber = 1e30;
+    constexpr double kLongestTime = 1e12;  // [s], 30,000 years
+    if (std::isfinite(value) && std::abs(value) > (parameter.unit == "s" ? kLongestTime : kLargestNumber)) {
+      refuse(
+          node, path,
+          fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", log::quoted(node.Scalar()),
+                      parameter.unit == "s" ? kLongestTime : kLargestNumber, parameter.unit));
+    }
     if (!parameter.range.contains(value)) {
       refuse(node, path,
              fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
@@ -716,6 +725,12 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
 std::string toYaml(const std::vector<ComponentDescription>& components) {
   std::string text = "components:\n";
   for (const ComponentDescription& component : components) {
+    if (!isBaseName(component.name)) {
+      throw ComponentFileError(
+          fmt::format("{}: no name of a component; accepted: letters, digits and underscores, a letter "
+                      "first, at most {}",
+                      log::quoted(component.name), kMaximumNameLength));
+    }
     text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
     text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
                                                              : specificationYaml(component.specification());
