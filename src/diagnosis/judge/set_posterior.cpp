@@ -2,6 +2,7 @@
 #include "diagnosis/judge/set_posterior.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace rubber_suspension::diagnosis {
@@ -14,8 +15,9 @@ double SetPosterior::ofSets() const {
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
   LogWeights weights = logWeights(table, numbers);
   const double most = std::max(weights.alone.maxCoeff(), weights.beside.maxCoeff());
-  weights.alone = (weights.alone - most).exp();
-  weights.beside = (weights.beside - most).exp();
+  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };  // 0 for minus infinity
+  weights.alone = weights.alone.unaryExpr(overMost).eval();
+  weights.beside = weights.beside.unaryExpr(overMost).eval();
   const double all = weights.alone.sum() + weights.beside.sum();
   weights.alone /= all;
   weights.beside /= all;
