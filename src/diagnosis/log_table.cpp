@@ -145,8 +145,7 @@ class LogTable {
   // Nothing is fitted there: no block has to be left out.
   std::vector<gap::PartError> partsAsConfigured() const {
     const FittedHypothesis& model = search_.as_configured;
-    return gap::partErrors(prepared_.training,
-                           *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));
+    return gap::partErrors(prepared_.training, *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));
   }
 
   void addSizesOf(int place, HypothesisEvidence& hypothesis) const {
@@ -157,8 +156,7 @@ class LogTable {
     hypothesis.sizes = memberSizes(search_.candidates, prepared_.fitter.forces(), fitted);
     for (const log::Record& record : prepared_.held_out) {  // each on a new component
       const FittedHypothesis of_record{fit::aboutOtherRecords(fitted.hypothesis, {record}), fitted.fit};
-      const auto sizes =
-          memberSizes(search_.candidates, fit::HypothesisForces({record}, prepared_.model), of_record);
+      const auto sizes = memberSizes(search_.candidates, fit::HypothesisForces({record}, prepared_.model), of_record);
       for (std::size_t m = 0; m < sizes.size(); ++m) {
         hypothesis.sizes[m].push_back(sizes[m].front());
       }

@@ -114,8 +114,9 @@ bool TrialCase::isRight(const Said& said) const {
 }
 
 bool TrialCase::namesTooMuch(const Said& said) const {
-  return std::any_of(said.effects.begin(), said.effects.end(),
-                     [&](const std::string& effect) { return !has(truth.effects, effect) && !has(truth.also, effect); });
+  return std::any_of(said.effects.begin(), said.effects.end(), [&](const std::string& effect) {
+    return !has(truth.effects, effect) && !has(truth.also, effect);
+  });
 }
 
 std::string TrialCase::group() const {
