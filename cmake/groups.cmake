@@ -89,5 +89,7 @@ endfunction()
 function(compile_groups target)
   if(RUBBER_SUSPENSION_UNITY AND NOT CMAKE_VERSION VERSION_LESS 3.18)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # GCC takes what a group includes for headers, whose types should not have members of unnamed namespaces.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()

@@ -17,6 +17,7 @@
 #include "fit/product_fit.h"
 #include "fit/residual_covariance.h"
 #include "fit/residual_fit.h"
+#include "log/even_blocks.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/gap/gap.h"
@@ -81,13 +82,22 @@ void checkHeld(const std::vector<element::ElementDescription>& elements, const s
   }
 }
 
-void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<Eigen::Index>& runs) {
-  bool fits = rig.empty() || rig.size() == runs.size();
+void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Log>& logs) {
+  bool fits = rig.empty() || rig.size() == logs.size();
   for (std::size_t i = 0; fits && i < rig.size(); ++i) {
-    fits = rig[i].cols() == 0 || rig[i].rows() == runs[i];
+    fits = rig[i].cols() == 0 || rig[i].rows() == static_cast<Eigen::Index>(logs[i].size());
   }
   if (!fits) {
     throw std::invalid_argument("rig: needs columns over the samples of each log");
+  }
+}
+
+// Noise is taken as independent of that before a time gap.
+void addRuns(const log::Log& log, std::vector<Eigen::Index>& runs) {
+  std::vector<std::size_t> first = log::stretchesOf(log);
+  first.push_back(log.size());
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    runs.push_back(static_cast<Eigen::Index>(first[i + 1] - first[i]));
   }
 }
 
@@ -423,7 +433,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   std::vector<Eigen::Index> runs;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     checkLog(logs[i], i + 1);
-    runs.push_back(static_cast<Eigen::Index>(logs[i].stamp.size()));
+    addRuns(logs[i], runs);
   }
   Identification result;
   std::vector<element::ElementDescription> completed;
@@ -432,7 +442,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   }
   checkHeld(completed, options.held);
   addDeadBands(completed, logs, result.notes);
-  checkRig(options.rig, runs);
+  checkRig(options.rig, logs);
   ForceModel model(completed, logs, options.held, options.rig);
   if (model.nonlinear().empty() && model.linear().empty()) {
     throw std::invalid_argument("no parameter is left to be found; all are held");

@@ -307,7 +307,7 @@ RigFinding signFinding(const log::Record& record, const Evidence& e) {
   return fatal(
       record, finding::kSign, -1.0,
       fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m): "
-                  "the sign of one is reversed; multiply the force by -1",
+                  "the sign of one is reversed; multiply the force by -1, --columns force=-NAME",
                   e.measured.stiffness, e.configured.stiffness));
 }
 
@@ -316,7 +316,7 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
       record, finding::kSwappedColumns, e.ratio,
       fmt::format("force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
                   "of a loop's most, negative: energy out of nothing): swap the columns, "
-                  "--columns displacement=... force=...",
+                  "--columns displacement=NAME force=NAME",
                   e.measured.stiffness, e.configured.stiffness, e.loss));
 }
 
@@ -397,7 +397,8 @@ std::optional<RigFinding> stiffnessFinding(const component::Component& component
   if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness, "name the units, --unit LENGTH,FORCE");
+  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness,
+                      "name the unit, as in --unit force=kN");
 }
 
 // Dampers: forces that go together, hundreds of times apart.
@@ -412,7 +413,7 @@ std::optional<RigFinding> forceFinding(const log::Record& record, const Evidence
   return fatal(
       record, finding::kUnitFactor, e.force_ratio,
       fmt::format("the measured force goes with the simulated one, but is {:.3g} times as large, as by the factor "
-                  "{:.4g} of a wrong unit: {}; or name the units, --unit LENGTH,FORCE",
+                  "{:.4g} of a wrong unit: {}; or name the unit, as in --unit force=kN",
                   e.force_ratio, factor->factor, factor->correction));
 }
 

@@ -18,6 +18,10 @@ inline double stop(double /*time*/, double z, double /*rate*/) {
   return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidates' stops
 }
 
+inline double linearStop(double /*time*/, double z, double /*rate*/) {
+  return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
+}
+
 /// Mains hum: in the force, but no function of the motion.
 inline double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
 

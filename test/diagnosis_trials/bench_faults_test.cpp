@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
@@ -116,12 +115,6 @@ struct Axis {
 
 void PrintTo(const Axis& axis, std::ostream* stream) { *stream << axis.name; }
 
-double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
-
-double stop(double /*time*/, double z, double /*rate*/) {
-  return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
-}
-
 // Stiffer in tension than in compression.
 double asymmetric(double /*time*/, double z, double /*rate*/) { return z > 0.0 ? 2e5 * z : 0.0; }
 
@@ -160,7 +153,7 @@ TEST_P(BenchFaults, LeaveGapFreeLogsAloneAndEffectsTheirNames) {
     EXPECT_EQ(none.verdict, "none") << none.sentence;
     EXPECT_TRUE(none.effects.empty());
     for (const auto& [effect, name] :
-         {std::pair<RigEffect, std::string>{stop, "bump_stop"}, {asymmetric, "asymmetric_stiffness"}}) {
+         {std::pair<RigEffect, std::string>{linearStop, "bump_stop"}, {asymmetric, "asymmetric_stiffness"}}) {
       const diagnosis::Diagnosis found = diagnoseBench(effect, axis, size, 2);
       EXPECT_EQ(found.effects, std::vector<std::string>{name}) << found.sentence;
     }

@@ -14,8 +14,8 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kNoise = 10.0;  // [N]
-constexpr double kHum = 250.0;   // amplitude [N], of a force of about 1 kN
+constexpr double kRigNoise = 10.0;  // [N]
+constexpr double kHum = 250.0;      // amplitude [N], of a force of about 1 kN
 
 // A machine next door, whose speed wanders: in the band of the motion, and another one in each log.
 RigEffect withHum(RigEffect effect, double phase, double amplitude = kHum) {
@@ -28,7 +28,7 @@ RigEffect withHum(RigEffect effect, double phase, double amplitude = kHum) {
 diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
   std::vector<log::Log> logs;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
-    logs.push_back(runRig("log " + std::to_string(seed), seed, withHum(effect(), seed), kNoise));
+    logs.push_back(runRig("log " + std::to_string(seed), seed, withHum(effect(), seed), kRigNoise));
   }
   return checkedDiagnosis(rigComponent(), logs, {});
 }

@@ -9,20 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/shared_runs.h"
 
 namespace rubber_suspension {
 namespace {
 
-double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
-
-double stop(double /*time*/, double z, double /*rate*/) {
-  const double depth = std::max(0.0, std::abs(z) - 0.0012);
-  return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidates' stops
-}
-
-diagnosis::Diagnosis diagnoseRig(const RigEffect& effect) {
+diagnosis::Diagnosis diagnoseTwo(const RigEffect& effect) {
   return checkedDiagnosis(rigComponent(), {runRig("one", 1, effect), runRig("two", 2, effect)},
                           {runRig("unseen", 3, effect)});
 }
@@ -100,10 +92,10 @@ TEST(Diagnosis, NamesRelaxationAloneWhereItsSpectrumHasNoEnd) {
     weights.push_back(weights.back() * (1.0 - (kOrder + 1.0) / static_cast<double>(weights.size())));
     return kStiffness * force;
   };
-  constexpr double kNoise = 3.0;  // [N]
+  constexpr double kFaint = 3.0;  // [N]
   const diagnosis::Diagnosis result =
-      checkedDiagnosis(rigComponent(), {runRig("one", 1, fractional, kNoise), runRig("two", 2, fractional, kNoise)},
-                       {runRig("unseen", 3, fractional, kNoise)});
+      checkedDiagnosis(rigComponent(), {runRig("one", 1, fractional, kFaint), runRig("two", 2, fractional, kFaint)},
+                       {runRig("unseen", 3, fractional, kFaint)});
   EXPECT_THAT(result.effects, ::testing::ElementsAre("relaxation")) << result.sentence;
   EXPECT_GT(result.closed, 0.95);
 }
@@ -120,7 +112,7 @@ TEST(Diagnosis, NamesDryFriction) {
     last = z;
     return force;
   };
-  const diagnosis::Diagnosis result = diagnoseRig(friction);
+  const diagnosis::Diagnosis result = diagnoseTwo(friction);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   EXPECT_EQ(result.effects.front(), "friction");
 }
@@ -236,7 +228,7 @@ TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
     last = z;
     return force;
   };
-  const diagnosis::Diagnosis result = diagnoseRig(flow);
+  const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.effects.empty()) << result.sentence;
   // It is named only where no others explain the gap, and here relaxation and friction together come close.
   const auto least = std::min_element(result.candidates.begin(), result.candidates.end(),

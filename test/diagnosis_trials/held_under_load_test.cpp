@@ -15,8 +15,8 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kStep = 0.004;  // [s]
-constexpr double kNoise = 3.0;   // [N]
+constexpr double kStep = 0.004;     // [s]
+constexpr double kBushNoise = 3.0;  // [N]
 
 io::ComponentDescription bush() {
   return io::parseComponentFile(
@@ -49,7 +49,7 @@ log::Log recorded(const std::string& name, unsigned seed, const std::vector<doub
   std::vector<double> force(displacement.size());
   component.simulate(state, kStep, displacement.data(), displacement.size(), force.data());
   std::mt19937 generator(seed);
-  std::normal_distribution<double> noise(0.0, kNoise);
+  std::normal_distribution<double> noise(0.0, kBushNoise);
   log::Log log;
   log.name = name;
   for (std::size_t i = before; i < displacement.size(); ++i) {

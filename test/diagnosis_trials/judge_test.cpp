@@ -1081,16 +1081,22 @@ TEST(EvidenceJson, GivesTheSameJudgement) {
   addUnseenLogs(evidence);
   scatter(reEstimated(evidence), kEven);
   single(evidence, kDrift).held_out = std::numeric_limits<double>::infinity();  // no model run follows it
-  const NamedEvidence written{evidence, {"many", "simple", "drift", "last", "other"}};
+  evidence.logs = {{0.01, 0.1, 1.0, false}, {0.02, 0.3, 0.5, true}};
+  reEstimated(evidence).log_errors = {0.04, 0.05};
+  single(evidence, kMany).log_errors = {1e-4, std::numeric_limits<double>::infinity()};
+  single(evidence, kMany).sizes = {{0.03, 0.02}};
+  const NamedEvidence written{
+      evidence, {"many", "simple", "drift", "last", "other"}, {false, false, true, false, false}};
   const NamedEvidence read = parseEvidence(toJson(written));
   EXPECT_EQ(toJson(read), toJson(written));
   EXPECT_EQ(read.effects, written.effects);
+  EXPECT_EQ(read.on_rig, written.on_rig);
   EXPECT_EQ(judge(read.evidence).probabilities, judge(evidence).probabilities);
 }
 
 TEST(EvidenceJson, RefusesWhatIsNone) {
   for (const char* text : {"", "[]", "{}", R"({"schema": "rubber_suspension/gap_report/1"})",
-                           R"({"schema": "rubber_suspension/evidence/2", "effects": 3})"}) {
+                           R"({"schema": "rubber_suspension/evidence/3", "effects": 3})"}) {
     EXPECT_THROW(parseEvidence(text), std::invalid_argument) << text;
   }
 }

@@ -7,8 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
@@ -20,12 +19,6 @@ struct Scale {
   double force = 1.0;
   double time = 1.0;
 };
-
-double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
-
-double stop(double /*time*/, double z, double /*rate*/) {
-  return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
-}
 
 // The force falls with the logarithm of time from half a second on: two elements a decade.
 RigEffect creep() {
@@ -122,8 +115,8 @@ class Metamorphic : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Benches, Metamorphic,
                          testing::Values(Case{"nothing", [] { return RigEffect(nothing); }},
-                                         Case{"stop", [] { return RigEffect(stop); }}, Case{"friction", rigFriction},
-                                         Case{"creep", creep}));
+                                         Case{"stop", [] { return RigEffect(linearStop); }},
+                                         Case{"friction", rigFriction}, Case{"creep", creep}));
 
 TEST_P(Metamorphic, LengthForceAndTimeScale) {
   const diagnosis::Diagnosis& as_it_is = reference(GetParam().name, GetParam().effect);

@@ -14,7 +14,7 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kNoise = 3.0;          // [N]
+constexpr double kLowNoise = 3.0;       // [N]
 constexpr double kDisplacement = 2e-3;  // [m] of a hold
 
 // An orifice: its force grows with the square of the rate.
@@ -36,15 +36,15 @@ log::Log hold(const std::string& name, unsigned seed, double displacement, doubl
   const auto effect = [&](double time, double z, double rate) {
     return orifice(time, z, rate) - creep * z * std::log10(1.0 + std::max(0.0, time - 1.0) / 2.0);
   };
-  return runMotion(name, generator, motion, effect, kNoise, 0.02);
+  return runMotion(name, generator, motion, effect, kLowNoise, 0.02);
 }
 
 // Relaxation has both a dashpot and creep among its laws, and a drift follows what creeps.
 TEST(ThreeEffects, AreNamedWhereTwoOfThemLookLikeRelaxation) {
   constexpr double kCreep = 1.5e5;  // [N/m] for each decade
   const std::vector<log::Log> logs = {
-      withGain(runRig("one", 1, orifice, kNoise), 1.0), withGain(runRig("two", 2, orifice, kNoise), 1.2),
-      withGain(runRig("three", 3, orifice, kNoise), 0.9), hold("hold", 4, kDisplacement, kCreep),
+      withGain(runRig("one", 1, orifice, kLowNoise), 1.0), withGain(runRig("two", 2, orifice, kLowNoise), 1.2),
+      withGain(runRig("three", 3, orifice, kLowNoise), 0.9), hold("hold", 4, kDisplacement, kCreep),
       hold("hold on the other side", 5, -0.7 * kDisplacement, kCreep)};
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
   EXPECT_THAT(result.effects, ::testing::UnorderedElementsAre("sensor_gain", "viscous_damping", "creep"))
