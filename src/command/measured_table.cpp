@@ -179,7 +179,7 @@ class TableReader {
       refuse(fmt::format("{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}", row.name, row.name,
                          row.unit, others,
                          material.empty() ? ""
-                                          : fmt::format("; {} tells a material: a stiffness and a displacement follow "
+                                          : fmt::format("; {}: of a material, which is a stiffness and a displacement "
                                                         "once the shape (area, height) is known",
                                                         material)));
     }

@@ -78,6 +78,7 @@ void requireOwnData(hid_t dataset, const std::string& name) {
 }
 
 void requireOwnData(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (H5Fis_hdf5(path.c_str()) <= 0) {
     return;
   }

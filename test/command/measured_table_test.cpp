@@ -64,7 +64,7 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
 TEST(MeasuredTable, NamesWhatAMaterialLacks) {
   EXPECT_THAT([] { parseTable("Frequency [Hz],Strain [%],E* [MPa],delta [deg]\n1,0.1,3.5,4\n", "lab.csv"); },
               testing::ThrowsMessage<std::runtime_error>(
-                  testing::AllOf(HasSubstr("'Strain [%]', 'E* [MPa]' tells a material"), HasSubstr("shape"))));
+                  testing::AllOf(HasSubstr("'Strain [%]', 'E* [MPa]': of a material"), HasSubstr("shape"))));
 }
 
 TEST(MeasuredTable, ReadsWhatExportTableWrites) {

@@ -33,7 +33,8 @@ std::string refusalOfBytes(const std::string& name, const std::string& bytes) {
 class MatBytes {
  public:
   static std::string header() {
-    std::string text(128, ' ');
+    std::string text(116, ' ');
+    text.resize(128, '\0');  // no data of a subsystem
     text.replace(0, 19, "MATLAB 5.0 MAT-file");
     text.replace(124, 4, std::string("\x00\x01IM", 4));
     return text;
