@@ -21,7 +21,6 @@ using diagnosis::NumberInfo;
 using diagnosis::SetPosterior;
 using diagnosis::SetProbability;
 
-constexpr double kLeastProbability = 1e-3;  // one case must not outweigh all others
 constexpr double kPartOfTruth = 0.2;        // of `unknown`, where a listed effect is beside an unlisted one
 constexpr double kValuesOfNone = 0.3;       // of wrong values, where the model is about right as configured
 constexpr double kAccepted = 0.02;          // of the force, by an engineer

@@ -10,6 +10,9 @@
 
 namespace rubber_suspension::blind_trial {
 
+/// Added to the probability of a truth before its logarithm is taken: one case must not outweigh all others.
+constexpr double kLeastProbability = 1e-3;
+
 /// A case as the fit takes it.
 struct FittedCase {
   diagnosis::ScoreTable table;
@@ -24,7 +27,7 @@ std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 /// Probability that the judge gives to what the label says; where that has several answers, to all of them.
 double probabilityOfTruth(const FittedCase& known, const diagnosis::JudgeNumbers& numbers);
 
-/// Logarithms of these probabilities, each of at least 0.001, and the prior of the numbers are made greatest together
+/// Logarithms of these probabilities and the prior of the numbers are made greatest together
 /// (L-BFGS of Ceres). Base rates are of the effects that occur in the evidence.
 diagnosis::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 

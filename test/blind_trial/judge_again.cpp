@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/binomial.hpp>
+#include <cmath>
 #include <ctime>
 #include <exception>
 #include <fstream>
@@ -217,19 +218,26 @@ double signTest(long to_right, long to_wrong) {
   return std::min(1.0, 2.0 * cdf(even, static_cast<double>(std::min(to_right, to_wrong))));
 }
 
+std::string inWords(const Truth& truth) {
+  const std::string effects = fmt::format("{}", fmt::join(truth.effects, ", "));
+  return truth.unlisted ? effects + (effects.empty() ? "unlisted" : " beside an unlisted one")
+                        : (effects.empty() ? truth.kind : effects);
+}
+
+// The cases that a judge is wrong about.
 void printDifferences(const std::vector<Judged>& judged) {
   long to_right = 0;
   long to_wrong = 0;
   for (const Judged& one : judged) {
     const bool before = one.known->isRight(one.criteria);
     const bool after = one.known->isRight(one.posterior);
-    if (before != after) {
-      (after ? to_right : to_wrong) += 1;
-      std::cout << fmt::format("{}: {} ({}{}): {} [{}] -> {} [{}] ({:.2f})\n", after ? "to right" : "to wrong",
-                               one.known->name, fmt::join(one.known->truth.effects, ", "),
-                               one.known->truth.unlisted ? " beside an unlisted one" : "", one.criteria.verdict,
-                               fmt::join(one.criteria.effects, ", "), one.posterior.verdict,
-                               fmt::join(one.posterior.effects, ", "), one.posterior.stated);
+    to_right += !before && after ? 1 : 0;
+    to_wrong += before && !after ? 1 : 0;
+    if (!before || !after) {
+      const char* change = before ? "to wrong" : after ? "to right" : "wrong in both";
+      std::cout << fmt::format("{}: {} ({}): {} [{}] -> {} [{}] ({:.2f})\n", change, one.known->name,
+                               inWords(one.known->truth), one.criteria.verdict, fmt::join(one.criteria.effects, ", "),
+                               one.posterior.verdict, fmt::join(one.posterior.effects, ", "), one.posterior.stated);
     }
   }
   std::cout << fmt::format("{} to right, {} to wrong; by chance as uneven with probability {:.2g}\n\n", to_right,
@@ -256,6 +264,19 @@ void printStated(const std::vector<Judged>& judged, const char* judge, SaidOf of
                                stated / cases, right / cases);
     }
   }
+}
+
+// Of what labels say, by the posterior; of cases with evidence.
+double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vector<JudgeNumbers>& numbers) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const FittedCase& known : fittedCases({cases[i]})) {
+      sum += std::log(probabilityOfTruth(known, numbers[i]) + kLeastProbability);
+      count += 1.0;
+    }
+  }
+  return sum / count;
 }
 
 // Numbers of each case: as fitted last, or fitted without the fold that the case is in.
@@ -293,6 +314,8 @@ void printComparison(const std::vector<TrialCase>& cases, int folds) {
   printGroups(judged);
   printStated(judged, "criteria", &Judged::criteria);
   printStated(judged, "the posterior", &Judged::posterior);
+  std::cout << fmt::format("\nMean logarithm of the probability of the truth by the posterior: {:.3f}\n",
+                           meanLogarithmOfTruth(cases, numbers));
 }
 
 // ---- the fit

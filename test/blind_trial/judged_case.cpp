@@ -131,7 +131,7 @@ std::vector<TrialCase> casesOfFolder(const std::string& folder) {
   std::vector<TrialCase> cases;
   for (const fs::path& label : filesIn(stem + "_labels")) {
     const std::string name = label.stem().string();
-    if (fs::exists(stem + "_reports/" + name)) {
+    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // not while it runs
       cases.push_back(
           caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
     }

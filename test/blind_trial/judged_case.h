@@ -39,8 +39,8 @@ struct TrialCase {
   std::string group() const;
 };
 
-/// Of a folder FOLDER of cases with FOLDER_labels and FOLDER_reports beside it. Throws std::runtime_error or
-/// std::invalid_argument that names the file.
+/// Of a folder FOLDER of cases with FOLDER_labels and FOLDER_reports beside it, those that run.py has run. Throws
+/// std::runtime_error or std::invalid_argument that names the file.
 std::vector<TrialCase> casesOfFolder(const std::string& folder);
 
 /// Of a campaign, the cases that folders of labels, SET_labels, have labels of: SET_labels/CASE.json goes with the job

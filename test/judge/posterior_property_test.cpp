@@ -167,11 +167,11 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
 
-// Half of the square of a gap is the effect's, half something that the list lacks: the effect keeps its name.
+// An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   NamedEvidence named = unexplained(5, *rc::gen::inRange(2, 20), left);
-  explain(named, 1, std::sqrt(0.5) * left);
+  explain(named, 1, std::sqrt(0.2) * left);
   const Answer answer = diagnosis::answer(named);
   RC_ASSERT(answer.verdict == Verdict::partly);
   RC_ASSERT(answer.effects == std::vector<int>{1});

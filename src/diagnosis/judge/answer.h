@@ -11,7 +11,7 @@ namespace rubber_suspension::diagnosis {
 /// What is said, and how sure it is.
 struct Answer {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;                  ///< named, what removes most first
+  std::vector<int> effects;                  ///< named, what adds most to the force first
   int model = Evidence::kReEstimated;        ///< the hypothesis that is judged
   double probability = 0.0;                  ///< of the verdict; of the set that is named
   Posterior posterior;                       ///< of the four answers

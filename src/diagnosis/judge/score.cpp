@@ -29,15 +29,6 @@ ArrayXd arrayOf(const std::vector<double>& values) {
   return Eigen::Map<const ArrayXd>(values.data(), static_cast<Index>(values.size()));
 }
 
-// What the absence of a member leaves more: of the set without it, or of the model alone where that was not fitted.
-double removed(const ScoreTable& table, const Evidence& evidence, std::size_t hypothesis, std::size_t member) {
-  std::vector<int> others = evidence.hypotheses[hypothesis].members;
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(member));
-  const int without = evidence.find(others).value_or(Evidence::kReEstimated);
-  const auto square = [&](Index row) { return (table.left.row(row).transpose() * table.weight).sum(); };
-  return square(without) - square(static_cast<Index>(hypothesis));
-}
-
 void fillLogs(const Evidence& evidence, ScoreTable& table) {
   const auto logs = static_cast<Index>(evidence.logs.size());
   table.floor.resize(logs);
@@ -65,9 +56,12 @@ void fillMembers(const NamedEvidence& named, const HypothesisEvidence& hypothesi
   table.numbers[row] = static_cast<double>(hypothesis.terms);
   table.trends[row] = hypothesis.free_trends ? logs : 0.0;
   table.gains[row] = hypothesis.free_gains ? logs : 0.0;
+  table.sizes.emplace_back();
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
+    const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const bool on_rig = named.on_rig[static_cast<std::size_t>(hypothesis.members[m])];
-    (on_rig ? table.added_rig : table.added).row(row) += arrayOf(hypothesis.sizes[m]).transpose();
+    (on_rig ? table.added_rig : table.added).row(row) += squares.transpose();
+    table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
   }
 }
 
@@ -94,7 +88,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_gain * table.gains[row];
 }
 
-// An effect has a size: what removes a small part of the force is seldom one.
+// An effect has a size: what adds a small part of the force is seldom one.
 double priorOfSizes(const std::vector<double>& sizes, const JudgeNumbers& numbers) {
   double prior = 0.0;
   for (const double size : sizes) {
@@ -102,6 +96,12 @@ double priorOfSizes(const std::vector<double>& sizes, const JudgeNumbers& number
     prior -= 0.5 * below * below;
   }
   return prior;
+}
+
+// Values that are far from those of the component file are improbable, whatever they leave.
+double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  const double moved = table.moved[static_cast<Index>(hypothesis)];
+  return -numbers.moved_values * std::log1p(moved / (numbers.accepted * numbers.accepted));
 }
 
 double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
@@ -137,26 +137,20 @@ ScoreTable scoreTable(const NamedEvidence& named) {
     fillErrors(hypothesis, row, table);
     fillMembers(named, hypothesis, row, table);
   }
-  for (std::size_t h = 0; h < evidence.hypotheses.size(); ++h) {
-    table.sizes.emplace_back();
-    for (std::size_t m = 0; m < table.members[h].size(); ++m) {
-      table.sizes[h].push_back(0.5 * std::log(std::max(removed(table, evidence, h, m), kLeastSquare)));
-    }
-  }
   return table;
 }
 
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   const double sharpness = numbers.sharpness * std::pow(table.blocks / kTypicalBlocks, numbers.growth);
   const ArrayXXd s2 = expected(table, numbers);
-  const ArrayXXd r2 = table.left.colwise() + numbers.moved_values * table.moved;
+  const ArrayXXd& r2 = table.left;
   const ArrayXXd student = s2.log() + (numbers.tails + 1.0) * (r2 / (numbers.tails * s2)).log1p();
   const auto sumOverLogs = [&](const ArrayXXd& values) -> ArrayXd {
     return -0.5 * sharpness * (values.matrix() * table.weight.matrix()).array();
   };
   LogWeights weights{sumOverLogs(student), sumOverLogs(r2.max(s2).log() + 1.0) + numbers.rest};
   for (std::size_t h = 0; h < table.members.size(); ++h) {
-    const double prior = priorOf(table, numbers, h);
+    const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
     weights.beside[static_cast<Index>(h)] += prior;
   }

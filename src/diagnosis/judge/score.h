@@ -22,7 +22,7 @@ struct ScoreTable {
   Eigen::ArrayXd numbers;                  ///< that the members add
   Eigen::ArrayXd trends;                   ///< of logs, that are free
   Eigen::ArrayXd gains;                    ///< likewise
-  std::vector<std::vector<double>> sizes;  ///< logarithm of what each member alone removes
+  std::vector<std::vector<double>> sizes;  ///< logarithm of the size of each member over all logs
   Eigen::ArrayXd floor;                    ///< of each log, squared
   Eigen::ArrayXd weight;                   ///< of each log; they add up to 1
   double blocks = 0.0;                     ///< of the logs that errors are known of
@@ -40,8 +40,8 @@ struct LogWeights {
 /// With s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, what a hypothesis is expected to leave of a log, and r^2, what
 /// it leaves beyond the floor sigma, its weight alone is that of Student's t,
 /// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size
-/// -kappa/2 sum of w (ln max(r^2, s^2) + 1); each with the prior of the set, of the sizes of its members and of the
-/// numbers that it frees.
+/// -kappa/2 sum of w (ln max(r^2, s^2) + 1); each with the prior of the set, of the sizes of its members, of the
+/// numbers that it frees and of how far it moves the values of the model.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis

@@ -13,7 +13,7 @@ struct SetProbability {
   int hypothesis = 0;              ///< of the evidence
   double alone = 0.0;              ///< nothing else is at work
   double beside = 0.0;             ///< beside a rest
-  std::vector<double> sizes = {};  ///< logarithm of what each member alone removes
+  std::vector<double> sizes = {};  ///< logarithm of the size of each member
 
   double sum() const { return alone + beside; }
 };
