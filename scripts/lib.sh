@@ -13,6 +13,57 @@ fail() {
   exit 1
 }
 
+# How long stages take on two cores where nothing is built yet: `scripts/benchmark_start --build` measures it.
+declare -A takes=(
+  [install]="a minute, and the download"
+  [configure]="10 s"
+  [demo]="4 min"
+  [all]="8 min"
+  [tests]="10 min"
+  [all-tests]="12 min"
+  [input]="2 min"
+  [address]="20 min"
+  [thread]="4 min"
+  [run-tests]="5 min"
+  [run-all-tests]="25 min"
+)
+
+# Runs a stage of some minutes: says what it does and how long that takes, at the end how long it took.
+# stage WHAT KEY_OF_TAKES COMMAND [ARGUMENT...]
+stage() {
+  local what=$1 begin=$SECONDS time=${takes[$2]}
+  shift 2
+  say "$what ($time on two cores)"
+  "$@"
+  say "$what: done in $(duration $((SECONDS - begin)))"
+}
+
+duration() {
+  if [ "$1" -lt 60 ]; then echo "$1 s"; else echo "$(($1 / 60)) min $(($1 % 60)) s"; fi
+}
+
+# A build with its progress: on a terminal in one line, as ninja shows it; elsewhere in a line every 15 s, with all that
+# a compiler says.
+build() {
+  if [ -t 1 ]; then
+    cmake --build "$@" --parallel "$(nproc)"
+  else
+    cmake --build "$@" --parallel "$(nproc)" | thin_out
+  fi
+}
+
+# Of the lines `[3/533] Building ...` (ninja) and `[  3%] Building ...` (make) one every 15 s and the last.
+thin_out() {
+  local line next=0 step='^\[ *([0-9]+)(/([0-9]+)|%)\] '
+  while IFS= read -r line || [ -n "$line" ]; do
+    if [[ $line =~ $step ]] && [ "${BASH_REMATCH[1]}" != "${BASH_REMATCH[3]:-100}" ]; then
+      [ $SECONDS -ge $next ] || continue
+      next=$((SECONDS + 15))
+    fi
+    printf '%s\n' "$line"
+  done
+}
+
 # In a newly made file or folder, not in the package's own.
 scratch() { mktemp "$@" "${TMPDIR:-/tmp}/rubber_suspension.XXXXXX"; }
 

@@ -10,13 +10,13 @@
 
 #include "command_line/command.h"
 #include "ros_interface/log_player.h"
-#include "ros_interface/loopback.h"
+#include "roscpp_fixes/loopback.h"
 
 namespace rubber_suspension::apps {
 
 /// A node that is kept to the loopback interface gets a client that is; where that is refused, say so.
 inline void noteOpenness(const std::string& command) {
-  const std::string refusal = ros_interface::keepSlaveApiToLoopback();
+  const std::string refusal = roscpp_fixes::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
     command_line::printNote(command, refusal);
   }

@@ -84,7 +84,7 @@ struct Outcome {
 Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   const log::Log log = options.log_options.read("check_force", options.log, options.play.component);
   const ros_interface::ForceReference reference = referenceFor(options, log);
-  line.initialise("check_force");
+  line.initialise("check_force", 0, options.play.connect_timeout);
   ros::NodeHandle handle;
   noteOpenness("check_force");
   ros_interface::LogPlayer player(handle, withNotes(options.play, "check_force"));

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "command/measured_table.h"
@@ -101,11 +102,11 @@ OptionTable Options::table() {
       component.table(),
       Option("--log", logs, "FILE",
              "measured logs of one component in the order of recording; text (CSV), .mat, HDF5 or .bag")
-          .reads(),
+          .readsEachOnce(),
       Option("--plan", plan, "FILE",
              "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "
              "which they would take for which, and the least size that they would show")
-          .reads(),
+          .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
              "instead of --log: measured table of stiffness and loss angle over frequency and amplitude; with mean "
              "displacement and temperature where it has them")
@@ -124,7 +125,7 @@ OptionTable Options::table() {
           .rare()
           .defaultText("0.5 %"),
       Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
-          .reads(),
+          .readsEachOnce(),
       Option("--rig", rig, "KEY=VALUE",
              "what the rig may do to a log without being a cause; such as force_zero=\"50 N\" or gain=\"1 %\"; see "
              "`rig:` of component files"),
@@ -160,12 +161,16 @@ OptionTable Options::table() {
 
 std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
                                const Options& options) {
-  std::vector<log::Log> logs(paths.size());
+  std::vector<std::vector<log::Log>> of_path(paths.size());
   fit::parallelFor(paths.size(), options.threads,
-                   [&](std::size_t i) { logs[i] = options.log_options.readSilently(paths[i], component.name); });
+                   [&](std::size_t i) { of_path[i] = options.log_options.readAll(paths[i], component.name); });
+  std::vector<log::Log> logs;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    LogOptions::printNotes("diagnose", paths[i], logs[i].notes);
-    warnOfTemperature("diagnose", paths[i], !logs[i].temperature.empty(), component);
+    for (log::Log& log : of_path[i]) {
+      LogOptions::printNotes("diagnose", paths[i], log.notes);
+      warnOfTemperature("diagnose", paths[i], !log.temperature.empty(), component);
+      logs.push_back(std::move(log));
+    }
   }
   return logs;
 }
@@ -210,11 +215,16 @@ class RememberedLog : public log::LogSource {
 // Logs to be diagnosed, which may be longer than memory.
 class OpenedLogs {
  public:
-  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component, const Options& options)
-      : paths_(paths), logs_(paths.size()) {
-    fit::parallelFor(paths.size(), options.threads, [&](std::size_t i) {
-      logs_[i] = std::make_shared<RememberedLog>(options.log_options.open(paths[i], component.name));
-    });
+  OpenedLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component, const Options& options) {
+    std::vector<log::LogSources> of_path(paths.size());
+    fit::parallelFor(paths.size(), options.threads,
+                     [&](std::size_t i) { of_path[i] = options.log_options.openAll(paths[i], component.name); });
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      for (const auto& log : of_path[i]) {
+        logs_.push_back(std::make_shared<RememberedLog>(log));
+        paths_.push_back(paths[i]);
+      }
+    }
   }
 
   log::LogSources sources() const { return {logs_.begin(), logs_.end()}; }
@@ -227,7 +237,7 @@ class OpenedLogs {
   }
 
  private:
-  const std::vector<std::string>& paths_;
+  std::vector<std::string> paths_;  // of each log
   std::vector<std::shared_ptr<RememberedLog>> logs_;
 };
 
@@ -271,8 +281,13 @@ void setTolerances(const std::vector<std::string>& assignments, io::ComponentDes
 
 diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments) {
   diagnosis::ExperimentLimits limits;
+  std::set<std::string> keys;
   try {
     for (const std::string& assignment : assignments) {
+      const std::string key = log::trimmed(assignment.substr(0, assignment.find('=')));
+      if (!keys.insert(key).second) {
+        throw std::invalid_argument(key + " is given twice; accepted: once");
+      }
       diagnosis::setExperimentLimit(limits, assignment);
     }
   } catch (const std::invalid_argument& error) {

@@ -70,7 +70,7 @@ OptionTable Options::table() {
       Option("--from-log", logs, "FILE",
              "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several "
              "times")
-          .reads(),
+          .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
              "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
           .reads(),
@@ -127,9 +127,12 @@ int identifyComponent(const Options& options) {
   warnOf("estimate", description);
   std::vector<log::Log> logs;
   for (const std::string& path : options.logs) {
-    logs.push_back(options.log_options.read("estimate", path, description.name));
-    warnOf("estimate", path, gap::oddMotion(logs.back(), description));
-    warnOfTemperature("estimate", path, !logs.back().temperature.empty(), description);
+    for (log::Log& log : options.log_options.readAll(path, description.name)) {
+      LogOptions::printNotes("estimate", path, log.notes);
+      warnOf("estimate", path, gap::oddMotion(log, description));
+      warnOfTemperature("estimate", path, !log.temperature.empty(), description);
+      logs.push_back(std::move(log));
+    }
   }
   const fit::Identification result = [&] {
     const io::Activity searching("finding parameters");

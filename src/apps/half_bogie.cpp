@@ -52,7 +52,7 @@ History runLoop(ros_interface::RosCommandLine& line, const Options& options, con
     return runImplicit(scene, components);
   }
   if (options.forces == "topics") {
-    line.initialise("half_bogie");
+    line.initialise("half_bogie", 0, ros_interface::BundleClient::kPatience);
     const ros::NodeHandle handle;
     noteOpenness("half_bogie");
     TopicExchange exchange(handle, options.reset);

@@ -185,7 +185,7 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   makeFolder(options);
   checkRecords(options);
   std::vector<ros_interface::BenchTrack> tracks = readTracks(options);
-  line.initialise("play_log");
+  line.initialise("play_log", 0, options.play.connect_timeout);
   ros::NodeHandle handle;
   noteOpenness("play_log");
   ros_interface::PlayControl control(std::max<std::size_t>(options.step, 1), options.paused || options.step > 0);

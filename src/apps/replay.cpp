@@ -40,6 +40,7 @@ int run(const Options& options) {
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
   warnOf("replay", options.log, gap::oddMotion(log, result.force, gap::motionScaleOf(description)));
+  warnOf("replay", options.log, gap::beyondValid(log, description));
   {
     const io::Activity writing("writing " + options.output);
     log::writeForceCsv(options.output, log, result.force);

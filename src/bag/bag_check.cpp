@@ -79,7 +79,10 @@ class BagChecker {
 
   std::string take(std::uint64_t count) {
     if (count > size_ - position_) {
-      fail(fmt::format("{} bytes are to follow, {} do", count, size_ - position_));
+      throw log::LogError(
+          fmt::format("{}: the bag is cut at byte {}: {} bytes are to follow at byte {}, {} do; rosbag "
+                      "reindex saves what is whole",
+                      path_, size_, count, position_, size_ - position_));
     }
     std::string bytes(count, '\0');
     if (!file_.read(bytes.data(), static_cast<std::streamsize>(count))) {

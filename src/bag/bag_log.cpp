@@ -15,7 +15,11 @@
 #include <set>
 
 #include "bag/bag_check.h"
+#include "bag/message_field.h"
+#include "log/column_name.h"
 #include "log/file_format.h"
+#include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::bag {
 namespace {
@@ -24,18 +28,13 @@ constexpr const char* kDisplacement = "/displacement";
 constexpr const char* kMeasuredForce = "/measured_force";
 constexpr const char* kTemperature = "/temperature";
 
-struct Series {
-  std::vector<std::int64_t> stamp;
-  std::vector<double> value;
-};
-
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string stem(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
-  return file.substr(0, file.find_last_of('.'));
+  return log::oneLine(file.substr(0, file.find_last_of('.')));
 }
 
 std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& end) {
@@ -256,14 +255,59 @@ log::Log readOpenBag(const rosbag::Bag& bag, const std::string& path, const std:
   return log;
 }
 
+// The numbers that the user names, in SI units; nothing where none are named.
+Series namedSeries(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format,
+                   log::Quantity quantity) {
+  const log::LogFormat::Channel& channel = format.of[static_cast<std::size_t>(quantity)];
+  if (channel.column.empty()) {
+    return {};
+  }
+  Series series = readField(bag, path, channel.column);
+  const std::string si = log::siUnit(quantity);
+  const log::UnitConversion conversion(channel.unit.empty() ? si : log::spelledUnit(channel.unit, si), si);
+  for (double& value : series.value) {
+    value = channel.factor * conversion(value);
+  }
+  checkIncreasing(series, path, channel.column);
+  return series;
+}
+
+log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format) {
+  const auto field = [&](log::Quantity quantity) { return format.of[static_cast<std::size_t>(quantity)].column; };
+  const std::string force_field = field(log::Quantity::force);
+  if (field(log::Quantity::displacement).empty() || !field(log::Quantity::time).empty()) {
+    throw log::LogError(path +
+                        ": --columns of a bag; accepted: displacement=/TOPIC/FIELD and, where they are there, "
+                        "force and temperature; time is that of the messages");
+  }
+  const Series displacement = namedSeries(bag, path, format, log::Quantity::displacement);
+  log::Log log;
+  log.name = stem(path);
+  log.stamp = displacement.stamp;
+  log.displacement = displacement.value;
+  log.notes.push_back("displacement from " + field(log::Quantity::displacement) +
+                      (force_field.empty() ? "" : ", force from " + force_field));
+  const Series force = namedSeries(bag, path, format, log::Quantity::force);
+  if (!force.stamp.empty()) {
+    addMeasuredForce(displacement, force, force_field, log);
+  }
+  addTemperature(namedSeries(bag, path, format, log::Quantity::temperature), "temperature", log);
+  log::checkLog(log);
+  return log;
+}
+
+bool namesColumns(const log::LogFormat& format) {
+  return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
+}
+
 }  // namespace
 
-log::Log readBagLog(const std::string& path, const std::string& component) {
+log::Log readBagLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
   try {
     checkBagStructure(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    return readOpenBag(bag, path, component);
+    return namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
   } catch (const log::LogError&) {
     throw;
   } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
@@ -276,12 +320,16 @@ bool isBagPath(const std::string& path) {
 }
 
 log::Log readAnyLog(const std::string& path, const std::string& component, const log::LogFormat& format) {
-  return isBagPath(path) ? readBagLog(path, component) : log::readLog(path, format);
+  return isBagPath(path) ? readBagLog(path, component, format) : log::readLog(path, format);
 }
 
-std::shared_ptr<const log::LogSource> openAnyLog(const std::string& path, const std::string& component,
-                                                 const log::LogFormat& format) {
-  return isBagPath(path) ? log::sourceOf(readBagLog(path, component)) : log::openLog(path, format);
+std::vector<log::Log> readAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format) {
+  return isBagPath(path) ? std::vector<log::Log>{readBagLog(path, component, format)} : log::readLogs(path, format);
+}
+
+log::LogSources openAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format) {
+  return isBagPath(path) ? log::LogSources{log::sourceOf(readBagLog(path, component, format))}
+                         : log::openLogs(path, format);
 }
 
 }  // namespace rubber_suspension::bag

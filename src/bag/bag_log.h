@@ -14,9 +14,10 @@ namespace rubber_suspension::bag {
 /// in <component>/displacement, <component>/measured_force and <component>/temperature; with an empty name the bag's
 /// only component. Forces are matched by stamp; those whose stamps come from a clock of their own, which may drift
 /// against that of the displacement, or at another rate, are interpolated linearly, with a note. A bag in which only a
-/// part of the samples has a measured force gives the longest stretch in which all have one, with a note. Throws
-/// LogError that names bag, topic, message and reason.
-log::Log readBagLog(const std::string& path, const std::string& component = "");
+/// part of the samples has a measured force gives the longest stretch in which all have one, with a note. Where the
+/// format names columns, they are fields of messages of any type (bag/message_field.h), in SI units or those of the
+/// format, and displacement is one of them. Throws LogError that names bag, topic, message and reason.
+log::Log readBagLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
 /// True for a file that ends in .bag or begins as a bag does.
 bool isBagPath(const std::string& path);
@@ -24,9 +25,11 @@ bool isBagPath(const std::string& path);
 /// A log of any kind: a bag, else as log::readLog().
 log::Log readAnyLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
-/// The same to be read block by block: a bag is kept, else as log::openLog().
-std::shared_ptr<const log::LogSource> openAnyLog(const std::string& path, const std::string& component,
-                                                 const log::LogFormat& format);
+/// The logs of a file of any kind: that of a bag, else as log::readLogs().
+std::vector<log::Log> readAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
+
+/// The same to be read block by block: a bag is kept, else as log::openLogs().
+log::LogSources openAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
 /// Write displacement and, if the log has them, measured force and temperature, where that changes. Throws LogError.
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log);

@@ -14,10 +14,11 @@
 
 namespace rubber_suspension::bag {
 
-BagWriter::BagWriter(const std::string& path, const std::string& component) : path_(path), component_(component) {
+BagWriter::BagWriter(const std::string& path, const std::string& component)
+    : path_(path), component_(component), bag_(std::make_unique<rosbag::Bag>()) {
   try {
     new_file_ = std::make_unique<log::NewFile>(path);
-    bag_.open(new_file_->writingPath(), rosbag::bagmode::Write);
+    bag_->open(new_file_->writingPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
   } catch (const std::runtime_error& error) {
@@ -27,15 +28,16 @@ BagWriter::BagWriter(const std::string& path, const std::string& component) : pa
 
 BagWriter::~BagWriter() {
   try {
-    bag_.close();
-  } catch (const rosbag::BagException&) {  // what was not closed by close() is not kept
+    bag_->close();  // what was not closed by close() is not kept
+  } catch (const std::exception&) {
+    static_cast<void>(bag_.release());  // of a full disk: its own destructor would close it again, and throw
   }
 }
 
 template <class Message>
 void BagWriter::write(const std::string& topic, const Message& message) {
   try {
-    bag_.write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
+    bag_->write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
   } catch (const rosbag::BagException& error) {
     throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
   }
@@ -77,7 +79,7 @@ void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
 
 void BagWriter::close() {
   try {
-    bag_.close();
+    bag_->close();
     if (new_file_) {
       new_file_->commit();
       new_file_.reset();

@@ -36,7 +36,7 @@ class BagWriter {
   std::string path_;
   std::string component_;
   std::unique_ptr<log::NewFile> new_file_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 }  // namespace rubber_suspension::bag

@@ -3,6 +3,7 @@
 
 #include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
+#include "campaign/record.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {
@@ -11,7 +12,11 @@ CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   Fleet fleet;
   const CollectSummary summary = writeTables(manifest, folder, [&](const Job& job, const Record* record) {
     if (record != nullptr) {
-      fleet.add(job, *record);
+      try {
+        fleet.add(job, *record);
+      } catch (const std::exception& error) {
+        throw std::runtime_error(recordPath(folder, job.id) + ": " + error.what());
+      }
     }
   });
   const FleetFindings findings = fleet.analyse();

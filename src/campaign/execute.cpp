@@ -254,8 +254,7 @@ std::vector<log::Log> Executor::logs(const Job& job, const std::vector<std::size
 }
 
 const log::Log& Executor::keptLog(const Job& job, std::size_t file) {
-  const std::string key = fmt::format("{}\n{}\n{}\n{}\n{}", file, job.component, log::join(job.options.columns),
-                                      job.options.unit, job.options.sampling_rate);
+  const std::string key = fmt::format("{}\n{}\n{}", file, job.component, readingKey(job.options));
   const auto kept =
       std::find_if(kept_logs_.begin(), kept_logs_.end(), [&](const KeptLog& log) { return log.key == key; });
   if (kept != kept_logs_.end()) {

@@ -137,7 +137,7 @@ double deviationOfLogs(const std::vector<FleetComponent>& components, const std:
   return degrees > 0.0 ? std::sqrt(squares / degrees) : 0.0;
 }
 
-std::string percent(double logarithm) { return fmt::format("{:.1f} %", 100.0 * std::expm1(logarithm)); }
+std::string percentOfLogarithm(double logarithm) { return fmt::format("{:.1f} %", 100.0 * std::expm1(logarithm)); }
 
 class Analysis {
  public:
@@ -359,7 +359,7 @@ class Analysis {
         if (parameter.wrong_for_all) {
           rest +=
               fmt::format("{}{} {}", rest.empty() ? "; beyond it the specification is off for all components: " : ", ",
-                          parameter.name, percent(parameter.model->mean));
+                          parameter.name, percentOfLogarithm(parameter.model->mean));
         }
       }
       type_.changed.push_back(
@@ -402,9 +402,10 @@ class Analysis {
       const RandomEffects& model = *parameter.model;
       if (parameter.wrong_for_all) {
         common += fmt::format("{}{} {} (95 % interval {} to {})", common.empty() ? "" : ", ", parameter.name,
-                              percent(model.mean), percent(model.mean_interval[0]), percent(model.mean_interval[1]));
+                              percentOfLogarithm(model.mean), percentOfLogarithm(model.mean_interval[0]),
+                              percentOfLogarithm(model.mean_interval[1]));
       }
-      scatter += fmt::format("{}{} {}", scatter.empty() ? "" : ", ", parameter.name, percent(model.scatter));
+      scatter += fmt::format("{}{} {}", scatter.empty() ? "" : ", ", parameter.name, percentOfLogarithm(model.scatter));
     }
     for (std::size_t i = 0; modelled && i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];

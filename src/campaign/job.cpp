@@ -44,8 +44,8 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 // Those of optionsJson(); a manifest of another version may have others, which must not go unheard.
 void checkOptionNames(const nlohmann::json& json) {
-  const std::vector<std::string> known = {"reports",       "evidence", "columns", "unit",
-                                          "sampling_rate", "rig",      "hold",    "starts"};
+  const std::vector<std::string> known = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
+                                          "segment", "bridge",   "rig",     "hold", "starts"};
   for (const auto& entry : json.items()) {
     if (std::find(known.begin(), known.end(), entry.key()) == known.end()) {
       throw std::invalid_argument("'" + entry.key() + "' is unknown" + element::didYouMean(entry.key(), known));
@@ -62,6 +62,9 @@ JobOptions optionsFromJson(const nlohmann::json& json) {
   options.columns = json.value("columns", options.columns);
   options.unit = json.value("unit", options.unit);
   options.sampling_rate = json.value("sampling_rate", options.sampling_rate);
+  options.decimal = json.value("decimal", options.decimal);
+  options.segment = json.value("segment", options.segment);
+  options.bridge = json.value("bridge", options.bridge);
   options.rig = json.value("rig", options.rig);
   options.hold = json.value("hold", options.hold);
   if (json.contains("starts")) {
@@ -93,6 +96,15 @@ ordered_json optionsJson(const JobOptions& options) {
   }
   if (options.sampling_rate > 0.0) {
     json["sampling_rate"] = options.sampling_rate;
+  }
+  if (!options.decimal.empty()) {
+    json["decimal"] = options.decimal;
+  }
+  if (!options.segment.empty()) {
+    json["segment"] = options.segment;
+  }
+  if (options.bridge >= 0.0) {
+    json["bridge"] = options.bridge;
   }
   if (!options.rig.empty()) {
     json["rig"] = options.rig;

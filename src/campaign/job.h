@@ -37,6 +37,9 @@ struct JobOptions {
   std::vector<std::string> columns;        ///< as --columns
   std::string unit;                        ///< as --unit
   double sampling_rate = 0.0;              ///< as --sampling-rate [Hz]; 0: not given
+  std::string decimal;                     ///< as --decimal
+  std::string segment;                     ///< as --segment
+  double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
   std::optional<int> starts;               ///< as --starts, of estimate

@@ -9,8 +9,9 @@
 #include <functional>
 #include <set>
 
+#include "campaign/make.h"
 #include "element/suggestion.h"
-#include "io/yaml_nesting.h"
+#include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/io/rig_tolerances.h"
@@ -25,7 +26,8 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 using Keys = std::vector<std::string>;
 
 // What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "rig", "hold", "starts"};
+const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
+                          "segment", "bridge",   "rig",     "hold", "starts"};
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -70,6 +72,10 @@ class Reader {
       return std::nullopt;
     }
     try {
+      if (const auto line = io::lineExpandedTooFar(text)) {
+        report(*line, "", io::acceptedExpansion());
+        return std::nullopt;
+      }
       return YAML::Load(text);
     } catch (const YAML::Exception& error) {
       report(std::max(error.mark.line + 1, 1), "", fmt::format("not YAML: {}; accepted: a jobs file", error.msg));
@@ -255,6 +261,16 @@ class Reader {
     if (node["unit"]) {
       options.unit = text(node, path, "unit", true);
     }
+    if (node["decimal"]) {
+      options.decimal = text(node, path, "decimal", true);
+    }
+    if (node["segment"]) {
+      options.segment = text(node, path, "segment", true);
+    }
+    if (node["bridge"]) {
+      constexpr double kLongest = 3600.0;  // [s]
+      options.bridge = number(node["bridge"], child(path, "bridge"), 0.0, kLongest, false).value_or(-1.0);
+    }
     if (node["hold"]) {
       options.hold = texts(node, path, "hold", true);
     }
@@ -264,7 +280,7 @@ class Reader {
 
   void checkFormat(const YAML::Node& node, const std::string& path, const JobOptions& options) {
     try {
-      log::makeLogFormat(options.columns, options.unit, options.sampling_rate);
+      logFormat(options);
     } catch (const std::invalid_argument& error) {
       report(node, path, error.what());
     }

@@ -15,6 +15,7 @@
 #include "campaign/path_pattern.h"
 #include "campaign/tolerance_draws.h"
 #include "fit/parallel.h"
+#include "io/output_files.h"
 #include "io/progress.h"
 #include "io/sha256.h"
 #include "log/text.h"
@@ -167,10 +168,17 @@ class Maker {
     problems_.add(fmt::format("{}:{}: jobs.{}.{}", file_.path, group.line, group.name, text));
   }
 
+  // The campaign's folder and those that it makes in it, which an earlier run may have left there.
+  bool isOwn(const std::string& path) const {
+    static const std::vector<std::string> made = {"", "/results", "/reports", "/running", "/slurm"};
+    return std::any_of(made.begin(), made.end(), [&](const std::string& name) { return path == output_ + name; });
+  }
+
   std::vector<std::string> match(const JobGroup& group, const char* key, const std::string& folder,
                                  const std::string& pattern) {
     std::vector<std::string> paths = matchPattern(folder, pattern);
-    paths.erase(std::remove(paths.begin(), paths.end(), output_), paths.end());
+    paths.erase(std::remove_if(paths.begin(), paths.end(), [&](const std::string& path) { return isOwn(path); }),
+                paths.end());
     if (paths.empty()) {
       problem(group, fmt::format("{}: {} matches nothing in {}; accepted: a pattern of existing files", key,
                                  log::quoted(pattern), folder));
@@ -178,6 +186,10 @@ class Maker {
     for (const std::string& path : paths) {
       if (!log::isUtf8(path)) {
         problem(group, fmt::format("{}: {}: the name is no UTF-8; accepted: another name", key, path));
+      }
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
+        problem(group, fmt::format("{}: {}: neither a file nor a folder; accepted: these", key, path));
       }
     }
     return paths;
@@ -271,8 +283,10 @@ class Maker {
     job.options = group.options;
     job.config = inputs_.indexOf(place.config);
     const std::string reading =
-        fmt::format("{}\n{}\n{}\n{}\n{}", job.component, job.command != Command::replay, log::join(job.options.columns),
-                    job.options.unit, job.options.sampling_rate);
+        fmt::format("{}\n{}\n{}", job.component, job.command != Command::replay, readingKey(job.options));
+    if (group.command != Command::replay) {
+      refuseCopies(group, place);
+    }
     for (const std::string& path : place.logs) {
       job.logs.push_back(addLog(path, job, reading));
     }
@@ -284,6 +298,23 @@ class Maker {
       return;
     }
     addDraws(group, job, component);
+  }
+
+  void refuseCopies(const JobGroup& group, const Place& place) {
+    std::set<std::string> seen;  // the same name twice is told already
+    std::vector<io::InputFile> logs;
+    for (const auto& [key, paths] : {std::pair("log", &place.logs), std::pair("hold_out", &place.hold_out)}) {
+      for (const std::string& path : *paths) {
+        if (seen.insert(path).second) {
+          logs.push_back({key, path});
+        }
+      }
+    }
+    try {
+      io::refuseEqualLogs(logs);
+    } catch (const io::OutputRefused& error) {
+      problem(group, error.what());
+    }
   }
 
   void addDraws(const JobGroup& group, const Job& job, const io::ComponentDescription& component) {
@@ -392,8 +423,14 @@ std::string summaryOf(const std::vector<std::string>& problems) {
 BadInputs::BadInputs(std::vector<std::string> problems)
     : std::runtime_error(summaryOf(problems)), problems_(std::move(problems)) {}
 
+std::string readingKey(const JobOptions& options) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,
+                     options.decimal, options.segment, options.bridge);
+}
+
 log::LogFormat logFormat(const JobOptions& options) {
-  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate);
+  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal, options.segment,
+                            options.bridge);
 }
 
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,

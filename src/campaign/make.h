@@ -39,4 +39,7 @@ Expansion makeManifest(const std::string& jobs_file, const std::string& output, 
 /// How the logs of a job are to be read.
 log::LogFormat logFormat(const JobOptions& options);
 
+/// The same for two jobs where they read a log alike.
+std::string readingKey(const JobOptions& options);
+
 }  // namespace rubber_suspension::campaign

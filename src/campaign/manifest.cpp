@@ -15,7 +15,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-const char* const kSchema = "rubber_suspension/campaign/1";
+const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
 // Two letters of the id make a folder each, so that none holds more than some hundred entries.
 constexpr std::size_t kPrefix = 2;
@@ -104,7 +104,7 @@ void writeManifest(const Manifest& manifest, const std::string& folder) {
   const std::string path = manifestPath(folder);
   log::NewFile file(path);
   std::ofstream stream(file.writingPath(), std::ios::binary);
-  stream << nlohmann::ordered_json({{"schema", kSchema},
+  stream << nlohmann::ordered_json({{"schema", kManifestSchema},
                                     {"version", manifest.version},
                                     {"inputs", manifest.inputs.size()},
                                     {"jobs", manifest.jobs.size()}})
@@ -127,7 +127,7 @@ Manifest readManifest(const std::string& folder) {
   Manifest manifest;
   try {
     const nlohmann::json header = lines.next();
-    if (header.at("schema") != kSchema) {
+    if (header.at("schema") != kManifestSchema) {
       lines.refuse("another schema");
     }
     manifest.version = header.at("version").get<std::string>();

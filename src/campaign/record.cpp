@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -18,24 +19,60 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* const kSchema = "rubber_suspension/job_record/1";
+const char* const kRecordSchema = "rubber_suspension/job_record/1";
 
 ordered_json recordJson(const Record& record) {
-  return {{"schema", kSchema},           {"id", record.id},
+  return {{"schema", kRecordSchema},     {"id", record.id},
           {"version", record.version},   {"status", record.failed() ? "failed" : "done"},
           {"error", record.error},       {"values", record.values},
           {"evidence", record.evidence}, {"files", record.files},
           {"seconds", record.seconds}};
 }
 
-// Throws nlohmann::json::exception for what is no complete record.
+// Copies of JSON call themselves for each level.
+ordered_json parsedShallow(const std::string& text) {
+  static constexpr int kDeepest = 16;
+  return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
+    if (depth > kDeepest) {
+      throw std::runtime_error(fmt::format("nested deeper than {}", kDeepest));
+    }
+    return true;
+  });
+}
+
+// Numbers and texts by name.
+void requireValues(const ordered_json& values) {
+  const bool flat = values.is_object() && std::all_of(values.begin(), values.end(),
+                                                      [](const ordered_json& value) { return !value.is_structured(); });
+  if (!flat) {
+    throw std::runtime_error("values: accepted: numbers and texts by name");
+  }
+}
+
+// What the statistics of a fleet take, as execute.cpp writes it.
+void requireEvidence(const ordered_json& evidence) {
+  const auto is = [&](const char* key, bool (ordered_json::*of_type)() const noexcept) {
+    return !evidence.contains(key) || (evidence.at(key).*of_type)();
+  };
+  const bool fits = evidence.is_object() && is("verdict", &ordered_json::is_string) &&
+                    is("effects", &ordered_json::is_array) && is("confounded", &ordered_json::is_array) &&
+                    is("probabilities", &ordered_json::is_object) && is("ratios", &ordered_json::is_object) &&
+                    is("ratios_by_log", &ordered_json::is_array) && is("parameters", &ordered_json::is_array);
+  if (!fits) {
+    throw std::runtime_error("evidence: of another form; accepted: as campaign run writes it");
+  }
+}
+
+// Throws std::runtime_error or nlohmann::json::exception for what is no complete record.
 Record recordFromJson(const ordered_json& json) {
   Record record;
   record.id = json.at("id").get<std::string>();
   record.version = json.at("version").get<std::string>();
   record.error = json.at("error").get<std::string>();
   record.values = json.at("values").get<ordered_json>();
+  requireValues(record.values);
   record.evidence = json.at("evidence").get<ordered_json>();
+  requireEvidence(record.evidence);
   record.files = json.at("files").get<std::map<std::string, std::uint64_t>>();
   record.seconds = json.at("seconds").get<double>();
   return record;
@@ -82,9 +119,11 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   FoundRecord found;
   try {
-    found.record = recordFromJson(ordered_json::parse(text));
+    found.record = recordFromJson(parsedShallow(text));
   } catch (const nlohmann::json::exception&) {
     return broken(path, "cut off, or no record");
+  } catch (const std::runtime_error& error) {
+    return broken(path, error.what());
   }
   if (found.record.id != id) {
     return broken(path, "the record of another job");

@@ -1,12 +1,12 @@
 // What one rig does to all types that are tested on it, by the probabilities of its possible causes.
 #include "campaign/rig_stiffness.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "campaign/random_effects.h"
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -77,8 +77,8 @@ std::optional<Means> meansOf(const std::vector<TypeOnRig>& types) {
 }
 
 double logDensity(const Eigen::VectorXd& difference, const Eigen::MatrixXd& covariance) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-  const double logarithms = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+  const numerics::Cholesky factor(covariance);
+  const double logarithms = 2.0 * factor.diagonal().array().log().sum();
   const double turns = std::log(boost::math::constants::two_pi<double>());
   return -0.5 *
          (difference.dot(factor.solve(difference)) + logarithms + static_cast<double>(difference.size()) * turns);

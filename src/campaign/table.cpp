@@ -48,6 +48,9 @@ std::string csvCell(const ordered_json& value) {
     return "";
   }
   std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.is_string() && !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos) {
+    text.insert(0, 1, '\'');  // or a spreadsheet would work it out
+  }
   if (text.find_first_of(",\"\n\r") == std::string::npos) {
     return text;
   }

@@ -9,13 +9,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "command/sweep_values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-constexpr double kDegrees = 180.0 / element::kPi;
 
 void checkOptions(const BushingFileOptions& options) {
   const bool good = std::string("xyz").find(options.axis) != std::string::npos && options.largest_displacement > 0.0 &&
@@ -37,7 +36,7 @@ std::string rule(const std::string& block) {
   return "$" + std::string(79 - block.size(), '-') + block + "\n[" + block + "]\n";
 }
 
-std::string header() {
+std::string fileHeader() {
   return rule("MDI_HEADER") + " FILE_TYPE     =  'bus'\n FILE_VERSION  =  4.0\n FILE_FORMAT   =  'ASCII'\n" +
          rule("UNITS") +
          " LENGTH  =  'mm'\n ANGLE   =  'degrees'\n FORCE   =  'newton'\n MASS    =  'kg'\n TIME    =  'second'\n";
@@ -99,7 +98,7 @@ BushingFile makeBushingFile(const std::string& name, const component::Component&
   const auto measured = std::polar(point.characteristics.stiffness, point.characteristics.loss_angle);
   const double damping = std::max(0.0, measured.imag()) / (2.0 * element::kPi * options.frequency);
   BushingFile file;
-  file.text = "$ " + name + ", by rubber_suspension\n" + header() + rule("DAMPING");
+  file.text = "$ " + name + ", by rubber_suspension\n" + fileHeader() + rule("DAMPING");
   const std::string own = fmt::format("F{}", static_cast<char>(options.axis - 'x' + 'X'));
   const std::vector<std::string> directions = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
   for (const std::string& direction : directions) {

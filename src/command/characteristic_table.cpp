@@ -33,7 +33,7 @@ const std::map<std::string, std::string>& losses() {
   return table;
 }
 
-std::vector<std::string> notesOn(const component::Component& component) {
+std::vector<std::string> notesOnTable(const component::Component& component) {
   std::vector<std::string> notes;
   for (const element::ElementDescription& element : component.elements()) {
     const auto found = losses().find(element.type);
@@ -102,7 +102,7 @@ double restingDisplacement(const component::Component& component, double force) 
 CharacteristicTable makeTable(const std::string& name, const component::Component& component, const TableGrid& grid) {
   CharacteristicTable table;
   table.component = name;
-  table.notes = notesOn(component);
+  table.notes = notesOnTable(component);
   io::Progress progress("table of " + name, grid.preloads.size() * grid.amplitudes.size() * grid.frequencies.size());
   for (const double preload : grid.preloads) {
     const double mean = preload == 0.0 ? 0.0 : restingDisplacement(component, preload);

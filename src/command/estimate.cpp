@@ -10,14 +10,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "command/sweep_values.h"
 #include "io/progress.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/estimation/notes.h"
 
 namespace rubber_suspension::command {
 namespace {
-
-constexpr double kDegrees = 180.0 / element::kPi;
 
 // SweepOptions with everything filled in.
 struct Sweeps {
@@ -168,22 +167,20 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
           {"at_constant_product", pointsJson(report.over_product)}};
 }
 
-using Quantity = double (*)(const response::SweepPoint&);
+using SweepQuantity = double (*)(const response::SweepPoint&);
 
 double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
 double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
-double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
 // A column of the figure: what is constant in it, and what varies.
-struct Column {
+struct FigureColumn {
   std::string title;
   const char* x_label;
   const std::vector<response::SweepPoint> EstimateReport::*points;
-  Quantity x;
+  SweepQuantity x;
 };
 
-io::Curve curveOf(const EstimateReport& report, const Column& column, Quantity y, int colour) {
+io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
   io::Curve curve;
   curve.label = report.description.name;
   curve.colour = colour;
@@ -211,7 +208,7 @@ class SpecificationMarks {
   SpecificationMarks(const EstimateReport& report, int colour)
       : report_(report), specification_(report.description.specification()), colour_(colour) {}
 
-  void add(io::Axes& axes, const Column& column, bool stiffness) const {
+  void add(io::Axes& axes, const FigureColumn& column, bool stiffness) const {
     const bool over_amplitude = column.points == &EstimateReport::over_amplitude;
     const auto& points = report_.*column.points;
     if (points.empty()) {
@@ -348,7 +345,7 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
   io::Figure figure;
   figure.title = reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
                                      : "Stiffness and loss angle";
-  const std::vector<Column> columns = {
+  const std::vector<FigureColumn> columns = {
       {constantTitle("amplitude", "mm", reports, [](const auto& r) { return r.working_point.amplitude * 1e3; }),
        "frequency [Hz]", &EstimateReport::over_frequency, frequencyOf},
       {constantTitle("frequency", "Hz", reports, [](const auto& r) { return r.working_point.frequency; }),
@@ -357,7 +354,7 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
        &EstimateReport::over_product, frequencyOf}};
   figure.columns = 3;
   for (const bool stiffness : {true, false}) {
-    for (const Column& column : columns) {
+    for (const FigureColumn& column : columns) {
       io::Axes axes;
       axes.title = column.title;
       axes.x_label = column.x_label;

@@ -10,6 +10,7 @@
 #include "command/rig_of_logs.h"
 #include "gap/last_cycles.h"
 #include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/measurement/bench_check.h"
 
 namespace rubber_suspension::command {
 namespace {
@@ -64,6 +65,31 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
   }
 }
 
+// A reversed channel, exchanged columns or a unit that is off by hundreds would be fitted all the same, and end in a
+// component without a spring. Smaller factors may be what is sought: they are told.
+void checkBenchOf(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
+                  std::vector<std::string>& notes) {
+  constexpr std::size_t kFewestSamples = 100;
+  constexpr double kLargeFactor = 90.0;
+  std::vector<log::Record> records;
+  for (const log::Log& log : logs) {
+    if (log.size() >= kFewestSamples) {
+      records.push_back(log::makeRecord(log));
+    }
+  }
+  for (const measurement::RigFinding& finding : measurement::checkBench(elements, records)) {
+    const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
+                              finding.finding == measurement::finding::kOtherComponent;
+    const bool large = finding.finding == measurement::finding::kUnitFactor &&
+                       std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
+    const bool short_log = finding.finding == measurement::finding::kTooShort;
+    if (!short_log && (!of_stiffness || large)) {
+      throw log::LogError(finding.log + ": " + finding.text);
+    }
+    notes.push_back(finding.log + ": " + finding.text);
+  }
+}
+
 }  // namespace
 
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
@@ -86,6 +112,8 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   }
   std::vector<measurement::RigFinding> findings;
   const std::vector<log::Log> repaired = repairedLogs(logs, findings);
+  std::vector<std::string> bench_notes;
+  checkBenchOf(description.allElements(), repaired, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
   // What a start in motion leaves depends on the parameters: a second look suffices, since it is a small part.
   constexpr int kLooks = 2;
@@ -100,6 +128,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     options.rig = std::move(rig.columns);
     result = fit::identify(description.allElements(), repaired, options);
   }
+  result.notes.insert(result.notes.end(), bench_notes.begin(), bench_notes.end());
   for (const measurement::RigFinding& finding : findings) {
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,6 +12,9 @@
 #include <stdexcept>
 
 #include "log/column_name.h"
+#include "log/csv_dialect.h"
+#include "log/number_marks.h"
+#include "log/sample_rules.h"
 #include "log/text.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/log/units.h"
@@ -19,48 +23,109 @@ namespace rubber_suspension::command {
 namespace {
 
 constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
+constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds for each
 
-struct Quantity {
+// What a column of a table may hold, by the words that laboratories write in English and German.
+struct TableQuantity {
   const char* name;
   const char* unit;  // SI
-  bool needed;
+  double to_ours;    // times, to the quantity that the fit takes
+  std::vector<std::string> words;
 };
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> table = {{"frequency", "Hz", true},     {"amplitude", "m", true},
-                                              {"stiffness", "N/m", true},    {"loss angle", "rad", true},
-                                              {"preload", "N", false},       {"mean displacement", "m", false},
-                                              {"temperature", "degC", false}};
+// Places of these.
+enum : std::size_t {
+  kFrequency,
+  kOmega,
+  kAmplitude,
+  kPeakToPeak,
+  kStiffness,
+  kLossAngle,
+  kTangent,
+  kStorage,
+  kLoss,
+  kDamping,
+  kPreload,
+  kMean,
+  kTemperature
+};
+
+const std::vector<TableQuantity>& tableQuantities() {
+  static const std::vector<TableQuantity> table = {
+      {"frequency", "Hz", 1.0, {"frequency", "freq", "freq.", "frequenz", "f"}},
+      {"angular frequency", "rad/s", 0.5 / element::kPi, {"angular frequency", "omega", "kreisfrequenz", "\u03c9"}},
+      {"amplitude",
+       "m",
+       1.0,
+       {"amplitude", "disp amp", "displacement amplitude", "dynamic amplitude", "wegamplitude", "amp"}},
+      {"peak to peak",
+       "m",
+       0.5,
+       {"peak to peak", "peak-to-peak", "p-p", "pk-pk", "double amplitude", "doppelamplitude"}},
+      {"stiffness",
+       "N/m",
+       1.0,
+       {"stiffness", "dynamic stiffness", "steifigkeit", "dynamische steifigkeit", "k*", "|k*|", "kdyn", "k_dyn"}},
+      {"loss angle",
+       "rad",
+       1.0,
+       {"loss angle", "phase", "phase angle", "delta", "verlustwinkel", "phasenwinkel", "phase lag", "\u03b4"}},
+      {"tan delta",
+       "1",
+       1.0,
+       {"tan delta", "tan d", "tandelta", "tan_delta", "tan \u03b4", "loss factor", "verlustfaktor"}},
+      {"storage stiffness", "N/m", 1.0, {"storage stiffness", "k'", "speichersteifigkeit"}},
+      {"loss stiffness", "N/m", 1.0, {"loss stiffness", "k''", "k\"", "verluststeifigkeit"}},
+      {"damping", "N s/m", 1.0, {"damping", "damping constant", "damping coefficient", "d\u00e4mpfung"}},
+      {"preload", "N", 1.0, {"preload", "mean load", "vorlast"}},
+      {"mean displacement", "m", 1.0, {"mean displacement", "mittelweg"}},
+      {"temperature", "degC", 1.0, {"temperature", "temperatur"}}};
   return table;
 }
 
-// Places of these.
-enum : std::size_t { kFrequency, kAmplitude, kStiffness, kLossAngle, kPreload, kMean, kTemperature };
-
 // A column that is used: which quantity, and how to make it SI.
-struct Column {
+struct TableColumn {
   std::size_t quantity;
   log::UnitConversion conversion;
 };
+
+// Of a material, which is a stiffness once the shape is known.
+bool isOfMaterial(const std::string& word) {
+  static const std::vector<std::string> words = {"e*",     "e'",      "e''",    "g*",       "g'",
+                                                 "g''",    "|e*|",    "|g*|",   "modulus",  "modul",
+                                                 "strain", "dehnung", "stress", "spannung", "strain amplitude"};
+  const std::size_t blank = word.rfind(' ');
+  const std::string last = blank == std::string::npos ? word : word.substr(blank + 1);
+  return std::find(words.begin(), words.end(), word) != words.end() || last == "modulus" || last == "modul";
+}
 
 class TableReader {
  public:
   explicit TableReader(std::string source) : source_(std::move(source)) {}
 
   fit::MeasuredTable read(const std::string& text) {
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-      ++line_;
-      if (!line.empty() && line.back() == '\r') {
-        line.pop_back();
+    try {
+      std::istringstream stream(log::toUtf8(text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text));
+      for (std::string line; std::getline(stream, line);) {
+        ++line_;
+        if (!line.empty() && line.back() == '\r') {
+          line.pop_back();
+        }
+        if (log::trimmed(line).empty() || line[0] == '#') {
+          continue;
+        }
+        columns_.empty() ? readHeader(line) : readRow(line);
       }
-      if (log::trimmed(line).empty() || line[0] == '#') {
-        continue;
+      if (columns_.empty()) {
+        refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
       }
-      columns_.empty() ? readHeader(line) : readRow(line);
-    }
-    if (columns_.empty()) {
-      refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
+      marks_->requireClear(names_);
+    } catch (const log::OtherDecimalMark&) {
+      refuse(
+          "marks that may be decimal or between thousands before one that is; accepted: one decimal mark throughout");
+    } catch (const log::RowError& error) {
+      line_ = error.row();
+      refuse(error.what());
     }
     return table_;
   }
@@ -70,107 +135,131 @@ class TableReader {
     throw std::runtime_error(fmt::format("{}:{}: {}", source_, line_, reason));
   }
 
-  std::vector<std::string> fieldsOf(const std::string& line) const {
-    std::vector<std::string> fields(1);
-    for (const char c : line) {
-      if (c == separator_) {
-        fields.emplace_back();
-      } else {
-        fields.back() += c;
-      }
-    }
-    std::transform(fields.begin(), fields.end(), fields.begin(), log::trimmed);
-    return fields;
-  }
-
   void readHeader(const std::string& line) {
-    const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
-    separator_ = *std::max_element(kSeparators.begin(), kSeparators.end(),
-                                   [&](char one, char other) { return count(one) < count(other); });
+    separator_ = log::separatorOf(line);
+    std::vector<log::Field> fields;
+    log::splitFields(line, separator_, fields);
     std::vector<std::string> ignored;
-    for (const std::string& field : fieldsOf(line)) {
-      columns_.push_back(columnOf(field));
+    for (const log::Field& field : fields) {
+      names_.emplace_back(field.text);
+      columns_.push_back(columnOf(names_.back()));
       if (!columns_.back()) {
-        ignored.push_back(log::quoted(field));
+        ignored.push_back(log::quoted(names_.back()));
       }
     }
-    for (std::size_t i = 0; i < quantities().size(); ++i) {
-      const auto times = std::count_if(columns_.begin(), columns_.end(),
-                                       [&](const auto& column) { return column && column->quantity == i; });
-      if (times > 1 || (times == 0 && quantities()[i].needed)) {
-        refuse(fmt::format("{}: {}; accepted: one column, with a unit such as '{} [{}]'", quantities()[i].name,
-                           times == 0 ? "missing" : "stands twice", quantities()[i].name, quantities()[i].unit));
+    for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
+      if (std::count_if(columns_.begin(), columns_.end(),
+                        [&](const auto& column) { return column && column->quantity == i; }) > 1) {
+        refuse(fmt::format("{}: stands twice; accepted: one column", tableQuantities()[i].name));
       }
     }
+    require(has(kFrequency) || has(kOmega), kFrequency, "");
+    require(has(kAmplitude) || has(kPeakToPeak), kAmplitude, "");
+    require(has(kStiffness) || has(kStorage), kStiffness, "");
+    require(has(kLossAngle) || has(kTangent) || (has(kStorage) && has(kLoss)) || has(kDamping), kLossAngle,
+            ", or tan delta, a loss stiffness K'' beside K', or a damping");
+    marks_.emplace('\0', '\0', columns_.size());
     if (!ignored.empty()) {
       table_.notes.push_back("columns ignored: " + log::join(ignored));
     }
   }
 
-  // "loss_angle_rad", "loss angle [deg]", "stiffness_N_per_m"; nothing for another column.
-  std::optional<Column> columnOf(const std::string& field) const {
-    for (std::size_t i = 0; i < quantities().size(); ++i) {
-      const Quantity& quantity = quantities()[i];
-      std::string unit = unitBehind(field, quantity.name);
-      const std::size_t per = unit.find("_per_");
-      if (per != std::string::npos) {
-        unit.replace(per, 5, "/");
+  bool has(std::size_t quantity) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const auto& column) { return column && column->quantity == quantity; });
+  }
+
+  void require(bool there, std::size_t quantity, const std::string& others) const {
+    if (!there) {
+      const TableQuantity& row = tableQuantities()[quantity];
+      std::string material;
+      for (const std::string& name : names_) {
+        material += isOfMaterial(bareOf(name)) ? (material.empty() ? "" : ", ") + log::quoted(name) : "";
       }
-      if (unit.empty()) {
-        continue;
-      }
-      try {
-        return Column{i, log::UnitConversion(unit, quantity.unit)};
-      } catch (const std::invalid_argument& error) {
-        refuse(fmt::format("column {}: {}", log::quoted(field), error.what()));
+      refuse(fmt::format("{}: missing; accepted: one column, with a unit such as '{} [{}]'{}{}", row.name, row.name,
+                         row.unit, others,
+                         material.empty() ? ""
+                                          : fmt::format("; {}: of a material, which is a stiffness and a displacement "
+                                                        "once the shape (area, height) is known",
+                                                        material)));
+    }
+  }
+
+  static std::string bareOf(const std::string& name) { return log::lowerCase(log::parseColumnName(name).bare); }
+
+  // "Loss angle [deg]", "stiffness_N_per_m", "tan delta"; nothing for another column.
+  std::optional<TableColumn> columnOf(const std::string& text) const {
+    const log::ColumnName name = log::parseColumnName(text);
+    for (std::size_t i = 0; i < tableQuantities().size(); ++i) {
+      for (const std::string& word : tableQuantities()[i].words) {
+        const std::string unit = unitBehind(text, name, word);
+        if (!unit.empty()) {
+          return TableColumn{i, conversionOf(text, unit, tableQuantities()[i].unit)};
+        }
       }
     }
     return std::nullopt;
   }
 
-  // The unit of a column of this name, "" where it is another column.
-  static std::string unitBehind(const std::string& field, std::string name) {
-    const std::string lower = log::lowerCase(field);
-    for (const char blank : {' ', '_'}) {
-      std::replace(name.begin(), name.end(), ' ', blank);
-      if (lower.compare(0, name.size(), name) == 0) {
-        std::string unit = log::trimmed(field.substr(name.size()));
-        const bool marked = unit.size() > 1 && (unit[0] == '_' || unit[0] == '[' || unit[0] == '(');
-        if (marked) {
-          const char last = unit.back();
-          return unit.substr(1, unit.size() - (last == ']' || last == ')' ? 2 : 1));
-        }
-      }
+  log::UnitConversion conversionOf(const std::string& text, const std::string& unit, const std::string& si) const {
+    try {
+      return {log::spelledUnit(unit, si), si};
+    } catch (const std::invalid_argument& error) {
+      refuse(fmt::format("column {}: {}", log::quoted(text), error.what()));
     }
-    return "";
+  }
+
+  // "" where the name is another word. Ratios need no unit.
+  static std::string unitBehind(const std::string& text, const log::ColumnName& name, const std::string& word) {
+    std::string lower = log::lowerCase(text);
+    std::string joined = word;
+    std::replace(joined.begin(), joined.end(), ' ', '_');
+    const std::string ratio =
+        word.compare(0, 3, "tan") == 0 || word == "loss factor" || word == "verlustfaktor" ? "1" : "";
+    if (log::lowerCase(name.bare) == word) {
+      return name.unit.empty() ? ratio : name.unit;
+    }
+    if (lower == joined || lower == word + " [-]") {
+      return ratio;
+    }
+    if (joined.size() < 3) {
+      return "";
+    }
+    const std::string start = joined + "_";
+    std::string unit = lower.compare(0, start.size(), start) == 0 ? text.substr(start.size()) : "";
+    const std::size_t per = unit.find("_per_");
+    return per == std::string::npos ? unit : unit.replace(per, 5, "/");
   }
 
   void readRow(const std::string& line) {
-    const std::vector<std::string> fields = fieldsOf(line);
+    std::vector<log::Field> fields;
+    log::splitFields(line, separator_, fields);
     if (fields.size() != columns_.size()) {
       refuse(fmt::format("{} fields; accepted: {}, as in the header", fields.size(), columns_.size()));
     }
     std::map<std::size_t, double> values;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (columns_[i]) {
-        const auto number = log::parseNumber(fields[i]);
+        const std::size_t quantity = columns_[i]->quantity;
+        const auto number = log::parseNumber(normalised(fields[i], i));
         if (!number) {
-          refuse(fmt::format("{}: {} is no number", quantities()[columns_[i]->quantity].name, log::quoted(fields[i])));
+          refuse(fmt::format("{}: {} is no number", tableQuantities()[quantity].name,
+                             log::quoted(std::string(fields[i].text))));
         }
-        values[columns_[i]->quantity] = columns_[i]->conversion(*number);
+        marks_->see(*number, i);
+        values[quantity] = tableQuantities()[quantity].to_ours * columns_[i]->conversion(*number);
       }
     }
     checkPreload(values);
-    fit::TablePoint point;
-    point.frequency = values[kFrequency];
-    point.amplitude = values[kAmplitude];
-    point.stiffness = values[kStiffness];
-    point.loss_angle = values[kLossAngle];
-    point.mean = values[kMean];
-    if (values.count(kTemperature) > 0) {
-      point.temperature = values[kTemperature];
+    addPoint(values);
+  }
+
+  std::string normalised(const log::Field& field, std::size_t column) {
+    try {
+      return marks_->normalised(field.text, column, names_[column], line_);
+    } catch (const std::runtime_error& error) {
+      refuse(error.what());
     }
-    addPoint(point);
   }
 
   // The sine swings about a displacement: what a preload does to it, the table has to say.
@@ -183,7 +272,32 @@ class TableReader {
     }
   }
 
-  void addPoint(const fit::TablePoint& point) {
+  static fit::TablePoint pointOf(std::map<std::size_t, double>& values) {
+    fit::TablePoint point;
+    point.frequency = values.count(kFrequency) > 0 ? values[kFrequency] : values[kOmega];
+    point.amplitude = values.count(kAmplitude) > 0 ? values[kAmplitude] : values[kPeakToPeak];
+    point.mean = values[kMean];
+    const auto has = [&](std::size_t quantity) { return values.count(quantity) > 0; };
+    const bool whole_loop = has(kStiffness) && (has(kLossAngle) || has(kTangent));
+    if (!whole_loop && (has(kLoss) || has(kDamping))) {
+      const bool by_damping = !has(kLoss);
+      // A damping stands beside the elastic part of the stiffness.
+      const double storage = has(kStorage) ? values[kStorage] : values[kStiffness];
+      const double loss = by_damping ? 2.0 * element::kPi * point.frequency * values[kDamping] : values[kLoss];
+      point.stiffness = std::hypot(storage, loss);
+      point.loss_angle = std::atan2(loss, storage);
+    } else {
+      point.loss_angle = has(kLossAngle) ? values[kLossAngle] : std::atan(values[kTangent]);
+      point.stiffness = has(kStiffness) ? values[kStiffness] : values[kStorage] / std::cos(point.loss_angle);
+    }
+    if (values.count(kTemperature) > 0) {
+      point.temperature = values[kTemperature];
+    }
+    return point;
+  }
+
+  void addPoint(std::map<std::size_t, double>& values) {
+    const fit::TablePoint point = pointOf(values);
     const bool positive = point.frequency > 0.0 && point.amplitude > 0.0 && point.stiffness > 0.0;
     const bool finite = std::isfinite(point.frequency + point.amplitude + point.stiffness);
     if (!positive || !finite || !(std::abs(point.loss_angle) <= 0.5 * element::kPi)) {
@@ -195,15 +309,18 @@ class TableReader {
     if (!std::isfinite(point.mean + point.temperature.value_or(0.0))) {
       refuse("mean displacement or temperature: not finite; accepted: numbers");
     }
+    if (table_.points.size() == kMostRows) {
+      refuse(fmt::format("more than {} rows; accepted: that many at most", kMostRows));
+    }
     table_.points.push_back(point);
   }
 
-  static constexpr std::string_view kSeparators = ",;\t";
-
   std::string source_;
   std::size_t line_ = 0;
-  char separator_ = ',';
-  std::vector<std::optional<Column>> columns_;
+  log::Separator separator_ = log::Separator::comma;
+  std::vector<std::string> names_;
+  std::vector<std::optional<TableColumn>> columns_;
+  std::optional<log::NumberMarks> marks_;
   fit::MeasuredTable table_;
 };
 
@@ -216,7 +333,7 @@ fit::MeasuredTable parseTable(const std::string& text, const std::string& source
 fit::MeasuredTable readTable(const std::string& path) {
   try {
     fit::MeasuredTable table = parseTable(log::readFile(path, kLargestFile), path);
-    table.name = std::filesystem::path(path).stem().string();
+    table.name = log::oneLine(std::filesystem::path(path).stem().string());
     return table;
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();

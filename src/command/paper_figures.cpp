@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "command/sweep_values.h"
 #include "io/progress.h"
 #include "log/new_file.h"
 #include "rubber_suspension/element/constants.h"
@@ -15,17 +16,16 @@
 namespace rubber_suspension::command {
 namespace {
 
-constexpr double kFrequency = 4.0;   // f_n [Hz]
-constexpr double kAmplitude = 2e-3;  // A_n [m]
-constexpr double kProduct = 8e-3;    // P [m Hz]
-constexpr double kDegrees = 180.0 / element::kPi;
+constexpr double kNominalFrequency = 4.0;   // f_n [Hz]
+constexpr double kNominalAmplitude = 2e-3;  // A_n [m]
+constexpr double kProduct = 8e-3;           // P [m Hz]
 
 using Values = std::vector<std::pair<std::string, double>>;
 
 component::Component exampleModel(estimation::Model model, const Values& further) {
   estimation::Specification specification;
   specification.set("dynamic_stiffness", 4.2e6);
-  specification.set("nominal_frequency", kFrequency);
+  specification.set("nominal_frequency", kNominalFrequency);
   if (model != estimation::Model::kelvin_voigt) {
     specification.set("static_stiffness", 3e6);
   }
@@ -41,21 +41,22 @@ struct NamedComponent {
 };
 
 NamedComponent bergModel() {
-  return {"M6 Berg",
-          exampleModel(estimation::Model::berg,
-                       {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}, {"break_frequency", 1.45}})};
+  return {"M6 Berg", exampleModel(estimation::Model::berg, {{"nominal_amplitude", kNominalAmplitude},
+                                                            {"relative_damping", 0.05},
+                                                            {"break_frequency", 1.45}})};
 }
 
 std::vector<NamedComponent> allModels() {
-  return {{"M1 Kelvin-Voigt", exampleModel(estimation::Model::kelvin_voigt, {{"relative_damping", 0.05}})},
-          {"M2 Maxwell", exampleModel(estimation::Model::maxwell, {{"break_frequency", 1.43}})},
-          {"M3 Maxwell, dashpot",
-           exampleModel(estimation::Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
-          {"M4 friction",
-           exampleModel(estimation::Model::friction, {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
-          {"M5 friction, dashpot", exampleModel(estimation::Model::friction_dashpot,
-                                                {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
-          bergModel()};
+  return {
+      {"M1 Kelvin-Voigt", exampleModel(estimation::Model::kelvin_voigt, {{"relative_damping", 0.05}})},
+      {"M2 Maxwell", exampleModel(estimation::Model::maxwell, {{"break_frequency", 1.43}})},
+      {"M3 Maxwell, dashpot",
+       exampleModel(estimation::Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
+      {"M4 friction", exampleModel(estimation::Model::friction,
+                                   {{"nominal_amplitude", kNominalAmplitude}, {"relative_damping", 0.05}})},
+      {"M5 friction, dashpot", exampleModel(estimation::Model::friction_dashpot,
+                                            {{"nominal_amplitude", kNominalAmplitude}, {"relative_damping", 0.05}})},
+      bergModel()};
 }
 
 std::vector<NamedComponent> maxwellModels() {
@@ -91,13 +92,10 @@ std::vector<double> frequencies() {
 
 std::vector<double> amplitudes() {
   std::vector<double> values = response::logSpaced(0.05e-3, 10e-3, 47);
-  values.push_back(kAmplitude);
+  values.push_back(kNominalAmplitude);
   std::sort(values.begin(), values.end());
   return values;
 }
-
-double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
-double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
 io::Axes sweepAxes(const PaperFigure& figure, bool over_amplitude, const std::string& y_label,
                    double (*y)(const response::SweepPoint&)) {
@@ -125,9 +123,13 @@ void drawSweeps(PaperFigure& figure, bool over_amplitude) {
 
 PaperFigure breakFrequencyFigure() {
   PaperFigure figure{
-      3, fmt::format("Figure 3: M2 for several break frequencies, all through K_n at {:g} Hz", kFrequency), {}, {}};
+      3,
+      fmt::format("Figure 3: M2 for several break frequencies, all through K_n at {:g} Hz", kNominalFrequency),
+      {},
+      {}};
   for (const NamedComponent& model : maxwellModels()) {
-    figure.curves.push_back({model.label, response::sweepFrequency(model.component, frequencies(), kAmplitude), {}});
+    figure.curves.push_back(
+        {model.label, response::sweepFrequency(model.component, frequencies(), kNominalAmplitude), {}});
   }
   drawSweeps(figure, false);
   return figure;
@@ -144,9 +146,10 @@ PaperFigure productFigure(int number, const std::string& title, const std::vecto
 }
 
 PaperFigure amplitudeFigure() {
-  PaperFigure figure{5, fmt::format("Figure 5: models over amplitude at {:g} Hz", kFrequency), {}, {}};
+  PaperFigure figure{5, fmt::format("Figure 5: models over amplitude at {:g} Hz", kNominalFrequency), {}, {}};
   for (const NamedComponent& model : allModels()) {
-    figure.curves.push_back({model.label, response::sweepAmplitude(model.component, amplitudes(), kFrequency), {}});
+    figure.curves.push_back(
+        {model.label, response::sweepAmplitude(model.component, amplitudes(), kNominalFrequency), {}});
   }
   drawSweeps(figure, true);
   return figure;
@@ -155,11 +158,15 @@ PaperFigure amplitudeFigure() {
 // A model per panel: the loop at the working point is nearly the same ellipse for all that meet it.
 PaperFigure loopFigure() {
   PaperFigure figure{
-      6, fmt::format("Figure 6: loops of the models at {:g} Hz and {:g} mm", kFrequency, kAmplitude * 1e3), {}, {}};
+      6,
+      fmt::format("Figure 6: loops of the models at {:g} Hz and {:g} mm", kNominalFrequency, kNominalAmplitude * 1e3),
+      {},
+      {}};
   figure.figure.title = figure.title;
   figure.figure.columns = 3;
   for (const NamedComponent& model : allModels()) {
-    const response::SettledLoop loop = response::simulateSettledLoop(model.component, kFrequency, kAmplitude);
+    const response::SettledLoop loop =
+        response::simulateSettledLoop(model.component, kNominalFrequency, kNominalAmplitude);
     figure.curves.push_back({model.label, {}, loop});
     io::Curve curve;
     for (std::size_t i = 0; i <= loop.force.size(); ++i) {

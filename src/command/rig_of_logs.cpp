@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gap/simulate.h"
+#include "log/even_blocks.h"
 #include "rubber_suspension/measurement/faults.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
@@ -34,7 +35,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
 std::vector<std::size_t> usable(const std::vector<log::Log>& logs, std::vector<log::Record>& records) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    if (logs[i].size() < kShortest) {
+    if (logs[i].size() < kShortest || log::stretchesOf(logs[i]).size() > 1) {
       continue;
     }
     log::Record record = log::makeRecord(logs[i]);

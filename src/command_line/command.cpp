@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <new>
+#include <streambuf>
 
 #include "command_line/parse.h"
 #include "io/output_files.h"
@@ -39,6 +42,7 @@ bool isGiven(const io::OutputFile& output) { return !output.path.empty(); }
 // Before anything is read.
 void checkFiles(const OptionTable& table, bool force) {
   Files all;
+  std::vector<io::InputFile> logs;
   for (const Option& option : table.options()) {
     const Files more = option.files ? option.files() : Files();
     all.inputs.insert(all.inputs.end(), more.inputs.begin(), more.inputs.end());
@@ -46,6 +50,9 @@ void checkFiles(const OptionTable& table, bool force) {
     for (const std::string& path : option.is_input || option.kind ? pathsOf(option) : std::vector<std::string>()) {
       if (option.is_input) {
         all.inputs.push_back({option.name, path});
+        if (option.is_each_once) {
+          logs.push_back(all.inputs.back());
+        }
       } else {
         all.outputs.push_back({option.name, path, *option.kind});
       }
@@ -54,6 +61,7 @@ void checkFiles(const OptionTable& table, bool force) {
   if (force && std::none_of(all.outputs.begin(), all.outputs.end(), isGiven)) {
     throw UsageError("--force has no effect without a file to write; accepted: without it");
   }
+  io::refuseEqualLogs(logs);
   io::checkOutputs(all.inputs, all.outputs, force);
 }
 
@@ -83,6 +91,42 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
   }
   return kFailed;
 }
+
+// What goes to standard output, line by line and with nothing that a terminal would obey: names of files and folders
+// may hold anything.
+class SafeOutput : std::streambuf {
+ public:
+  SafeOutput() : terminal_(std::cout.rdbuf(this)) {}
+  SafeOutput(const SafeOutput&) = delete;
+  SafeOutput& operator=(const SafeOutput&) = delete;
+  ~SafeOutput() override {
+    SafeOutput::sync();
+    std::cout.rdbuf(terminal_);
+  }
+
+ private:
+  int_type overflow(int_type c) override {
+    if (c == '\n') {
+      return write('\n') ? c : traits_type::eof();
+    }
+    line_ += traits_type::to_char_type(c);
+    return c;
+  }
+
+  int sync() override { return (line_.empty() || write('\0')) && terminal_->pubsync() == 0 ? 0 : -1; }
+
+  // With the line end, or without one.
+  bool write(char end) {
+    std::string safe = log::oneLine(line_);
+    line_.clear();
+    safe += end == '\0' ? "" : "\n";
+    const auto size = static_cast<std::streamsize>(safe.size());
+    return terminal_->sputn(safe.data(), size) == size;
+  }
+
+  std::streambuf* terminal_;
+  std::string line_;
+};
 
 }  // namespace
 
@@ -115,6 +159,7 @@ double quantityOf(const std::string& option, const std::string& text, const Quan
 
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body) {
+  const SafeOutput output;
   try {
     const int status = runAsked(argc, argv, command, table, body);
     if (!std::cout.flush()) {
@@ -127,6 +172,9 @@ int runCommand(int argc, char** argv, const Command& command, const OptionTable&
   } catch (const io::OutputRefused& error) {
     printError(command.name, error.what());
     return kWrongUsage;
+  } catch (const std::bad_alloc&) {
+    printError(command.name, "out of memory; accepted: less to do at once, such as shorter logs or fewer --threads");
+    return kFailed;
   } catch (const std::exception& error) {
     printError(command.name, error.what());
     return kFailed;

@@ -16,24 +16,34 @@ OptionTable LogOptions::table() {
   return {
       Option("--columns", columns_, "QUANTITY=NAME",
              "columns that the log's header does not tell: time=NAME displacement=NAME force=NAME "
-             "temperature=NAME, where NAME may be a number from 1; or the words alone, in the order of the columns")
+             "temperature=NAME, where NAME may be a number from 1, with a factor as in force=-NAME and "
+             "force=0.001*NAME; of a bag with other topics, a field such as force=/ft/wrench.force.z; or the words "
+             "alone, in the order of the columns")
           .rare(),
-      Option("--unit", unit_, "LENGTH,FORCE,TIME",
-             "units of columns that do not tell theirs, such as mm,kN or mm,kN,ms")
+      Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
+      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
+             "sampling rate of a log without a time column, or in place of stamps that are equal, swapped or rounded")
           .rare(),
-      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ", "sampling rate of a log without a time column")
+      Option("--decimal", decimal_, "MARK", "decimal mark of a text, a point or a comma: . or ,").rare(),
+      Option("--segment", segment_, "NUMBER", "which log of a file that holds several, from 1; all: each of them")
+          .rare(),
+      Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
+             "longest time without a number that is passed over; 0.5 by itself, where 99 of 100 rows have their "
+             "numbers")
           .rare()};
 }
 
 const std::vector<std::string>& LogOptions::names() {
-  static const std::vector<std::string> all = {"--columns", "--unit", "--sampling-rate"};
+  static const std::vector<std::string> all = {"--columns", "--unit",    "--sampling-rate",
+                                               "--decimal", "--segment", "--bridge"};
   return all;
 }
 
 void LogOptions::requireUse(const std::vector<std::string>& paths) const {
-  const bool given = !columns_.empty() || !unit_.empty() || sampling_rate_ > 0.0;
-  if (given && std::all_of(paths.begin(), paths.end(), bag::isBagPath)) {
-    throw UsageError("--columns, --unit and --sampling-rate have no effect on a bag; accepted: without them");
+  const bool of_text = sampling_rate_ > 0.0 || !decimal_.empty() || !segment_.empty() || bridge_ >= 0.0;
+  if (of_text && std::all_of(paths.begin(), paths.end(), bag::isBagPath)) {
+    throw UsageError(
+        "--sampling-rate, --decimal, --segment and --bridge have no effect on a bag; accepted: without them");
   }
 }
 
@@ -51,8 +61,12 @@ log::Log LogOptions::readSilently(const std::string& path, const std::string& co
   return bag::readAnyLog(path, component, format());
 }
 
-std::shared_ptr<const log::LogSource> LogOptions::open(const std::string& path, const std::string& component) const {
-  return bag::openAnyLog(path, component, format());
+std::vector<log::Log> LogOptions::readAll(const std::string& path, const std::string& component) const {
+  return bag::readAnyLogs(path, component, format());
+}
+
+log::LogSources LogOptions::openAll(const std::string& path, const std::string& component) const {
+  return bag::openAnyLogs(path, component, format());
 }
 
 void LogOptions::printNotes(const std::string& command, const std::string& path,
@@ -64,7 +78,8 @@ void LogOptions::printNotes(const std::string& command, const std::string& path,
 
 log::LogFormat LogOptions::format() const {
   try {
-    return log::makeLogFormat(columns_, unit_, sampling_rate_);
+    return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
+                              bridge_);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

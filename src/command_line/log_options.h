@@ -13,13 +13,13 @@ namespace rubber_suspension::command_line {
 
 class LogOptions {
  public:
-  /// --columns, --unit and --sampling-rate.
+  /// --columns, --unit, --sampling-rate, --decimal, --segment and --bridge.
   OptionTable table();
 
   /// The names of these, for rules.
   static const std::vector<std::string>& names();
 
-  /// Refuses the options where all logs are bags, which tell columns, units and time themselves. Throws UsageError.
+  /// Refuses those options that act on text where all logs are bags. Throws UsageError.
   void requireUse(const std::vector<std::string>& paths) const;
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
@@ -28,8 +28,11 @@ class LogOptions {
   /// The same without its notes; several threads may read at once.
   log::Log readSilently(const std::string& path, const std::string& component) const;
 
-  /// A log that is read block by block; several threads may open at once. Throws UsageError and LogError.
-  std::shared_ptr<const log::LogSource> open(const std::string& path, const std::string& component) const;
+  /// The logs of a file, more than one where --segment asks for all of them.
+  std::vector<log::Log> readAll(const std::string& path, const std::string& component) const;
+
+  /// The same, to be read block by block; several threads may open at once. Throws UsageError and LogError.
+  log::LogSources openAll(const std::string& path, const std::string& component) const;
 
   static void printNotes(const std::string& command, const std::string& path, const std::vector<std::string>& notes);
 
@@ -37,8 +40,11 @@ class LogOptions {
   log::LogFormat format() const;
 
   std::vector<std::string> columns_;
-  std::string unit_;
+  std::vector<std::string> unit_;
   double sampling_rate_ = 0.0;  // [Hz]; 0: not given
+  std::string decimal_;
+  std::string segment_;
+  double bridge_ = -1.0;  // [s]; less than 0: not given
 };
 
 }  // namespace rubber_suspension::command_line

@@ -75,6 +75,11 @@ struct Option {
   /// A file, or several. No file is written that is also read, nor, without --force, one that is of another kind:
   /// checked before the command does anything. A command that writes has the option --force.
   Option& reads() { return is_input = true, *this; }
+
+  /// Logs, of which none may stand twice in all such options together.
+  Option& readsEachOnce() { return is_each_once = true, reads(); }
+
+  /// Files that are written.
   Option& writes(io::FileKind written) { return kind = written, *this; }
 
   /// A folder, or the like, with the files that it stands for; asked once all options are read.
@@ -97,6 +102,7 @@ struct Option {
   std::string default_text;  ///< empty: none to be shown
   std::function<std::string(const std::string&)> problem;
   bool is_input = false;
+  bool is_each_once = false;
   std::optional<io::FileKind> kind;
   std::function<Files()> files;
 };

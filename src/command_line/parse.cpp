@@ -100,6 +100,10 @@ class Parser {
     if (option.bounds) {
       parsed.check([&option](const std::string& text) { return outOfBounds(option, text); });
     }
+    if (option.placeholder == "FILE" || option.placeholder == "FOLDER") {
+      parsed.check(
+          [](const std::string& text) { return text.empty() ? "an empty name; accepted: that of a file" : ""; });
+    }
     if (option.problem) {
       parsed.check(option.problem);
     }

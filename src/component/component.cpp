@@ -59,21 +59,6 @@ void takeIncrements(element::Motion* motion, std::size_t count, double& last) {
 
 }  // namespace
 
-void ComponentState::deserialise(double displacement, const std::vector<double>& memory) {
-  if (memory.size() != memory_.size()) {
-    throw std::invalid_argument(
-        fmt::format("state has {} numbers, this component needs {}", memory.size(), memory_.size()));
-  }
-  const bool finite = std::isfinite(displacement) &&
-                      std::all_of(memory.begin(), memory.end(), [](double value) { return std::isfinite(value); });
-  if (!finite) {
-    throw std::invalid_argument("state holds numbers that are not finite");
-  }
-  displacement_ = displacement;
-  std::copy(memory.begin(), memory.end(), memory_.begin());
-  prepared_.branch = {};
-}
-
 Component::Component(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws basic_laws;
   for (const element::ElementDescription& description : elements) {
@@ -141,6 +126,35 @@ ComponentState Component::makeState() const {
   forgetTemperature(state);
   initialise(state, 0.0);
   return state;
+}
+
+void Component::restore(ComponentState& state, double displacement, const std::vector<double>& memory) const {
+  if (memory.size() != memory_size_) {
+    throw std::invalid_argument(
+        fmt::format("state has {} numbers, this component needs {}", memory.size(), memory_size_));
+  }
+  const bool finite = std::isfinite(displacement) &&
+                      std::all_of(memory.begin(), memory.end(), [](double value) { return std::isfinite(value); });
+  if (!finite) {
+    throw std::invalid_argument("state holds numbers that are not finite");
+  }
+  if (!acceptsMemory(memory.data())) {
+    throw std::invalid_argument("state holds numbers that none of the elements can have left");
+  }
+  state.displacement_ = displacement;
+  std::copy(memory.begin(), memory.end(), state.memory_.begin());
+  state.prepared_.branch = {};
+}
+
+// Factors of a temperature are greater than 0, as time and force are to keep their signs.
+bool Component::acceptsMemory(const double* memory) const {
+  const auto all = [memory](const auto& placed) {
+    return std::all_of(placed.begin(), placed.end(),
+                       [memory](const auto& element) { return element.law->acceptsMemory(memory + element.offset); });
+  };
+  const double* const slots = memory + temperature_slot_;
+  return all(elements_) && all(force_effects_) && all(displacement_effects_) && all(rig_) &&
+         (shifts_.empty() || (slots[kRate] > 0.0 && slots[kForce] > 0.0));
 }
 
 element::ComponentForce Component::initialise(ComponentState& state, double displacement) const {

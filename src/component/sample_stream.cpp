@@ -68,6 +68,9 @@ void SampleStream::count(Acceptance acceptance) {
     case Acceptance::stepped_back:
       ++counters_.stepped_back;
       break;
+    case Acceptance::force_not_finite:
+      ++counters_.force_not_finite;
+      break;
   }
 }
 
@@ -116,7 +119,7 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
     } else {
       // A displacement can be finite and yet too large for a law that stiffens; the state must not keep that.
       rollBack();
-      result = {Acceptance::not_finite, {}};
+      result = {Acceptance::force_not_finite, {}};
     }
   }
   count(result.acceptance);
@@ -213,7 +216,7 @@ void SampleStream::reset() {
 }
 
 void SampleStream::deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory) {
-  state_.deserialise(displacement, memory);
+  component_.restore(state_, displacement, memory);
   save();
   last_stamp_ = last_stamp;
   started_ = true;

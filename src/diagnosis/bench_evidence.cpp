@@ -9,7 +9,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr std::size_t kMostLogs = 3;
+constexpr std::size_t kMostLogsOfFigure = 3;
 
 std::optional<ComparedLog> compare(const std::vector<element::ElementDescription>& elements,
                                    const log::Record& record) {
@@ -27,7 +27,7 @@ BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elem
     const auto record = std::find_if(records.begin(), records.end(),
                                      [&](const log::Record& candidate) { return candidate.name == finding.log; });
     if (!finding.fatal || finding.finding == measurement::finding::kTooShort || record == records.end() ||
-        evidence.logs.size() == kMostLogs) {
+        evidence.logs.size() == kMostLogsOfFigure) {
       continue;
     }
     auto as_recorded = compare(elements, *record);

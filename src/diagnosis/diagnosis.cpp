@@ -16,6 +16,7 @@
 #include "diagnosis/friction_noise.h"
 #include "diagnosis/judge/judge.h"
 #include "diagnosis/log_survey.h"
+#include "diagnosis/log_table.h"
 #include "diagnosis/measured_logs.h"
 #include "diagnosis/memory.h"
 #include "diagnosis/refused.h"
@@ -304,7 +305,9 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   considerZeros(component, tolerances, options, judged);
   takeOutRig(component, tolerances, options, judged, findings);
   considerMotion(options, judged);
-  if (!options.evidence) {
+  if (options.evidence) {
+    addLogTable(*judged.prepared, judged.workings->search, options.threads, *judged.workings->evidence);
+  } else {
     judged.workings->evidence.reset();
   }
   return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);

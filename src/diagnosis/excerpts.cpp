@@ -15,7 +15,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
-constexpr double kCycles = 10.0;           // in a window: the first does not count, and some are to be left for folds
+constexpr double kCyclesOfExcerpt = 10.0;  // in a window: the first does not count, and some are to be left for folds
 constexpr double kMoves = 0.1;             // of the deviation of the window that moves most: less is a standstill
 constexpr std::size_t kLeastShare = 2000;  // samples of a log, however many logs there are: ten cycles of 200 samples
 
@@ -26,7 +26,7 @@ struct Window {
 
 // Even parts of a log with as many samples each as a window of a share has, to whole stretches of the survey.
 std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
-  const double least = kCycles * log.motion.samplesPerCycle();
+  const double least = kCyclesOfExcerpt * log.motion.samplesPerCycle();
   const double most = static_cast<double>(share) / least;
   const auto windows = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(kWindows)));
   const std::size_t stretch = log.motion.stretch();
@@ -91,6 +91,58 @@ std::vector<Window> joined(const std::vector<Window>& windows, const std::vector
   return result;
 }
 
+std::string nameOf(const log::Log& part, const LogSurvey& log) {
+  const auto since = [&](std::int64_t stamp) { return static_cast<double>(stamp - log.steps.firstStamp()) * 1e-9; };
+  return fmt::format("{} ({:.0f} to {:.0f} s)", log.source->name(), since(part.stamp.front()),
+                     since(part.stamp.back()));
+}
+
+double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_cast<double>(later - earlier) * 1e-9; }
+
+// The step over a time gap from one sample to the first of a stretch, short of the step with which the stretch begins:
+// the displacement continues in a straight line, as in `replay` and the node.
+LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
+  const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
+  const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
+  const double z = before.displacement[last];
+  return {gap - step, {z + (stretch.displacement[0] - z) * (gap - step) / gap}, true};
+}
+
+bool changes(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *low < *high;
+}
+
+// A log or an excerpt of one continues behind each of its time gaps as another, to which the step over the time gap
+// leads: no spectrum knows what was in it. Stretches of which no record can be made are left out.
+void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::vector<log::Log>& logs,
+                  std::vector<LeadIn>& lead_ins) {
+  const std::vector<std::size_t> first = log::stretchesOf(log);
+  std::size_t last = 0;      // sample of the stretch that was taken last
+  std::size_t left_out = 0;  // samples
+  const std::size_t before = logs.size();
+  for (std::size_t i = 0; first.size() > 1 && !log.force.empty() && i < first.size(); ++i) {
+    const std::size_t end = i + 1 < first.size() ? first[i + 1] : log.size();
+    log::Log stretch = log::samplesOf(log, first[i], end - first[i]);
+    if (stretch.size() < log::kFewestSamples || !changes(stretch.displacement) || !changes(stretch.force)) {
+      left_out += stretch.size();
+      continue;
+    }
+    stretch.name = nameOf(stretch, survey);
+    stretch.notes = log.notes;
+    lead_ins.push_back(i == 0 ? lead_in : logs.size() == before ? LeadIn{} : stepOver(log, last, stretch));
+    logs.push_back(std::move(stretch));
+    last = end - 1;
+  }
+  if (logs.size() == before) {
+    logs.push_back(std::move(log));
+    lead_ins.push_back(std::move(lead_in));
+    return;
+  }
+  logs[before].notes.push_back(fmt::format(
+      "{} time gaps: spectra begin again behind each; {} samples between them left out", first.size() - 1, left_out));
+}
+
 // Takes excerpts of a log, and what leads into them, from its samples as they come.
 class ExcerptTaker {
  public:
@@ -98,8 +150,9 @@ class ExcerptTaker {
   ExcerptTaker(const LogSurvey& log, const std::vector<Window>& windows, std::size_t coarse, double standstill)
       : log_(log) {
     std::size_t done = 0;
+    const std::int64_t longest_step = log.steps.evenSteps().longest_step;
     for (const Window& window : windows) {
-      taken_.push_back({done, window, {done, window.first, coarse, standstill}, {}});
+      taken_.push_back({done, window, {done, window.first, coarse, standstill, longest_step}, {}});
       done = window.last;
     }
   }
@@ -154,9 +207,7 @@ class ExcerptTaker {
   }
 
   void describe(const log::Log& taken, log::Log& excerpt) const {
-    const auto since = [&](std::int64_t stamp) { return static_cast<double>(stamp - log_.steps.firstStamp()) * 1e-9; };
-    excerpt.name = fmt::format("{} ({:.0f} to {:.0f} s)", log_.source->name(), since(taken.stamp.front()),
-                               since(taken.stamp.back()));
+    excerpt.name = nameOf(taken, log_);
     excerpt.notes = log_.notes;
     excerpt.notes.push_back(fmt::format("excerpt of {:.0f} s", log_.duration()));
   }
@@ -199,11 +250,10 @@ void addExcerptsOfTheFit(const LogSurvey& log, std::size_t share, Excerpts& resu
   const std::vector<std::size_t> chosen = choose(motion, largestMotion(log, windows), count);
   ExcerptTaker taker(log, joined(windows, chosen), coarse, standstillOf(motion));
   taker.take();
-  for (log::Log& excerpt : taker.excerpts()) {
-    result.logs.push_back(std::move(excerpt));
-  }
-  for (LeadIn& lead_in : taker.leadIns()) {
-    result.lead_in.push_back(std::move(lead_in));
+  std::vector<log::Log> excerpts = taker.excerpts();
+  std::vector<LeadIn> lead_ins = taker.leadIns();
+  for (std::size_t i = 0; i < excerpts.size(); ++i) {
+    addStretches(log, std::move(excerpts[i]), std::move(lead_ins[i]), result.logs, result.lead_in);
   }
 }
 
@@ -231,14 +281,15 @@ Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogS
   const std::size_t share = fairShare(sizes, most);
   for (const LogSurvey& log : logs) {
     if (log.samples() <= share) {
-      result.logs.push_back(takeWhole(log));
-      result.lead_in.emplace_back();
+      addStretches(log, takeWhole(log), {}, result.logs, result.lead_in);
     } else {
       addExcerptsOfTheFit(log, share, result);
     }
   }
   for (const LogSurvey& log : hold_out) {
-    result.hold_out.push_back(log.samples() <= share ? takeWhole(log) : beginningOf(log, share));
+    std::vector<LeadIn> each_is_new;
+    addStretches(log, log.samples() <= share ? takeWhole(log) : beginningOf(log, share), {}, result.hold_out,
+                 each_is_new);
   }
   result.samples = samplesOf(result.logs) + samplesOf(result.hold_out);
   return result;

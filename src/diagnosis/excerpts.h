@@ -28,6 +28,7 @@ struct Excerpts {
 /// What lies between two excerpts leads the component from one to the other, in no more steps than the share has
 /// samples. A window holds at least ten cycles of the log, where the share is long enough. Each excerpt has a note of
 /// where it is from, and its name tells the seconds.
+/// Behind a time gap (log::EvenSteps) a log or excerpt continues as another, to which the exact step over it leads.
 /// Throws LogError where a log is no longer what it was in the survey.
 Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most);
 

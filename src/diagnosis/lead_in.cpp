@@ -13,12 +13,14 @@ double varianceOf(double sum, double squares, double count) { return squares / c
 
 }  // namespace
 
-LeadInBuilder::LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill)
+LeadInBuilder::LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill,
+                             std::int64_t longest_step)
     : first_(first + (last - first) % coarse),
       last_(last),
       coarse_(coarse),
       steps_((last - first) / coarse),
-      standstill_(standstill) {
+      standstill_(standstill),
+      longest_step_(longest_step) {
   means_.reserve(steps_);
   extremes_.reserve(steps_ + 1);
 }
@@ -41,6 +43,7 @@ void LeadInBuilder::add(std::size_t sample, std::int64_t stamp, double displacem
     first_stamp_ = stamp;
     offset_ = displacement;
   }
+  paused_ += sample > first_ && stamp - last_stamp_ > longest_step_ ? stamp - last_stamp_ : 0;
   last_stamp_ = stamp;
   if ((sample - first_) % coarse_ == 0) {
     beginStep(displacement);
@@ -82,7 +85,7 @@ LeadIn LeadInBuilder::finish() const {
   LeadIn result;
   const std::size_t samples = steps_ * coarse_;
   if (samples > 1) {
-    result.dt = static_cast<double>(last_stamp_ - first_stamp_) * 1e-9 / static_cast<double>(samples - 1) *
+    result.dt = static_cast<double>(last_stamp_ - first_stamp_ - paused_) * 1e-9 / static_cast<double>(samples - 1) *
                 static_cast<double>(coarse_);
   }
   result.displacement = losesMotion() ? extremes_ : means_;

@@ -23,8 +23,9 @@ struct LeadIn {
 class LeadInBuilder {
  public:
   /// Of samples [first, last) of a log, `coarse` of them a step, but for what is left of them at the beginning. What
-  /// deviates by less than `standstill` [m] is noise, of which the means are kept.
-  LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill);
+  /// deviates by less than `standstill` [m] is noise, of which the means are kept. Steps of the log longer than
+  /// `longest_step` [ns] are time gaps, whose time is left out.
+  LeadInBuilder(std::size_t first, std::size_t last, std::size_t coarse, double standstill, std::int64_t longest_step);
 
   /// Sample by sample from the first on; those outside the stretch do nothing.
   void add(std::size_t sample, std::int64_t stamp, double displacement);
@@ -40,6 +41,8 @@ class LeadInBuilder {
   std::size_t coarse_;
   std::size_t steps_;
   double standstill_;
+  std::int64_t longest_step_;
+  std::int64_t paused_ = 0;  // time gaps [ns]
   std::int64_t first_stamp_ = 0;
   std::int64_t last_stamp_ = 0;
   double offset_ = 0.0;   // the first displacement, about which squares are taken

@@ -57,6 +57,9 @@ class Driven {
       force_[done++] = rest(piece);
       rests_ = false;
     }
+    if (piece.gap > 0.0) {
+      force_[done++] = bridge(piece);
+    }
     if (followsTemperature(piece)) {
       component_.simulate(state_, dt, piece.displacement + done, piece.temperature + done, piece.samples - done,
                           force_.data() + done);
@@ -74,6 +77,14 @@ class Driven {
  private:
   bool followsTemperature(const Piece& piece) const {
     return component_.shiftsWithTemperature() && piece.temperature != nullptr;
+  }
+
+  // One step, as `replay` and the node take it.
+  double bridge(const Piece& piece) {
+    if (followsTemperature(piece)) {
+      component_.setTemperature(state_, piece.temperature[0]);
+    }
+    return component_.step(state_, piece.gap, piece.displacement[0]).total;
   }
 
   double rest(const Piece& piece) {
@@ -113,10 +124,10 @@ std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementD
     };
     readAgain(logs[l], [&](const log::Log& block, std::size_t) {
       log::requireForce(block);
-      add(even.add(block));
+      even.add(block, add);
       return true;
     });
-    add(even.finish());
+    even.finish(add);
     for (std::size_t m = 0; m < models.size(); ++m) {
       squared_gaps[m] += driven[m].sumOfSquares() / deviation.sumOfSquares() / static_cast<double>(logs.size());
     }

@@ -19,8 +19,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr int kIterations = 8;    // of the fit by which a start in motion is told
-constexpr double kChance = 1e-3;  // that zeros which are new in each log look common
+constexpr int kIterations = 8;              // of the fit by which a start in motion is told
+constexpr double kChanceOfNewZeros = 1e-3;  // that zeros which are new in each log look common
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
   std::vector<measurement::Mask> masks;
@@ -80,7 +80,7 @@ bool areCommon(const std::vector<double>& zeros) {
   }
   const boost::math::students_t distribution(count - 1.0);
   const double statistic = std::abs(values.mean()) / std::sqrt(variance / count);
-  return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChance;
+  return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChanceOfNewZeros;
 }
 
 // Force at which Berg's friction of a model slides [N]; 0 without.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/least_norm.h"
 #include "fit/parallel.h"
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -117,7 +117,7 @@ void Screening::measureVisibility(double noise, const Criteria& criteria, Search
     for (const Eigen::Index j : columns) {
       const Eigen::VectorXd cross = total.col(j).head(model_size_);
       const double whole = total(j, j);
-      const double rest = std::max(0.0, whole - cross.dot(fit::solveLeastNorm(base, cross)));
+      const double rest = std::max(0.0, whole - cross.dot(numerics::solveLeastNorm(base, cross)));
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);
       const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);

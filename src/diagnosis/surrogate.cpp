@@ -14,7 +14,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kChance = 0.05;        // of a gain on unseen blocks without there being any
+constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
@@ -66,7 +66,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
   surrogate.share = rest > 0.0 ? std::clamp(1.0 - std::pow(left / rest, 2), 0.0, 1.0) : 0.0;
   surrogate.chance = compare(lossesOf(unseen, noise_floor, count_logs), 0, 1).pValueOfNoGain();
-  surrogate.function_of_the_motion = surrogate.chance < kChance && surrogate.share > Criteria().larger_part;
+  surrogate.function_of_the_motion = surrogate.chance < kChanceOfGain && surrogate.share > Criteria().larger_part;
 }
 
 FittedSurrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, int threads) {
@@ -108,7 +108,7 @@ std::string describeRest(const Surrogate& surrogate) {
   if (surrogate.function_of_the_motion) {
     return "The rest is a function of the motion that is not in the list: " + prediction + ".";
   }
-  if (surrogate.chance < kChance && surrogate.share > 0.0) {
+  if (surrogate.chance < kChanceOfGain && surrogate.share > 0.0) {
     return "Only part of the rest is a function of the motion: " + prediction +
            "; most of it the motion does not cause (hum, cross-talk, a connector), or it needs other logs to be "
            "learned.";

@@ -3,18 +3,9 @@
 
 #include <cmath>
 
+#include "element/side.h"
+
 namespace rubber_suspension::element {
-namespace {
-
-BumpStop::Side sideFrom(const ElementDescription& description) {
-  const double side = description.value("side");
-  if (side != -1.0 && side != 0.0 && side != 1.0) {
-    refuseValue(description.type, "side", side, "1", "1 (z > 0 only), -1 (z < 0 only) or 0 (both)");
-  }
-  return static_cast<BumpStop::Side>(static_cast<int>(side));
-}
-
-}  // namespace
 
 double BumpStop::force(double displacement) const {
   const double depth = std::abs(displacement) - gap_;
@@ -42,7 +33,7 @@ ElementType bumpStopType() {
       [](const ElementDescription& description) -> ElementPointer {
         return std::make_shared<const BumpStop>(description.value("stiffness"), description.value("gap"),
                                                 description.value("exponent"), description.value("reference_depth"),
-                                                sideFrom(description));
+                                                static_cast<BumpStop::Side>(sideOf(description, "z")));
       }};
 }
 

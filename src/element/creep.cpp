@@ -12,7 +12,7 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr double kElementsPerDecade = 2.0;
-constexpr double kMaximumDecades = 12.0;  // bounds the memory
+constexpr double kMaximumDecadesOfTime = 12.0;  // bounds the memory
 
 std::vector<Maxwell> creepBank(double stiffness_per_decade, double shortest_time, double longest_time) {
   const double decades = std::log10(longest_time / shortest_time);
@@ -29,11 +29,11 @@ std::vector<Maxwell> creepBank(double stiffness_per_decade, double shortest_time
 void checkTimes(const ElementDescription& description) {
   const double shortest = description.value("shortest_time");
   const double longest = description.value("longest_time");
-  const double most = shortest * std::pow(10.0, kMaximumDecades);
+  const double most = shortest * std::pow(10.0, kMaximumDecadesOfTime);
   if (!(longest > shortest && longest <= most)) {
-    refuseValue(
-        description.type, "longest_time", longest, "s",
-        fmt::format("in ({:g}, {:g}], above shortest_time by {:g} decades at most", shortest, most, kMaximumDecades));
+    refuseValue(description.type, "longest_time", longest, "s",
+                fmt::format("in ({:g}, {:g}], above shortest_time by {:g} decades at most", shortest, most,
+                            kMaximumDecadesOfTime));
   }
 }
 

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/side.h"
+
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kUpper, kLower };
-
-FirstLoading::Side sideFrom(const ElementDescription& description) {
-  const double side = description.value("side");
-  if (side != -1.0 && side != 0.0 && side != 1.0) {
-    refuseValue(description.type, "side", side, "1", "1 (z > 0 only), -1 (z < 0 only) or 0 (both)");
-  }
-  return static_cast<FirstLoading::Side>(static_cast<int>(side));
-}
+enum FirstLoadingSlot { kUpper, kLower };
 
 }  // namespace
 
@@ -62,7 +56,8 @@ ElementType firstLoadingType() {
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0, "1: at z > 0 only, -1: at z < 0 only, 0: both"}},
           [](const ElementDescription& description) -> ElementPointer {
             return std::make_shared<const FirstLoading>(description.value("stiffness"),
-                                                        description.value("yield_share"), sideFrom(description));
+                                                        description.value("yield_share"),
+                                                        static_cast<FirstLoading::Side>(sideOf(description, "z")));
           }};
 }
 

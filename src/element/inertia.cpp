@@ -9,7 +9,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
+enum InertiaSlot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr int kMaximumSliders = 64;
-constexpr double kReach = 50.0;  // greatest yield displacement over z2
+constexpr double kGreatestYield = 50.0;  // greatest yield displacement over z2
 
 int sliderCount(const ElementDescription& description) {
   const double count = description.value("sliders");
@@ -39,9 +39,9 @@ std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& descriptio
 
 std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement, int count) {
   const int middle = count / 2;
-  const double ratio = std::pow(kReach, 1.0 / (count - middle));
+  const double ratio = std::pow(kGreatestYield, 1.0 / (count - middle));
   // The hyperbola h(z) = (z2' + Y)/Y z/(z2' + z) has h(Y) = 1, and h(z2) = 1/2 for this z2'; Y is the greatest yield.
-  const double greatest = kReach * displacement;
+  const double greatest = kGreatestYield * displacement;
   const double knee = displacement * greatest / (greatest - 2.0 * displacement);
   const auto hyperbola = [&](double z) { return maximum_force * (knee + greatest) / greatest * z / (knee + z); };
 

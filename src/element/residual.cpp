@@ -13,7 +13,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-constexpr const char* kName = "residual";
+constexpr const char* kResidualName = "residual";
 constexpr std::size_t kStops = ResidualBasis::kStops;
 constexpr std::size_t kRelaxing = ResidualBasis::kRelaxing;
 constexpr std::size_t kResonators = ResidualBasis::kResonators;
@@ -64,7 +64,8 @@ void advanceResonators(double increment, double* memory) {
 
 void checkSize(const char* parameter, std::size_t size, std::size_t accepted) {
   if (size != accepted) {
-    throw std::invalid_argument(fmt::format("{}.{}: {} values; accepted: {}", kName, parameter, size, accepted));
+    throw std::invalid_argument(
+        fmt::format("{}.{}: {} values; accepted: {}", kResidualName, parameter, size, accepted));
   }
 }
 
@@ -85,14 +86,14 @@ void readResonators(const ElementDescription& description, ResidualBasis::Layout
   if (!layout.resonant) {
     if (!isNone(description.list("resonance_weights"))) {
       throw std::invalid_argument(fmt::format("{}.resonance_weights: {} values; accepted: 0 alone, without resonances",
-                                              kName, description.list("resonance_weights").size()));
+                                              kResidualName, description.list("resonance_weights").size()));
     }
     return;
   }
   layout.frequencies = listOf<kResonators>(description, "resonances");
   for (const double frequency : layout.frequencies) {
     if (!(frequency > 0.0)) {
-      refuseValue(kName, "resonances", frequency, "Hz", "greater than 0, or 0 alone for none");
+      refuseValue(kResidualName, "resonances", frequency, "Hz", "greater than 0, or 0 alone for none");
     }
   }
   weights.resonators = description.list("resonance_weights");
@@ -128,14 +129,15 @@ ResidualBasis::ResidualBasis(const Layout& layout)
     : layout_(layout), per_stroke_(1.0 / layout.stroke), stops_(layout.stops.data()) {
   if (layout.points < 2) {
     throw std::invalid_argument(
-        fmt::format("{}.characteristic: {} values; accepted: at least 2", kName, layout.points));
+        fmt::format("{}.characteristic: {} values; accepted: at least 2", kResidualName, layout.points));
   }
   if (layout.lowest < -layout.stroke) {
-    refuseValue(kName, "lowest", layout.lowest, "m", fmt::format("in [{:g}, 0], within the stroke", -layout.stroke));
+    refuseValue(kResidualName, "lowest", layout.lowest, "m",
+                fmt::format("in [{:g}, 0], within the stroke", -layout.stroke));
   }
   const double narrowest = layout.lowest + kNarrowestRange * layout.stroke;
   if (layout.highest < narrowest || layout.highest > layout.stroke) {
-    refuseValue(kName, "highest", layout.highest, "m",
+    refuseValue(kResidualName, "highest", layout.highest, "m",
                 fmt::format("in [{:g}, {:g}], above lowest and within the stroke", narrowest, layout.stroke));
   }
   spacing_ = static_cast<double>(layout.points - 1) * layout.stroke / (layout.highest - layout.lowest);
@@ -292,7 +294,7 @@ ElementDescription residualDescription(const ResidualBasis& basis, const Eigen::
   const auto characteristic =
       weights.segment(static_cast<Eigen::Index>(kProducts), static_cast<Eigen::Index>(layout.points));
   const auto resonators = weights.tail(weights.size() - products.size() - characteristic.size());
-  ElementDescription result{kName,
+  ElementDescription result{kResidualName,
                             {{"stroke", {layout.stroke}},
                              {"lowest", {layout.lowest}},
                              {"highest", {layout.highest}},
@@ -318,7 +320,7 @@ ElementType residualType() {
   const Range stroke{kShortestStroke, std::numeric_limits<double>::infinity(), false, false};
   const Range negative{-std::numeric_limits<double>::infinity(), 0.0, false, false};
   return {
-      kName,
+      kResidualName,
       "Surrogate: a bounded force learned from logs, as a diagnosis writes it where no effect explains the gap.",
       {{"stroke", "m", Role::choice, stroke, std::nullopt, "displacement S that the weights belong to"},
        {"lowest", "m", Role::choice, negative, std::nullopt,

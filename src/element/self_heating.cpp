@@ -8,7 +8,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kRise, kLossForce };
+enum HeatSlot { kRise, kLossForce };
 
 // Far beyond all that softens further; a displacement that no test piece survives must not leave an infinite rise.
 constexpr double kLargestRise = 1e6;

@@ -3,18 +3,9 @@
 
 #include <cmath>
 
+#include "element/side.h"
+
 namespace rubber_suspension::element {
-namespace {
-
-SeriesCompliance::Side sideFrom(const ElementDescription& description) {
-  const double side = description.value("side");
-  if (side != -1.0 && side != 0.0 && side != 1.0) {
-    refuseValue(description.type, "side", side, "1", "1 (F > 0 only), -1 (F < 0 only) or 0 (both)");
-  }
-  return static_cast<SeriesCompliance::Side>(static_cast<int>(side));
-}
-
-}  // namespace
 
 double SeriesCompliance::deflection(double force) const {
   if ((side_ == Side::tension && force < 0.0) || (side_ == Side::compression && force > 0.0)) {
@@ -41,8 +32,9 @@ ElementType seriesComplianceType() {
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), 0.0,
             "1: yields to F > 0 only, -1: to F < 0 only, 0: to both"}},
           [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SeriesCompliance>(description.value("stiffness"),
-                                                            description.value("closing_force"), sideFrom(description));
+            return std::make_shared<const SeriesCompliance>(
+                description.value("stiffness"), description.value("closing_force"),
+                static_cast<SeriesCompliance::Side>(sideOf(description, "F")));
           }};
 }
 

@@ -10,7 +10,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-constexpr const char* kName = "spring_table";
+constexpr const char* kTableName = "spring_table";
 
 // A table that does not hold (0, 0) itself passes through it by interpolation, so up to rounding only.
 constexpr double kRelativeOffset = 1e-9;
@@ -18,19 +18,19 @@ constexpr double kRelativeOffset = 1e-9;
 void checkLengths(const std::vector<double>& displacement, const std::vector<double>& force) {
   if (displacement.size() < 2 || force.size() != displacement.size()) {
     throw std::invalid_argument(
-        fmt::format("{}.force: {} values for {} displacements; accepted: as many as displacements, at least 2", kName,
-                    force.size(), displacement.size()));
+        fmt::format("{}.force: {} values for {} displacements; accepted: as many as displacements, at least 2",
+                    kTableName, force.size(), displacement.size()));
   }
 }
 
 void checkOrder(const std::vector<double>& displacement, const std::vector<double>& force) {
   for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (!(displacement[i] > displacement[i - 1])) {
-      refuseValue(kName, "displacement", displacement[i], "m",
+      refuseValue(kTableName, "displacement", displacement[i], "m",
                   fmt::format("greater than {:g}, the value before it", displacement[i - 1]));
     }
     if (!(force[i] >= force[i - 1])) {
-      refuseValue(kName, "force", force[i], "N", fmt::format("at least {:g}, the value before it", force[i - 1]));
+      refuseValue(kTableName, "force", force[i], "N", fmt::format("at least {:g}, the value before it", force[i - 1]));
     }
   }
 }
@@ -43,7 +43,7 @@ SpringTable::SpringTable(std::vector<double> displacement, std::vector<double> f
   checkOrder(displacement_, force_);
   const double at_zero = this->force(0.0);
   if (std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
-    refuseValue(kName, "force", at_zero, "N at displacement 0", "0 there; give a preload as force_offset");
+    refuseValue(kTableName, "force", at_zero, "N at displacement 0", "0 there; give a preload as force_offset");
   }
 }
 
@@ -56,7 +56,7 @@ double SpringTable::force(double displacement) const {
 
 ElementType springTableType() {
   return {
-      kName,
+      kTableName,
       "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
       {{"displacement", "m", Role::choice, Range::any(), std::nullopt, "displacements of the points, increasing", true},
        {"force", "N", Role::scale, Range::any(), std::nullopt,

@@ -12,7 +12,7 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kMaximumDecades = 10.0;  // of the range; bounds the memory
+constexpr double kMaximumDecadesOfFrequency = 10.0;  // of the range; bounds the memory
 const double kSpacing = std::log(10.0) / 2.0;
 constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
 
@@ -58,11 +58,11 @@ std::vector<Maxwell> springpotBank(const SpringpotLaw& law) {
 void checkRange(const ElementDescription& description) {
   const double low = description.value("low_frequency");
   const double high = description.value("high_frequency");
-  const double most = low * std::pow(10.0, kMaximumDecades);
+  const double most = low * std::pow(10.0, kMaximumDecadesOfFrequency);
   if (!(high > low && high <= most)) {
-    refuseValue(
-        description.type, "high_frequency", high, "Hz",
-        fmt::format("in ({:g}, {:g}], above low_frequency by {:g} decades at most", low, most, kMaximumDecades));
+    refuseValue(description.type, "high_frequency", high, "Hz",
+                fmt::format("in ({:g}, {:g}], above low_frequency by {:g} decades at most", low, most,
+                            kMaximumDecadesOfFrequency));
   }
 }
 

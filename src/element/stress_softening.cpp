@@ -4,20 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/side.h"
 #include "rubber_suspension/element/relaxation.h"
 
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kLargest, kReach };
-
-StressSoftening::Side sideFrom(const ElementDescription& description) {
-  const double side = description.value("side");
-  if (side != -1.0 && side != 0.0 && side != 1.0) {
-    refuseValue(description.type, "side", side, "1", "1 (z > 0 only), -1 (z < 0 only) or 0 (both)");
-  }
-  return static_cast<StressSoftening::Side>(static_cast<int>(side));
-}
+enum SofteningSlot { kLargest, kReach };
 
 StressSoftening::Parameters parametersFrom(const ElementDescription& description) {
   StressSoftening::Parameters parameters{description.value("reduction"), description.value("width"),
@@ -26,7 +19,7 @@ StressSoftening::Parameters parametersFrom(const ElementDescription& description
   parameters.full_reach = description.value("full_reach");
   parameters.recovery_time = description.value("recovery_time");
   parameters.ratio_power = description.value("ratio_power");
-  parameters.side = sideFrom(description);
+  parameters.side = static_cast<StressSoftening::Side>(sideOf(description, "z"));
   if (parameters.reach_exponent > 0.0 && parameters.full_reach == 0.0) {
     refuseValue(description.type, "full_reach", 0.0, "m", "greater than 0 beside a reach_exponent");
   }
@@ -88,7 +81,7 @@ double StressSoftening::factor(double displacement, double reach) const {
 // Towards the reach of the present displacement.
 void StressSoftening::recover(double dt, double reached, double* memory) const {
   const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
-  for (const Slot slot : {kLargest, kReach}) {
+  for (const SofteningSlot slot : {kLargest, kReach}) {
     memory[slot] = std::min(memory[slot], reached + std::max(0.0, memory[slot] - reached) * kept);
   }
 }

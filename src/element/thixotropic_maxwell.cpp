@@ -11,7 +11,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kForce, kState };
+enum ThixotropicSlot { kForce, kStructure };
 
 // Integral over a step of dt of exp(-a t) exp(-b (dt - t)): the difference of two relaxations over that of their rates.
 double overlap(double a, double b, double dt) {
@@ -25,7 +25,7 @@ ThixotropicMaxwell::ThixotropicMaxwell(const Parameters& parameters)
 
 double ThixotropicMaxwell::initialise(double /*displacement*/, double* memory) const {
   memory[kForce] = 0.0;
-  memory[kState] = 1.0;
+  memory[kStructure] = 1.0;
   return 0.0;
 }
 
@@ -34,9 +34,9 @@ double ThixotropicMaxwell::step(const Motion& motion, double* memory) const {
   const Relaxation relaxation = Relaxation::over(motion.dt * rate_);
   const double velocity = motion.increment / motion.dt;
   const double built = state.settled * motion.increment * relaxation.mean +
-                       (memory[kState] - state.settled) * velocity * overlap(state.rate, rate_, motion.dt);
+                       (memory[kStructure] - state.settled) * velocity * overlap(state.rate, rate_, motion.dt);
   memory[kForce] = relaxation.decay * memory[kForce] + parameters_.stiffness * built;
-  memory[kState] = state.after(memory[kState]);
+  memory[kStructure] = state.after(memory[kStructure]);
   return memory[kForce];
 }
 

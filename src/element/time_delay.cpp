@@ -2,6 +2,7 @@
 #include "rubber_suspension/element/time_delay.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubber_suspension::element {
 namespace {
@@ -11,14 +12,20 @@ constexpr int kSamples = 256;
 constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, how many there are, then times and displacements.
-enum Slot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };
+enum DelaySlot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };
 
 int before(int index) { return (index + kSamples - 1) % kSamples; }
 int after(int index) { return (index + 1) % kSamples; }
 
+bool isWhole(double value, int low, int high) { return value >= low && value <= high && std::floor(value) == value; }
+
 }  // namespace
 
 std::size_t TimeDelay::memorySize() const { return delay_ > 0.0 ? kEnd : 0; }
+
+bool TimeDelay::acceptsMemory(const double* memory) const {
+  return delay_ <= 0.0 || (isWhole(memory[kNewest], 0, kSamples - 1) && isWhole(memory[kCount], 1, kSamples));
+}
 
 double TimeDelay::initialise(double displacement, double* memory) const {
   if (delay_ > 0.0) {

@@ -9,29 +9,30 @@
 namespace rubber_suspension::element {
 namespace {
 
-enum Slot { kStretch, kState };
+enum FrictionSlot { kStretch, kBristleState };
 
 }  // namespace
 
 double VariableFriction::initialise(double /*displacement*/, double* memory) const {
   memory[kStretch] = 0.0;
-  memory[kState] = 1.0;
+  memory[kBristleState] = 1.0;
   return 0.0;
 }
 
 double VariableFriction::relax(double /*displacement*/, double* memory) const {
   memory[kStretch] = 0.0;
   if (parameters_.build_up_time > 0.0) {
-    memory[kState] = 1.0;
+    memory[kBristleState] = 1.0;
   }
   return 0.0;
 }
 
 double VariableFriction::step(const Motion& motion, double* memory) const {
   if (parameters_.travel > 0.0) {
-    memory[kState] = StructureState(motion, parameters_.build_up_time, parameters_.travel).after(memory[kState]);
+    memory[kBristleState] =
+        StructureState(motion, parameters_.build_up_time, parameters_.travel).after(memory[kBristleState]);
   }
-  double limit = parameters_.yield_displacement * memory[kState];
+  double limit = parameters_.yield_displacement * memory[kBristleState];
   if (parameters_.growth_displacement > 0.0) {
     limit *= 1.0 + std::abs(motion.displacement) / parameters_.growth_displacement;
   }

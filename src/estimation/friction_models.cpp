@@ -34,7 +34,7 @@ double lossRatio(double u) {
 
 constexpr double kCoulombLossRatio = 4.0;
 // Keeps the root away from Coulomb friction, u = infinity.
-constexpr double kMargin = 1e-12;
+constexpr double kStiffnessMargin = 1e-12;
 
 // Root of an increasing function of u, which may lie decades away.
 template <class Function>
@@ -81,7 +81,7 @@ Obstacle tooLossy(double k_lowest) {
 // M4 and M5. A dashpot has no force at the turning points, where the stiffness is taken: K_n = K_st + F_f0/A_n.
 std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
   const double k_lowest = point.k_st + point.frictionLoss() / kCoulombLossRatio;
-  return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
+  return point.k_n > k_lowest * (1.0 + kStiffnessMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
 }
 
 element::ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
@@ -123,7 +123,7 @@ std::optional<Obstacle> bergObstacle(const Specification& specification) {
   const WorkingPoint point = workingPoint(specification, viscousShare(specification));
   const double ratio = specification.at("nominal_frequency") / specification.at("break_frequency");
   const double k_lowest = std::abs(linearStiffness(point, ratio)) + point.frictionLoss() / kCoulombLossRatio;
-  return point.k_n > k_lowest * (1.0 + kMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
+  return point.k_n > k_lowest * (1.0 + kStiffnessMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
 }
 
 std::vector<element::ElementDescription> estimateFriction(const Specification& specification) {

@@ -19,7 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 
 // Keeps the roots away from alpha = 0 and infinity, where some elements vanish.
-constexpr double kMargin = 1e-9;
+constexpr double kBandMargin = 1e-9;
 // Steps of the scan for a high frequency that gives a loss angle.
 constexpr int kBandSteps = 60;
 
@@ -112,8 +112,8 @@ double solveAlpha(Function function) {
 
 // A frequency within the elements' break frequencies: then alpha can weight them to act like one element there.
 bool embraces(const std::vector<double>& break_frequencies, double frequency) {
-  return break_frequencies.front() * (1.0 + kMargin) < frequency &&
-         frequency < break_frequencies.back() * (1.0 - kMargin);
+  return break_frequencies.front() * (1.0 + kBandMargin) < frequency &&
+         frequency < break_frequencies.back() * (1.0 - kBandMargin);
 }
 
 // The solved model in the terms of Eqs. 17 to 19.
@@ -141,7 +141,7 @@ std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::
 // |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one. Newton's
 // method for |K*|^2 over ln(alpha), within bounds.
 double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_frequencies) {
-  constexpr double kWidest = 60.0;  // of ln(alpha); elements with less of a share than kMargin need 21 at most
+  constexpr double kWidest = 60.0;  // of ln(alpha); elements with less of a share than kBandMargin need 21 at most
   constexpr int kDigits = 50;
   const double k_st = inputs.static_stiffness;
   const double added = inputs.maximum_stiffness.value() - k_st;

@@ -1,13 +1,13 @@
 // Bounded least squares by an active set.
 #include "fit/bounded_least_squares.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "fit/least_norm.h"
+#include "numerics/least_squares.h"
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -41,9 +41,9 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
     }
   }
   if (problem.exact) {
-    return solveLeastNorm(gram, moment);
+    return numerics::solveLeastNorm(gram, moment);
   }
-  return gram.ldlt().solve(moment);
+  return numerics::solveSymmetric(gram, moment);
 }
 
 // Move from x towards the solution on the free set until a bound is met; that unknown leaves the free set.
@@ -85,8 +85,8 @@ int mostViolated(const Problem& problem, const std::vector<int>& free, const Eig
   return best;
 }
 
-Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
-                      const Eigen::VectorXd& upper, double ridge) {
+Eigen::VectorXd solveWithin(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
+                            const Eigen::VectorXd& upper, double ridge) {
   const Eigen::VectorXd scale =
       gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // a zero column keeps its coefficient at 0
   Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), ridge == 0.0, scale.cwiseProduct(moment),
@@ -121,7 +121,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment
 
 Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  return solve(gram, moment, lower, upper, kRidge);
+  return solveWithin(gram, moment, lower, upper, kRidge);
 }
 
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
@@ -132,7 +132,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen
   for (Eigen::Index i = 0; i < lower.size(); ++i) {
     lower[i] = signed_unknown[static_cast<std::size_t>(i)] ? -kInfinity : 0.0;
   }
-  return solve(gram, moment, lower, upper, 0.0);
+  return solveWithin(gram, moment, lower, upper, 0.0);
 }
 
 }  // namespace rubber_suspension::fit

@@ -6,6 +6,10 @@
 
 namespace rubber_suspension::fit {
 
+/// Standard deviation of ln(value) whose 95 % interval reaches a factor of 2 to either side: a parameter is determined
+/// below it.
+inline const double kUndetermined = std::log(2.0) / 1.96;
+
 /// When a search over the nonlinear unknowns is done.
 struct SearchTolerances {
   static constexpr int kMostSteps = 60;

@@ -9,12 +9,6 @@
 #include "fit/parallel.h"
 
 namespace rubber_suspension::fit {
-namespace {
-
-constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
-
-}  // namespace
-
 Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model)
     : HypothesisFitter(model), forces_(std::move(records), model) {
   const auto count = static_cast<double>(this->records().size());

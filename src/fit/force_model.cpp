@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "log/even_blocks.h"
 #include "rubber_suspension/component/sample_stream.h"
 
 namespace rubber_suspension::fit {
@@ -75,8 +76,11 @@ double Unknown::toValue(double search) const { return logarithmic ? std::exp(sea
 LogScales scalesOf(const std::vector<log::Log>& logs) {
   LogScales scales{0.0, 0.0, 0.0};
   for (const log::Log& log : logs) {
-    const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
-    const double rate = static_cast<double>(log.stamp.size() - 1) / duration;
+    log::TimeSteps steps;
+    steps.add(log);
+    const log::EvenSteps even = steps.evenSteps();
+    const double duration = even.duration;
+    const double rate = static_cast<double>(log.size() - 1 - even.gaps) / duration;
     const auto [low, high] = std::minmax_element(log.displacement.begin(), log.displacement.end());
     scales.sampling_rate = std::max(scales.sampling_rate, rate);
     scales.duration = std::max(scales.duration, duration);

@@ -1,7 +1,7 @@
 // Columns of what is free in each log.
 #include "fit/free_in_log.h"
 
-#include <Eigen/QR>
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::fit {
 
@@ -25,8 +25,7 @@ log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen
     columns.rightCols(free.count()).array().colwise() *= record.counts.array();
   }
   // The zero may be among the nuisances already.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  result.nuisances = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  result.nuisances = numerics::orthonormalColumns(columns);
   return result;
 }
 

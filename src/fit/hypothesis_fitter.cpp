@@ -16,7 +16,6 @@ constexpr double kLongestStep = 0.4;  // of a logarithm: the model is far from l
 constexpr int kMostHalvings = 6;      // of a step that does not lead down
 constexpr double kPenalty = 5.0;      // of a logarithm's change, times the noise of the force, between hypotheses
 constexpr double kPrior = 2.0;        // the same within a fit, where it must not keep parameters from what logs tell
-constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
 constexpr double kNothing = 1e-9;     // of the typical scale: a term of this scale is left out
 
 std::vector<double> gainsOf(const Hypothesis& hypothesis, Eigen::Index model, const BlockGrams& blocks,

@@ -70,6 +70,8 @@ class HypothesisFitter {
                   Eigen::VectorXd& lower, Eigen::VectorXd& upper) const;
 
  protected:
+  static constexpr double kLeastNoise = 1e-3;  // of the force's standard deviation: no model is better than that
+
   explicit HypothesisFitter(const ModelParameters& model) : model_(model) {}
 
   /// What is measured errs by this, in units of the force's standard deviation: the penalty follows from it.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -12,19 +11,21 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "fit/fit_method.h"
 #include "fit/force_model.h"
 #include "fit/noise.h"
 #include "fit/product_fit.h"
 #include "fit/residual_covariance.h"
 #include "fit/residual_fit.h"
+#include "log/even_blocks.h"
+#include "numerics/symmetric.h"
 #include "rubber_suspension/element/catalogue.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kTail = 0.025;                     // on either side of a 95 % interval
-const double kUndetermined = std::log(2.0) / 1.96;  // standard deviation of ln(value) whose interval is a factor of 2
+constexpr double kTail = 0.025;  // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
 constexpr double kRankTolerance = 1e-12;    // of eigenvalues of the correlation form of J'J
@@ -81,13 +82,22 @@ void checkHeld(const std::vector<element::ElementDescription>& elements, const s
   }
 }
 
-void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<Eigen::Index>& runs) {
-  bool fits = rig.empty() || rig.size() == runs.size();
+void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Log>& logs) {
+  bool fits = rig.empty() || rig.size() == logs.size();
   for (std::size_t i = 0; fits && i < rig.size(); ++i) {
-    fits = rig[i].cols() == 0 || rig[i].rows() == runs[i];
+    fits = rig[i].cols() == 0 || rig[i].rows() == static_cast<Eigen::Index>(logs[i].size());
   }
   if (!fits) {
     throw std::invalid_argument("rig: needs columns over the samples of each log");
+  }
+}
+
+// Noise is taken as independent of that before a time gap.
+void addRuns(const log::Log& log, std::vector<Eigen::Index>& runs) {
+  std::vector<std::size_t> first = log::stretchesOf(log);
+  first.push_back(log.size());
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    runs.push_back(static_cast<Eigen::Index>(first[i + 1] - first[i]));
   }
 }
 
@@ -204,13 +214,13 @@ Covariance covarianceOf(const Eigen::MatrixXd& products, const Eigen::MatrixXd& 
   const double largest = length.maxCoeff();
   const Eigen::VectorXd inverse =
       length.unaryExpr([&](double x) { return x > 1e-14 * largest ? 1.0 / x : 1.0 / (1e-14 * largest); });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * products * inverse.asDiagonal());
+  const numerics::Eigensystem eigen = numerics::eigensystem(inverse.asDiagonal() * products * inverse.asDiagonal());
   Eigen::MatrixXd pseudo_inverse = Eigen::MatrixXd::Zero(length.size(), length.size());
   Covariance covariance;
   for (Eigen::Index i = 0; i < length.size(); ++i) {
-    const Eigen::VectorXd direction = eigen.eigenvectors().col(i);
-    if (eigen.eigenvalues()[i] > kRankTolerance * eigen.eigenvalues().maxCoeff()) {
-      pseudo_inverse += direction * direction.transpose() / eigen.eigenvalues()[i];
+    const Eigen::VectorXd direction = eigen.vectors.col(i);
+    if (eigen.values[i] > kRankTolerance * eigen.values.maxCoeff()) {
+      pseudo_inverse += direction * direction.transpose() / eigen.values[i];
     } else {
       covariance.unseen.push_back((inverse.asDiagonal() * direction).normalized());
     }
@@ -327,11 +337,11 @@ class Summary {
     if (count == 0) {
       return;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance_.matrix.topLeftCorner(count, count));
+    const numerics::Eigensystem eigen = numerics::eigensystem(covariance_.matrix.topLeftCorner(count, count));
     for (Eigen::Index i = count - 1; i >= 0; --i) {
-      const double standard_deviation = std::sqrt(std::max(0.0, eigen.eigenvalues()[i]));
+      const double standard_deviation = std::sqrt(std::max(0.0, eigen.values[i]));
       if (standard_deviation >= kUndetermined) {
-        result.undetermined.push_back(direction(eigen.eigenvectors().col(i), standard_deviation));
+        result.undetermined.push_back(direction(eigen.vectors.col(i), standard_deviation));
       }
     }
   }
@@ -423,7 +433,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   std::vector<Eigen::Index> runs;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     checkLog(logs[i], i + 1);
-    runs.push_back(static_cast<Eigen::Index>(logs[i].stamp.size()));
+    addRuns(logs[i], runs);
   }
   Identification result;
   std::vector<element::ElementDescription> completed;
@@ -432,7 +442,7 @@ Identification identify(const std::vector<element::ElementDescription>& elements
   }
   checkHeld(completed, options.held);
   addDeadBands(completed, logs, result.notes);
-  checkRig(options.rig, runs);
+  checkRig(options.rig, logs);
   ForceModel model(completed, logs, options.held, options.rig);
   if (model.nonlinear().empty() && model.linear().empty()) {
     throw std::invalid_argument("no parameter is left to be found; all are held");

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "io/cancellation.h"
+
 namespace rubber_suspension::fit {
 
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
@@ -18,6 +20,7 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
   const auto work = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
       try {
+        io::checkCancelled();
         body(i);
       } catch (...) {
         const std::lock_guard<std::mutex> lock(failure_mutex);

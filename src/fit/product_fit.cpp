@@ -1,10 +1,11 @@
 // Levenberg-Marquardt within limits.
 #include "fit/product_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -60,7 +61,7 @@ Eigen::VectorXd ProductFit::stepFrom(const Eigen::VectorXd& x, const ProjectedCo
   Eigen::VectorXd descent = -here.gradient;
   Eigen::VectorXd step = Eigen::VectorXd::Zero(x.size());
   for (Eigen::Index round = 0; round <= x.size(); ++round) {
-    step = damped.ldlt().solve(descent);
+    step = numerics::solveSymmetric(damped, descent);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       if (x[i] + step[i] < lower_[i] || x[i] + step[i] > upper_[i]) {
         step[i] = (step[i] < 0.0 ? lower_[i] : upper_[i]) - x[i];

@@ -1,14 +1,14 @@
 // Variable projection on products of columns.
 #include "fit/projected_cost.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "fit/bounded_least_squares.h"
 #include "fit/fit_method.h"
-#include "fit/least_norm.h"
+#include "numerics/least_squares.h"
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -64,9 +64,10 @@ struct Scaled {
 Eigen::VectorXd solve(const Eigen::MatrixXd& products, const Eigen::VectorXd& moments,
                       const std::vector<bool>& signed_columns) {
   const Scaled scaled(products);
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled.products);
-  if (cholesky.info() == Eigen::Success && cholesky.matrixLLT().diagonal().array().square().minCoeff() > kIndependent) {
-    Eigen::VectorXd x = scaled.scale.asDiagonal() * cholesky.solve(scaled.scale.asDiagonal() * moments);
+  const numerics::Cholesky cholesky(scaled.products);
+  if (cholesky.exists() && cholesky.diagonal().array().square().minCoeff() > kIndependent) {
+    Eigen::VectorXd x =
+        scaled.scale.asDiagonal() * cholesky.solve(Eigen::VectorXd(scaled.scale.asDiagonal() * moments));
     bool inside = true;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       inside = inside && (signed_columns[static_cast<std::size_t>(i)] || x[i] > 0.0);
@@ -162,7 +163,7 @@ Eigen::MatrixXd ProjectedCost::takenByBasis(const Eigen::MatrixXd& basis, const 
     }
   }
   const Eigen::MatrixXd moments = scaled.scale.asDiagonal() * shared;
-  return scaled.scale.asDiagonal() * solveLeastNorm(scaled.products, moments);
+  return scaled.scale.asDiagonal() * numerics::solveLeastNorm(scaled.products, moments);
 }
 
 // By what the derivatives of the basis' columns are multiplied: the coefficients of those columns.

@@ -4,7 +4,7 @@
 #include <ceres/ceres.h>
 
 #include "fit/bounded_least_squares.h"
-#include "fit/least_norm.h"
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::fit {
 namespace {
@@ -37,7 +37,7 @@ Eigen::MatrixXd withoutBasis(const ForceModel& model, const Eigen::VectorXd& coe
   }
   const Eigen::MatrixXd gram = basis.transpose() * basis;
   const Eigen::MatrixXd moment = basis.transpose() * columns;
-  return columns - basis * solveLeastNorm(gram, moment);
+  return columns - basis * numerics::solveLeastNorm(gram, moment);
 }
 
 // The projected residual as Ceres calls it, made free of units. Its Jacobian is that of L. Kaufman, BIT 15 (1975)

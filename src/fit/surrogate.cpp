@@ -1,8 +1,6 @@
 // Ridge regression on the functions of a residual element.
 #include "fit/surrogate.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,8 @@
 
 #include "fit/normal_equations.h"
 #include "fit/parallel.h"
+#include "numerics/least_squares.h"
+#include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
@@ -70,8 +70,7 @@ log::Record thinned(const log::Record& record, Eigen::Index stride) {
     for (Eigen::Index j = 0; j < columns.cols(); ++j) {
       columns.col(j) = thin(record.nuisances.col(j), stride);
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-    result.nuisances = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+    result.nuisances = numerics::orthonormalColumns(columns);
   }
   return result;
 }
@@ -186,7 +185,7 @@ class RidgeRegression {
   static Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Choice& choice) {
     Eigen::MatrixXd small = gram(choice.functions, choice.functions);
     small.diagonal().array() += choice.ridge;
-    return small.llt().solve(gram(choice.functions, gram.rows() - 1));
+    return numerics::Cholesky(small).solve(Eigen::VectorXd(gram(choice.functions, gram.rows() - 1)));
   }
 
   UnseenBlock errorOf(std::size_t block, const std::vector<Eigen::Index>& functions, const Eigen::VectorXd& x) const {

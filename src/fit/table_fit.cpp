@@ -4,28 +4,27 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <stdexcept>
 
+#include "fit/fit_method.h"
 #include "fit/model_parameters.h"
+#include "numerics/symmetric.h"
 #include "rubber_suspension/response/sweep.h"
 
 namespace rubber_suspension::fit {
 namespace {
 
-using Complex = std::complex<double>;
-
 // Of a cycle; the loops of a table are known to a percent or so, and 180 samples cost the area 2e-4 of it.
-constexpr int kSamples = 180;
-constexpr double kStep = 1e-4;                      // of a logarithm, for differences
-const double kUndetermined = std::log(2.0) / 1.96;  // an interval of a factor of 2 to either side
+constexpr int kSamplesOfSweep = 180;
+constexpr double kStepOfLogarithm = 1e-4;  // of a logarithm, for differences
 
-Complex simulated(const component::Component& component, const TablePoint& point) {
+std::complex<double> simulated(const component::Component& component, const TablePoint& point) {
   response::LoopOptions options;
-  options.samples = kSamples;
+  options.samples = kSamplesOfSweep;
   options.mean = point.mean;
   const auto loop = response::characteristicsAt(component, point.frequency, point.amplitude, options).characteristics;
   return std::polar(loop.stiffness, loop.loss_angle);
@@ -35,8 +34,8 @@ Complex simulated(const component::Component& component, const TablePoint& point
 Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Complex target = points[i].complexStiffness();
-    const Complex difference = (simulated(component, points[i]) - target) / std::abs(target);
+    const std::complex<double> target = points[i].complexStiffness();
+    const std::complex<double> difference = (simulated(component, points[i]) - target) / std::abs(target);
     result[2 * static_cast<Eigen::Index>(i)] = difference.real();
     result[2 * static_cast<Eigen::Index>(i) + 1] = difference.imag();
   }
@@ -75,8 +74,8 @@ class Unknowns {
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
     Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(points_.size()), size());
     for (Eigen::Index i = 0; i < size(); ++i) {
-      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(size(), i);
-      result.col(i) = (residuals(x + step) - residuals(x - step)) / (2.0 * kStep);
+      const Eigen::VectorXd step = kStepOfLogarithm * Eigen::VectorXd::Unit(size(), i);
+      result.col(i) = (residuals(x + step) - residuals(x - step)) / (2.0 * kStepOfLogarithm);
     }
     return result;
   }
@@ -146,15 +145,15 @@ Eigen::VectorXd search(const Unknowns& unknowns) {
 
 // Standard deviations of the logarithms: sigma^2 (J'J)^-1, infinite along what no point shows.
 Eigen::VectorXd deviationsOf(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobian.transpose() * jacobian);
+  const numerics::Eigensystem system = numerics::eigensystem(jacobian.transpose() * jacobian);
   const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
   const double variance = residual.squaredNorm() / freedom;
-  const double smallest = 1e-12 * solver.eigenvalues().maxCoeff();
+  const double smallest = 1e-12 * system.values.maxCoeff();
   Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian.cols());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const double value = solver.eigenvalues()[k];
+    const double value = system.values[k];
     for (Eigen::Index i = 0; i < result.size(); ++i) {
-      const double share = solver.eigenvectors()(i, k) * solver.eigenvectors()(i, k);
+      const double share = system.vectors(i, k) * system.vectors(i, k);
       result[i] += value > smallest ? share * variance / value
                    : share > 1e-6   ? std::numeric_limits<double>::infinity()
                                     : 0.0;

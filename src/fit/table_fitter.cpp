@@ -10,8 +10,6 @@
 namespace rubber_suspension::fit {
 namespace {
 
-using Complex = std::complex<double>;
-
 // Place of each row's value among all that differ by more than a part in a million.
 std::vector<int> ranksOf(const std::vector<TablePoint>& points, const std::function<double(const TablePoint&)>& value) {
   std::vector<double> levels;
@@ -45,8 +43,8 @@ TableFitter::TableFitter(std::shared_ptr<const TableLoops> loops, const ModelPar
   }
 }
 
-std::optional<std::vector<Complex>> TableFitter::stiffness(const Hypothesis& hypothesis,
-                                                           const ParameterVector& parameters) const {
+std::optional<std::vector<std::complex<double>>> TableFitter::stiffness(const Hypothesis& hypothesis,
+                                                                        const ParameterVector& parameters) const {
   const auto forces = forces_.at(hypothesis, parameters);
   return forces ? std::optional(loops_->stiffness(*forces)) : std::nullopt;
 }
@@ -64,7 +62,7 @@ BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const Pa
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
   }
   const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, active, *base, threads);
-  const std::vector<Complex> model = loops_->stiffness(*base);
+  const std::vector<std::complex<double>> model = loops_->stiffness(*base);
   const auto unknowns = static_cast<Eigen::Index>(columns.size());
   const double rows = static_cast<double>(base->size());
   BlockGrams result;
@@ -72,10 +70,10 @@ BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const Pa
   result.record.assign(base->size(), 0);
   result.weight.assign(base->size(), 1.0 / rows);
   for (std::size_t r = 0; r < base->size(); ++r) {
-    const Complex measured = loops_->points()[r].complexStiffness();
+    const std::complex<double> measured = loops_->points()[r].complexStiffness();
     const double weight = 1.0 / (std::abs(measured) * std::sqrt(rows));
     Eigen::MatrixXd local = Eigen::MatrixXd::Zero(2, unknowns + 1);
-    const auto set = [&](Eigen::Index column, Complex value) {
+    const auto set = [&](Eigen::Index column, std::complex<double> value) {
       local(0, column) = weight * value.real();
       local(1, column) = weight * value.imag();
     };

@@ -11,37 +11,36 @@
 namespace rubber_suspension::fit {
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr int kSamples = 360;  // of the cycle that counts: a dashpot lags by half a sample, 0.5 degrees of its force
-constexpr int kStride = 4;     // of these, to one of the lead-in
-constexpr int kBefore = 3;     // samples of the record before the cycle that counts, so that the lead-in keeps its grid
-constexpr int kAfter = 1;      // and after it: a mass takes differences on both sides
-constexpr int kGrowing = 4;    // cycles of the lead-in in which the sine grows: what is slow or rubs is left symmetric
-constexpr int kSettling = 6;   // cycles of the lead-in after that
+constexpr int kSamplesOfLoop =
+    360;                      // of the cycle that counts: a dashpot lags by half a sample, 0.5 degrees of its force
+constexpr int kStride = 4;    // of these, to one of the lead-in
+constexpr int kBefore = 3;    // samples of the record before the cycle that counts, so that the lead-in keeps its grid
+constexpr int kAfter = 1;     // and after it: a mass takes differences on both sides
+constexpr int kGrowing = 4;   // cycles of the lead-in in which the sine grows: what is slow or rubs is left symmetric
+constexpr int kSettling = 6;  // cycles of the lead-in after that
 
 // Displacement at a sample, counted from the lower turning point at which the cycle begins.
 double displacementAt(const TablePoint& point, int sample) {
-  const double phase = 2.0 * element::kPi * sample / kSamples;
-  const double since_rest = static_cast<double>(sample) / kSamples + kGrowing + kSettling;
+  const double phase = 2.0 * element::kPi * sample / kSamplesOfLoop;
+  const double since_rest = static_cast<double>(sample) / kSamplesOfLoop + kGrowing + kSettling;
   const double grown = std::clamp(since_rest / kGrowing, 0.0, 1.0);
   return point.mean - point.amplitude * grown * std::cos(phase);
 }
 
 log::Record recordOf(const TablePoint& point) {
   log::Record record;
-  record.dt = 1.0 / (point.frequency * kSamples);
+  record.dt = 1.0 / (point.frequency * kSamplesOfLoop);
   record.lead_in_dt = kStride * record.dt;
-  constexpr int kLeadIn = (kGrowing + kSettling) * kSamples / kStride;
+  constexpr int kLeadIn = (kGrowing + kSettling) * kSamplesOfLoop / kStride;
   record.lead_in.resize(kLeadIn);
   for (int i = 0; i < kLeadIn; ++i) {
     record.lead_in[i] = displacementAt(point, (i - kLeadIn) * kStride);
   }
-  constexpr int kSize = kBefore + kSamples + kAfter;
+  constexpr int kSize = kBefore + kSamplesOfLoop + kAfter;
   record.displacement.resize(kSize);
   record.force.resize(kSize);
   for (int i = 0; i < kSize; ++i) {
-    const double phase = 2.0 * element::kPi * (i - kBefore) / kSamples;
+    const double phase = 2.0 * element::kPi * (i - kBefore) / kSamplesOfLoop;
     record.displacement[i] = displacementAt(point, i - kBefore);
     record.force[i] = -point.stiffness * point.amplitude * std::cos(phase + point.loss_angle);
   }
@@ -59,11 +58,11 @@ response::SettledLoop loopOf(const TablePoint& point, const Eigen::VectorXd& for
   response::SettledLoop loop;
   loop.frequency = point.frequency;
   loop.amplitude = point.amplitude;
-  loop.force.assign(force.data() + kBefore, force.data() + kBefore + kSamples);
+  loop.force.assign(force.data() + kBefore, force.data() + kBefore + kSamplesOfLoop);
   return loop;
 }
 
-Complex stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
+std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
   const response::Characteristics loop = loopOf(point, force).characteristics();
   return std::polar(loop.stiffness, loop.loss_angle);
 }
@@ -71,10 +70,10 @@ Complex stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
 // Imaginary part of K*, by the area of the loop.
 double lossStiffness(const TablePoint& point, const Eigen::VectorXd& force) {
   double sum = 0.0;
-  for (int i = 0; i < kSamples; ++i) {
-    sum += force[kBefore + i] * std::sin(2.0 * element::kPi * i / kSamples);
+  for (int i = 0; i < kSamplesOfLoop; ++i) {
+    sum += force[kBefore + i] * std::sin(2.0 * element::kPi * i / kSamplesOfLoop);
   }
-  return 2.0 * sum / (kSamples * point.amplitude);
+  return 2.0 * sum / (kSamplesOfLoop * point.amplitude);
 }
 
 }  // namespace
@@ -86,26 +85,28 @@ TableLoops::TableLoops(std::vector<TablePoint> points) : points_(std::move(point
   records_ = std::move(records);
 }
 
-std::vector<Complex> TableLoops::stiffness(const std::vector<Eigen::VectorXd>& forces) const {
-  std::vector<Complex> result;
+std::vector<std::complex<double>> TableLoops::stiffness(const std::vector<Eigen::VectorXd>& forces) const {
+  std::vector<std::complex<double>> result;
   for (std::size_t r = 0; r < points_.size(); ++r) {
     result.push_back(stiffnessOfLoop(points_[r], forces[r]));
   }
   return result;
 }
 
-std::vector<Complex> TableLoops::stiffnessOf(const std::vector<element::ElementDescription>& elements) const {
+std::vector<std::complex<double>> TableLoops::stiffnessOf(
+    const std::vector<element::ElementDescription>& elements) const {
   return stiffness(gap::simulate(elements, *records_));
 }
 
 // |K*| follows from the two peaks, which to first order stay where they are, and Im K* from the area.
-Complex TableLoops::derivative(std::size_t row, const Eigen::VectorXd& force, const Eigen::VectorXd& column) const {
+std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::VectorXd& force,
+                                            const Eigen::VectorXd& column) const {
   const TablePoint& point = points_[row];
   Eigen::Index high = 0;
   Eigen::Index low = 0;
-  force.segment(kBefore, kSamples).maxCoeff(&high);
-  force.segment(kBefore, kSamples).minCoeff(&low);
-  const Complex stiffness = stiffnessOfLoop(point, force);
+  force.segment(kBefore, kSamplesOfLoop).maxCoeff(&high);
+  force.segment(kBefore, kSamplesOfLoop).minCoeff(&low);
+  const std::complex<double> stiffness = stiffnessOfLoop(point, force);
   const double magnitude = (column[kBefore + high] - column[kBefore + low]) / (2.0 * point.amplitude);
   const double loss = lossStiffness(point, column);
   // Where all force is lost, as by Coulomb friction alone, the root has no slope: a percent keeps the step finite.

@@ -7,13 +7,10 @@
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::gap {
-namespace {
 
 double secondsBetween(const log::Log& log, std::size_t first, std::size_t last) {
   return static_cast<double>(log.stamp[last] - log.stamp[first]) * 1e-9;
 }
-
-}  // namespace
 
 double meanFrequency(const log::Log& log) {
   constexpr double kHysteresis = 0.25;  // of the standard deviation, against noise of the sensor

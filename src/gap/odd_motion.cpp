@@ -95,4 +95,18 @@ std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDes
   return oddMotion(log, {force_low, force_high}, motionScaleOf(description));
 }
 
+std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentDescription& description) {
+  const std::optional<element::Range> valid = description.validDisplacement();
+  const auto beyond = [&](double displacement) { return !valid->contains(displacement); };
+  const auto first =
+      valid ? std::find_if(log.displacement.begin(), log.displacement.end(), beyond) : log.displacement.end();
+  if (first == log.displacement.end()) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "{} of {} samples lie beyond valid_displacement ({:g} to {:g} mm), the first is sample {} at {:g} mm",
+      std::count_if(first, log.displacement.end(), beyond), log.size(), 1e3 * valid->lower, 1e3 * valid->upper,
+      first - log.displacement.begin() + 1, 1e3 * *first);
+}
+
 }  // namespace rubber_suspension::gap

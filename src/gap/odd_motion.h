@@ -26,4 +26,8 @@ std::optional<std::string> oddMotion(const log::Log& log, const std::vector<doub
 /// The same before a simulation, by the component's static force at the ends of the log's displacement.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
+/// What of a log lies beyond the displacements for which a component is valid; nothing where all is within, or where it
+/// says nothing of them.
+std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentDescription& description);
+
 }  // namespace rubber_suspension::gap

@@ -21,10 +21,6 @@ constexpr double kCycles = 5.0;            // drawn: more run into one area
 constexpr double kBroad = 2.8;             // line width of what lies below another [pt]
 constexpr double kThin = 1.0;
 
-double secondsBetween(const log::Log& log, std::size_t first, std::size_t last) {
-  return static_cast<double>(log.stamp[last] - log.stamp[first]) * 1e-9;
-}
-
 // Samples from `first` up to `last`.
 struct Stretch {
   std::size_t first;

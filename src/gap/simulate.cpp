@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/cancellation.h"
 #include "rubber_suspension/component/component.h"
 
 namespace rubber_suspension::gap {
@@ -82,6 +83,7 @@ Forces simulate(const std::vector<element::ElementDescription>& elements, const 
   ComponentState state = component.makeState();
   Forces forces;
   for (std::size_t r = 0; r < records.size(); ++r) {
+    io::checkCancelled();
     const log::Record& record = records[r];
     const Eigen::VectorXd other = drive ? drive(record) : Eigen::VectorXd();
     const Eigen::VectorXd& z = drive ? other : record.displacement;

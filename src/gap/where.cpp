@@ -6,7 +6,8 @@
 #include <complex>
 #include <map>
 #include <tuple>
-#include <unsupported/Eigen/FFT>
+
+#include "numerics/fourier.h"
 
 namespace rubber_suspension::gap {
 namespace {
@@ -34,26 +35,24 @@ constexpr int kWholeBand = 1 << 20;
 constexpr double kFewestPeriods = 2.0;  // of the slowest motion in a window
 constexpr double kFewestCycles = 8.0;   // of the mean frequency
 
-// Filled with zeros to a power of two, which leaves energies as they are and is fast at any length.
-Spectrum transform(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count) {
-  Eigen::FFT<double> fft;
-  std::vector<double> piece(values.data() + first, values.data() + first + count);
+// Lines 0 to half of the length, which is filled with zeros to a power of two: this leaves energies as they are and is
+// fast at any length.
+Spectrum transform(const Eigen::VectorXd& values) {
+  std::vector<double> piece(values.data(), values.data() + values.size());
   std::size_t length = 2;
   while (length < piece.size()) {
     length *= 2;
   }
   piece.resize(length, 0.0);
-  Spectrum spectrum;
-  fft.fwd(spectrum, piece);
-  return spectrum;
+  return numerics::Fourier().halfSpectrum(piece);
 }
 
 // The frequency below which 2 % of the displacement's power lies.
 double slowestMotion(const log::Record& record) {
   const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
-  const Spectrum spectrum = transform(centred, 0, record.size());
+  const Spectrum spectrum = transform(centred);
   double total = 0.0;
-  const std::size_t half = spectrum.size() / 2;
+  const std::size_t half = spectrum.size() - 1;
   for (std::size_t i = 1; i < half; ++i) {
     total += std::norm(spectrum[i]);
   }
@@ -61,7 +60,7 @@ double slowestMotion(const log::Record& record) {
   for (std::size_t i = 1; i < half; ++i) {
     sum += std::norm(spectrum[i]);
     if (sum > 0.02 * total) {
-      return static_cast<double>(i) / (static_cast<double>(spectrum.size()) * record.dt);
+      return static_cast<double>(i) / (static_cast<double>(2 * half) * record.dt);
     }
   }
   return 1.0 / record.duration();
@@ -112,10 +111,10 @@ class Map {
 
     const Eigen::VectorXd error = residual_[r].segment(first, count).array() - window_mean;
     const Eigen::VectorXd motion = part.array() - part.mean();
-    const Spectrum residual = transform(error, 0, count);
-    const Spectrum displacement = transform(motion, 0, count);
-    const std::size_t half = residual.size() / 2;
-    const double length = static_cast<double>(residual.size());
+    const Spectrum residual = transform(error);
+    const Spectrum displacement = transform(motion);
+    const std::size_t half = residual.size() - 1;
+    const double length = static_cast<double>(2 * half);
     const double line = 1.0 / (length * record.dt);
     for (std::size_t i = 1; i <= half;) {
       const int band = static_cast<int>(std::floor(std::log2(static_cast<double>(i) * line)));
@@ -136,7 +135,7 @@ class Map {
     double residual_power = 0.0;
     double lines = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
-      const double twice = 2 * i == residual.size() ? 1.0 : 2.0;  // the mirror line at negative frequency
+      const double twice = i == residual.size() - 1 ? 1.0 : 2.0;  // the mirror line at negative frequency
       cross += twice * residual[i] * std::conj(displacement[i]);
       displacement_power += twice * std::norm(displacement[i]);
       residual_power += twice * std::norm(residual[i]);

@@ -12,7 +12,8 @@
 #include <sstream>
 
 #include "element/suggestion.h"
-#include "io/yaml_nesting.h"
+#include "io/cancellation.h"
+#include "io/yaml_bounds.h"
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
 
@@ -204,6 +205,9 @@ class Loader {
       refuseLine(*line, "", acceptedNesting());
     }
     try {
+      if (const auto line = lineExpandedTooFar(text)) {
+        refuseLine(*line, "", acceptedExpansion());
+      }
       const YAML::Node document = YAML::Load(text);
       if (document.IsNull()) {
         refuseLine(1, "", "the file is empty; accepted: a map with the key 'components'");
@@ -272,6 +276,7 @@ class Loader {
   }
 
   ComponentDescription loadComponent(const YAML::Node& key, const YAML::Node& node) {
+    checkCancelled();
     if (!isBaseName(key.Scalar())) {
       refuse(
           key, "components",
@@ -293,6 +298,9 @@ class Loader {
     }
     if (const YAML::Node temperature = node["temperature"]) {
       description.temperature = loadTemperature(temperature);
+    }
+    if (const YAML::Node valid = node["valid_displacement"]) {
+      description.valid_displacement = loadValidDisplacement(valid);
     }
     try {
       description.makeComponent();
@@ -316,10 +324,10 @@ class Loader {
 
   ComponentDescription loadContent(const YAML::Node& node, estimation::Model model) {
     if (model != estimation::Model::elements) {
-      checkKeys(node, "", {"model", "specification", "add", "rig", "temperature"});
+      checkKeys(node, "", {"model", "specification", "add", "rig", "temperature", "valid_displacement"});
       return loadSpecification(require(node, "", "specification", "a map"), model);
     }
-    checkKeys(node, "", {"model", "elements", "add", "rig", "temperature"});
+    checkKeys(node, "", {"model", "elements", "add", "rig", "temperature", "valid_displacement"});
     std::vector<element::ElementDescription> elements =
         loadEntries(require(node, "", "elements", "a list of elements"), "elements");
     if (elements.empty()) {
@@ -384,6 +392,28 @@ class Loader {
       }
     }
     return description;
+  }
+
+  // One number for both sides, or the two ends.
+  element::Range loadValidDisplacement(const YAML::Node& node) const {
+    const std::string path = "valid_displacement";
+    element::ParameterInfo length;
+    length.unit = "m";
+    if (!node.IsSequence()) {
+      length.range = element::Range::positive();
+      const double reach = loadNumber(node, path, length);
+      return element::Range::closed(-reach, reach);
+    }
+    if (node.size() != 2) {
+      refuse(node, path,
+             fmt::format("{} entries; accepted: a length, or a list of two, the lower one first", node.size()));
+    }
+    const double low = loadNumber(node[0], path + "[0]", length);
+    const double high = loadNumber(node[1], path + "[1]", length);
+    if (low >= high) {
+      refuse(node, path, fmt::format("from {:g} m to {:g} m; accepted: the lower one first", low, high));
+    }
+    return element::Range::closed(low, high);
   }
 
   // The reference stands before in the tables.
@@ -459,6 +489,15 @@ class Loader {
              fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
     }
     refuseScaleOfTemperature(node, path, parameter);
+    // Beyond any component, and where powers of it leave the range of a double or steps through it never end.
+    constexpr double kLargestNumber = 1e30;
+    constexpr double kLongestTime = 1e12;  // [s], 30,000 years
+    if (std::isfinite(value) && std::abs(value) > (parameter.unit == "s" ? kLongestTime : kLargestNumber)) {
+      refuse(
+          node, path,
+          fmt::format("{} is beyond what a component can have; accepted: at most {:g} {}", log::quoted(node.Scalar()),
+                      parameter.unit == "s" ? kLongestTime : kLargestNumber, parameter.unit));
+    }
     if (!parameter.range.contains(value)) {
       refuse(node, path,
              fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
@@ -525,6 +564,7 @@ class Loader {
   }
 
   element::ElementDescription loadEntry(const YAML::Node& node, const std::string& path) {
+    checkCancelled();
     const element::ElementType& type = loadType(node, path);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
@@ -631,6 +671,25 @@ std::vector<element::ElementDescription> ComponentDescription::allElements() con
   return all;
 }
 
+std::optional<element::Range> ComponentDescription::validDisplacement() const {
+  constexpr double kAmplitudes = 3.0;
+  if (valid_displacement) {
+    return valid_displacement;
+  }
+  if (const std::optional<double> nominal = specification_.find("nominal_amplitude")) {
+    return element::Range::closed(-kAmplitudes * *nominal, kAmplitudes * *nominal);
+  }
+  std::optional<element::Range> common;
+  for (const element::ElementDescription& element : allElements()) {
+    if (element.type == "spring_table") {
+      const std::vector<double>& displacement = element.values.at("displacement");
+      const auto ends = element::Range::closed(displacement.front(), displacement.back());
+      common = common ? element::intersection(*common, ends) : ends;
+    }
+  }
+  return common;
+}
+
 std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source) {
   return Loader(source).load(text);
 }
@@ -666,12 +725,21 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
 std::string toYaml(const std::vector<ComponentDescription>& components) {
   std::string text = "components:\n";
   for (const ComponentDescription& component : components) {
+    if (!isBaseName(component.name)) {
+      throw ComponentFileError(
+          fmt::format("{}: no name of a component; accepted: letters, digits and underscores, a letter "
+                      "first, at most {}",
+                      log::quoted(component.name), kMaximumNameLength));
+    }
     text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
     text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
                                                              : specificationYaml(component.specification());
     text += entriesYaml("add", component.add);
     text += component.temperature ? temperatureYaml(*component.temperature) : "";
     text += component.rig ? rigYaml(*component.rig) : "";
+    if (const auto& valid = component.valid_displacement) {
+      text += fmt::format("    valid_displacement: [{}, {}]  # [m]\n", valid->lower, valid->upper);
+    }
   }
   return text;
 }

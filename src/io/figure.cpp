@@ -129,7 +129,7 @@ pid_t spawn(const std::string& script, const Streams& streams) {
 
 std::string runScript(const json& request) {
   Streams streams;
-  const std::string text = request.dump();
+  const std::string text = request.dump(-1, ' ', false, json::error_handler_t::replace);
   if (std::fwrite(text.data(), 1, text.size(), streams.input.get()) != text.size() ||
       std::fflush(streams.input.get()) != 0) {
     throw FigureError(fmt::format("the data of a figure cannot be written: {}", std::strerror(errno)));

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "log/new_file.h"
@@ -157,6 +159,20 @@ std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, reason));
 }
 
+// Of regular files alone: a pipe can be read once.
+bool isCopy(const std::string& one, const std::string& other) {
+  std::error_code error;
+  if (!fs::is_regular_file(one, error) || !fs::is_regular_file(other, error) ||
+      fs::file_size(one, error) != fs::file_size(other, error) || error) {
+    return false;
+  }
+  std::ifstream first(one, std::ios::binary);
+  std::ifstream second(other, std::ios::binary);
+  return first && second &&
+         std::equal(std::istreambuf_iterator<char>(first), std::istreambuf_iterator<char>(),
+                    std::istreambuf_iterator<char>(second));
+}
+
 }  // namespace
 
 bool isOfKind(const std::string& path, FileKind kind) {
@@ -192,6 +208,20 @@ void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<Output
     refusePlace(output);
     if (!force) {
       refuseOtherKind(output);
+    }
+  }
+}
+
+void refuseEqualLogs(const std::vector<InputFile>& logs) {
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::error_code ignored;
+      const bool same = fs::equivalent(logs[i].path, logs[j].path, ignored);
+      if (same || isCopy(logs[i].path, logs[j].path)) {
+        throw OutputRefused(fmt::format("{}: {} is {} as {} {}; accepted: each log once", logs[i].option, logs[i].path,
+                                        same ? "the same file" : "the same to the last byte", logs[j].option,
+                                        logs[j].path));
+      }
     }
   }
 }

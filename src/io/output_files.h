@@ -58,6 +58,11 @@ class OutputRefused : public std::runtime_error {
 /// pipes may be written always. Entries with an empty path are options not given.
 void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force);
 
+/// To be called before anything is read, with all logs of a command: throws OutputRefused where two are one file, by
+/// whatever name or link, or copies of each other to the last byte: evidence does not count twice, and a log that was
+/// fitted says nothing held out.
+void refuseEqualLogs(const std::vector<InputFile>& logs);
+
 /// True for a file of that kind.
 bool isOfKind(const std::string& path, FileKind kind);
 

@@ -104,7 +104,11 @@ std::string parameterReference() {
       "have\n"
       "effects on top in a list `add`, the tolerances of the rig that measures it in a map `rig`, and how it follows "
       "the\n"
-      "temperature in a map `temperature`.\n\n"
+      "temperature in a map `temperature`. The key `valid_displacement` (`12 mm`, or `[-12 mm, 8 mm]`) says between "
+      "which\n"
+      "displacements it is valid; without it, three times `nominal_amplitude` to both sides, else what its tables of "
+      "springs\n"
+      "cover. Beyond, the node serves the force unchanged, counts and warns; `replay` warns once.\n\n"
       "## Models\n\n| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
        ++i) {

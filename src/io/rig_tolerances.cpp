@@ -14,7 +14,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-std::string accepted(const RigToleranceInfo& info) {
+std::string acceptedTolerance(const RigToleranceInfo& info) {
   const std::string share = fmt::format("a share of {} in %", info.share_of);
   return info.unit == "1" ? fmt::format("{}, or such a number, at least 0", share)
                           : fmt::format("a number in {}, text with such a unit, or {}, at least 0", info.unit, share);
@@ -54,11 +54,11 @@ RigTolerance parseRigTolerance(const std::string& key, const std::string& text) 
     tolerance.value = log::parseQuantity(text, tolerance.is_share ? "1" : info.unit);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
-        fmt::format("{}: {}: {}; accepted: {}", key, log::quoted(text), error.what(), accepted(info)));
+        fmt::format("{}: {}: {}; accepted: {}", key, log::quoted(text), error.what(), acceptedTolerance(info)));
   }
   if (!(tolerance.value >= 0.0) || !std::isfinite(tolerance.value)) {
     throw std::invalid_argument(
-        fmt::format("{}: {} is out of range; accepted: {}", key, log::quoted(text), accepted(info)));
+        fmt::format("{}: {} is out of range; accepted: {}", key, log::quoted(text), acceptedTolerance(info)));
   }
   return tolerance;
 }

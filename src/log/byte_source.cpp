@@ -18,9 +18,9 @@
 namespace rubber_suspension::log {
 namespace {
 
-class FileSource final : public ByteSource {
+class FileBytes final : public ByteSource {
  public:
-  explicit FileSource(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+  explicit FileBytes(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
     if (!file_) {
       throw std::runtime_error(std::strerror(errno));
     }
@@ -198,7 +198,7 @@ void note(std::string& coding, const std::string& what) { coding += (coding.empt
 
 TextSource openText(const std::string& path) {
   TextSource result;
-  auto source = std::make_unique<PeekedSource>(std::make_unique<FileSource>(path));
+  auto source = std::make_unique<PeekedSource>(std::make_unique<FileBytes>(path));
   if (formatOf(source->head()) == FileFormat::gzip) {
     source = std::make_unique<PeekedSource>(std::make_unique<GzipSource>(std::move(source)));
     note(result.coding, "gzip");

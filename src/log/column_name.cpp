@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "log/text.h"
 #include "rubber_suspension/log/units.h"
@@ -15,25 +16,43 @@ struct QuantityNames {
   Quantity quantity;
   const char* name;
   const char* unit;
-  std::vector<std::string> words;  // in lower case
-  std::vector<std::string> units;  // that this package writes behind the name
+  std::vector<std::string> words;   // in lower case
+  std::vector<std::string> others;  // that may name it, where nothing else does
+  std::vector<std::string> units;   // that this package writes behind the name
 };
 
 const std::vector<QuantityNames>& quantityTable() {
   static const std::vector<QuantityNames> table = {
-      {Quantity::time, "time", "s", {"time", "zeit", "timestamp", "timestamps", "zeitstempel"}, {"s"}},
+      {Quantity::time,
+       "time",
+       "s",
+       {"time", "zeit", "timestamp", "timestamps", "zeitstempel", "uhrzeit", "date time", "datetime", "date/time",
+        "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value"},
+       {"date", "datum"},
+       {"s"}},
       {Quantity::displacement,
        "displacement",
        "m",
        {"displacement", "deflection", "weg", "federweg", "auslenkung", "verschiebung", "einfederung"},
+       {"position", "travel", "stroke", "hub"},
        {"m", "mm", "um"}},
-      {Quantity::force, "force", "N", {"force", "kraft"}, {"N", "kN", "MN"}},
-      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {"degC"}},
+      {Quantity::force, "force", "N", {"force", "kraft"}, {"load", "last"}, {"N", "kN", "MN"}},
+      {Quantity::temperature, "temperature", "degC", {"temperature", "temperatur"}, {}, {"degC"}},
   };
   return table;
 }
 
 const QuantityNames& rowOf(Quantity quantity) { return quantityTable()[static_cast<std::size_t>(quantity)]; }
+
+std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::string> QuantityNames::*words) {
+  const std::string word = lowerCase(bare);
+  for (const QuantityNames& row : quantityTable()) {
+    if (std::find((row.*words).begin(), (row.*words).end(), word) != (row.*words).end()) {
+      return row.quantity;
+    }
+  }
+  return std::nullopt;
+}
 
 // Units that any name may end in behind an underscore. Others are too easily a word: "displacement_in", "phase_a".
 bool isPlainSuffix(const std::string& unit) {
@@ -42,7 +61,9 @@ bool isPlainSuffix(const std::string& unit) {
   return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
 }
 
-bool isKnownUnit(const std::string& unit) { return !unit.empty() && !parseNumber(unit) && isUnit(unit); }
+bool isKnownUnit(const std::string& unit) {
+  return !unit.empty() && !parseNumber(unit) && (isUnit(unit) || quantityOfUnit(unit).has_value());
+}
 
 std::string withoutBrackets(const std::string& text) {
   const bool bracketed =
@@ -50,16 +71,21 @@ std::string withoutBrackets(const std::string& text) {
   return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-// The name up to `end` and the unit from `begin` on, if that is one.
+// The name up to `end` and the unit from `begin` on, if that is one. Behind the name of a quantity, what stands in
+// brackets should be one.
 bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
   const std::string unit = withoutBrackets(trimmed(name.text.substr(begin)));
   const std::string bare = trimmed(name.text.substr(0, end));
-  if (bare.empty() || !isKnownUnit(unit)) {
+  const bool known = isKnownUnit(unit);
+  const bool in_brackets = name.text.find_first_of("[(", begin) == begin;
+  if (bare.empty() || unit.empty() ||
+      !(known || (in_brackets && (quantityOfName(bare) || quantityOfOtherName(bare))))) {
     return false;
   }
   name.bare = bare;
   name.unit = unit;
   name.names_unit = true;
+  name.unit_known = known;
   return true;
 }
 
@@ -74,9 +100,16 @@ bool splitMark(ColumnName& name, const std::string& mark) {
   return at != std::string::npos && splitAt(name, at, at + mark.size());
 }
 
+// "KN" as "kN" behind "force", which leaves no doubt.
+std::string spelledSuffix(const std::string& suffix, const std::string& bare) {
+  const auto quantity = quantityOfName(bare);
+  return quantity ? spelledUnit(suffix, rowOf(*quantity).unit) : suffix;
+}
+
 bool splitSuffix(ColumnName& name) {
   const std::size_t at = name.text.rfind('_');
-  return at != std::string::npos && isPlainSuffix(name.text.substr(at + 1)) && splitAt(name, at, at + 1);
+  return at != std::string::npos && isPlainSuffix(spelledSuffix(name.text.substr(at + 1), name.text.substr(0, at))) &&
+         splitAt(name, at, at + 1);
 }
 
 }  // namespace
@@ -92,28 +125,39 @@ std::string siUnit(Quantity quantity) { return rowOf(quantity).unit; }
 
 std::string ColumnName::withUnit() const { return unit.empty() || names_unit ? text : text + " [" + unit + "]"; }
 
-ColumnName parseColumnName(const std::string& text, const std::string& unit_in_row) {
-  ColumnName name{text, text, "", false};
-  if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ") && !splitSuffix(name)) {
-    name.unit = unit_in_row;
+ColumnName parseColumnName(const std::string& text) {
+  ColumnName name{text, text, ""};
+  if (!splitBracket(name) && !splitMark(name, " / ") && !splitMark(name, " in ")) {
+    splitSuffix(name);
   }
   return name;
 }
 
-std::optional<Quantity> quantityOfName(const std::string& bare) {
-  const std::string word = lowerCase(bare);
-  for (const QuantityNames& row : quantityTable()) {
-    if (std::find(row.words.begin(), row.words.end(), word) != row.words.end()) {
-      return row.quantity;
-    }
+ColumnName parseColumnName(const std::string& text, const std::string& below) {
+  ColumnName name = parseColumnName(text);
+  const auto unit = unitInField(below);
+  if (unit) {
+    name.unit = name.unit.empty() ? *unit : name.unit;
+    return name;
   }
-  return std::nullopt;
+  ColumnName other = parseColumnName(below);
+  if (name.unit.empty() && (!other.unit.empty() || (quantityOfName(below) && !quantityOfName(text)))) {
+    std::swap(name, other);
+  }
+  name.second = other.text;
+  return name;
+}
+
+std::optional<Quantity> quantityOfName(const std::string& bare) { return quantityWith(bare, &QuantityNames::words); }
+
+std::optional<Quantity> quantityOfOtherName(const std::string& bare) {
+  return quantityWith(bare, &QuantityNames::others);
 }
 
 std::optional<Quantity> quantityOfUnit(const std::string& unit) {
   for (const QuantityNames& row : quantityTable()) {
     try {
-      UnitConversion(unit, row.unit);
+      UnitConversion(spelledUnit(unit, row.unit), row.unit);
       return row.quantity;
     } catch (const std::invalid_argument&) {  // measures something else
       continue;

@@ -23,21 +23,30 @@ std::string siUnit(Quantity quantity);
 struct ColumnName {
   std::string text;         ///< as in the file, UTF-8
   std::string bare;         ///< without unit
-  std::string unit;         ///< empty where none is told; known to the library of units
+  std::string unit;         ///< as in the file; empty where none is told
   bool names_unit = false;  ///< the unit stands in the text
+  bool unit_known = true;   ///< false for a word behind the name of a quantity that is no unit: "Force [kilos]"
+  std::string second = {};  ///< text of the cell below, where that is a name, too
 
   /// "Kraft [kN]" also where the unit stands in a row of its own.
   std::string withUnit() const;
 };
 
-/// Take a name apart; a unit from the row of units goes before none, and behind one in the name.
-ColumnName parseColumnName(const std::string& text, const std::string& unit_in_row = "");
+/// Take a name apart.
+ColumnName parseColumnName(const std::string& text);
+
+/// The same of a cell below the name as well: its unit, or a name that tells more. A unit there goes before none, and
+/// behind one in the name.
+ColumnName parseColumnName(const std::string& text, const std::string& below);
 
 /// The quantity whose plain name, in English or German, this is.
 std::optional<Quantity> quantityOfName(const std::string& bare);
 
 /// The quantity that the unit measures, if it is one of them.
 std::optional<Quantity> quantityOfUnit(const std::string& unit);
+
+/// The quantity that another word may name, where nothing else is that quantity: position, load, date.
+std::optional<Quantity> quantityOfOtherName(const std::string& bare);
 
 /// True for a name that this package writes: time_s, displacement_<m|mm|um>, force_<N|kN|MN>, temperature_degC.
 bool isCanonical(const std::string& text, Quantity quantity);

@@ -5,9 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "log/file_readers.h"
 #include "log/log_columns.h"
+#include "log/sample_rules.h"
+#include "log/text.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -15,8 +22,10 @@ namespace {
 // Reads the columns of a log part by part.
 class ColumnReader {
  public:
-  ColumnReader(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format)
-      : file_(file), format_(format), columns_(findColumns(names, format)) {
+  ColumnReader(const std::vector<ColumnName>& names, const std::vector<std::size_t>& places, const ColumnFile& file,
+               const LogFormat& format)
+      : places_(places), file_(file), columns_(findColumns(names, format)), rules_(format, columns_, "element") {
+    requireTimeUnit(columns_, format);
     notes_ = notesOnIgnored(names, columns_, format);
     samples_ = lengthOf(columns_.displacement);
     for (const Column* column : {&columns_.time, &columns_.force, &columns_.temperature}) {
@@ -27,29 +36,47 @@ class ColumnReader {
           fmt::format("{}: {} samples; accepted: at least 2", columns_.displacement.name, samples_));
     }
   }
+  ColumnReader(const ColumnReader&) = delete;
+  ColumnReader& operator=(const ColumnReader&) = delete;
 
   std::size_t samples() const { return samples_; }
 
   void read(std::size_t first, std::size_t count, Log& block) {
-    block.displacement = readConverted(columns_.displacement, first, count);
-    block.force = readConverted(columns_.force, first, count);
-    block.temperature = readConverted(columns_.temperature, first, count);
-    readStamps(first, count, block.stamp);
-    first_stamp_ = first == 0 ? block.stamp.front() : first_stamp_;
-    last_stamp_ = block.stamp.back();
+    const std::vector<double> time = numbers(columns_.time, first, count);
+    const std::vector<double> displacement = numbers(columns_.displacement, first, count);
+    const std::vector<double> force = numbers(columns_.force, first, count);
+    const std::vector<double> temperature = numbers(columns_.temperature, first, count);
+    try {
+      for (std::size_t i = 0; i < count; ++i) {
+        SampleRow row;
+        row.place = first + i + 1;
+        row.displacement = valueOf(columns_.displacement, displacement, i, row);
+        row.force = valueOf(columns_.force, force, i, row);
+        row.temperature = valueOf(columns_.temperature, temperature, i, row);
+        setStamp(time, i, row);
+        rules_.take(row, block);
+      }
+      if (first + count == samples_) {
+        rules_.finish();
+      }
+    } catch (const RowError& error) {
+      throw std::runtime_error(fmt::format("element {}: {}", error.row(), error.what()));
+    }
   }
 
   /// Once all is read.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = notes_;
     if (!areCanonical(columns_)) {
-      notes.insert(notes.begin(), describeColumns(columns_, {samples_, first_stamp_, last_stamp_}));
+      notes.insert(notes.begin(), describeColumns(columns_, rules_.extent()));
     }
+    const std::vector<std::string> of_rows = rules_.notes();
+    notes.insert(notes.end(), of_rows.begin(), of_rows.end());
     return notes;
   }
 
  private:
-  std::size_t lengthOf(const Column& column) const { return file_.length(column.index, column.name); }
+  std::size_t lengthOf(const Column& column) const { return file_.length(places_[column.index], column.name); }
 
   void requireLength(const Column& column) const {
     if (column.found() && lengthOf(column) != samples_) {
@@ -58,81 +85,118 @@ class ColumnReader {
     }
   }
 
-  std::vector<double> readFinite(const Column& column, std::size_t first, std::size_t count) const {
-    std::vector<double> values = file_.read(column.index, column.name, first, count);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!std::isfinite(values[i])) {
-        throw std::runtime_error(fmt::format("{}: element {}: {} is not finite; accepted: a finite number", column.name,
-                                             first + i + 1, values[i]));
-      }
-    }
-    return values;
+  std::vector<double> numbers(const Column& column, std::size_t first, std::size_t count) const {
+    return column.found() ? file_.read(places_[column.index], column.name, first, count) : std::vector<double>();
   }
 
-  std::vector<double> readConverted(const Column& column, std::size_t first, std::size_t count) const {
-    std::vector<double> values = column.found() ? readFinite(column, first, count) : std::vector<double>();
-    std::transform(values.begin(), values.end(), values.begin(), column.conversion);
-    return values;
+  static double valueOf(const Column& column, const std::vector<double>& numbers, std::size_t i, SampleRow& row) {
+    if (!column.found()) {
+      return 0.0;
+    }
+    if (!std::isfinite(numbers[i])) {
+      row.unmeasured = fmt::format("{}: {} is not finite", column.name, numbers[i]);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return column.toSi(numbers[i]);
   }
 
-  void readStamps(std::size_t first, std::size_t count, std::vector<std::int64_t>& stamps) const {
-    stamps.clear();
-    stamps.reserve(count);
-    if (format_.rate) {
-      for (std::size_t i = first; i < first + count; ++i) {
-        stamps.push_back(stampAtRate(i, *format_.rate));
-      }
-      return;
-    }
-    const std::vector<double> times = readFinite(columns_.time, first, count);
-    std::int64_t last = last_stamp_;
-    for (std::size_t i = 0; i < times.size(); ++i) {
+  void setStamp(const std::vector<double>& time, std::size_t i, SampleRow& row) const {
+    const double value = time.empty() ? 0.0 : valueOf(columns_.time, time, i, row);
+    if (!time.empty() && std::isfinite(value)) {
       try {
-        const std::int64_t stamp = toStamp(times[i], columns_.time);
-        if (first + i > 0) {
-          requireIncrease(last, stamp, columns_.time);
-        }
-        stamps.push_back(stamp);
-        last = stamp;
+        row.stamp = toStamp(time[i], columns_.time);
       } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("element {}: {}", first + i + 1, error.what()));
+        throw RowError(row.place, error.what());
       }
     }
   }
 
+  std::vector<std::size_t> places_;  // in the file, of the columns
   const ColumnFile& file_;
-  const LogFormat& format_;
   Columns columns_;
+  SampleRules rules_;
   std::vector<std::string> notes_;
   std::size_t samples_ = 0;
-  std::int64_t first_stamp_ = 0;
-  std::int64_t last_stamp_ = 0;
 };
+
+// Columns that make one log.
+struct ColumnSegment {
+  std::string name;
+  std::vector<ColumnName> names;
+  std::vector<std::size_t> places;
+};
+
+ColumnSegment segmentWhere(const ColumnTable& table, const std::string& group) {
+  ColumnSegment segment{group, {}, {}};
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    if (table.groups[i] == group) {
+      segment.names.push_back(table.names[i]);
+      segment.places.push_back(i);
+    }
+  }
+  return segment;
+}
+
+// Each group that holds a log, where several do; otherwise all columns together.
+std::vector<ColumnSegment> segmentsOf(const ColumnTable& table, const LogFormat& format) {
+  std::vector<ColumnSegment> segments;
+  std::set<std::string> seen;
+  for (const std::string& group : table.groups) {
+    if (seen.insert(group).second) {
+      ColumnSegment segment = segmentWhere(table, group);
+      if (looksLikeHeader(segment.names, format)) {
+        segments.push_back(std::move(segment));
+      }
+    }
+  }
+  if (segments.size() < 2) {
+    std::vector<std::size_t> all(table.names.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    segments = {{"", table.names, all}};
+  }
+  return segments;
+}
+
+std::vector<ColumnSegment> wantedSegments(const ColumnTable& table, const LogFormat& format, const std::string& name) {
+  std::vector<ColumnSegment> segments = segmentsOf(table, format);
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    words.push_back(quoted(segments[i].name));
+    segments[i].name = segments.size() == 1 ? name : segmentName(name, i + 1);
+  }
+  const auto chosen = chosenSegment(format, words);
+  return chosen ? std::vector<ColumnSegment>{segments[*chosen]} : segments;
+}
 
 }  // namespace
 
-std::vector<std::string> blocksFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file,
-                                           const LogFormat& format, const std::string& name, std::size_t block,
-                                           const LogSource::Take& take) {
-  ColumnReader reader(names, file, format);
-  Log samples;
-  samples.name = name;
+std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name,
+                                           std::size_t block, const LogSource::Take& take) {
+  const ColumnSegment segment = wantedSegments(table, format, name).front();
+  ColumnReader reader(segment.names, segment.places, table.file, format);
   bool more = true;
-  for (std::size_t first = 0; more && first < reader.samples(); first += samples.size()) {
+  std::size_t handed_out = 0;
+  for (std::size_t first = 0; more && first < reader.samples(); first += block) {
+    Log samples;
+    samples.name = segment.name;
     reader.read(first, std::min(block, reader.samples() - first), samples);
-    more = take(samples, first);
+    more = samples.size() == 0 || take(samples, handed_out);
+    handed_out += samples.size();
   }
   return reader.notes();
 }
 
-Log logFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format,
-                   const std::string& name) {
-  ColumnReader reader(names, file, format);
-  Log log;
-  log.name = name;
-  reader.read(0, reader.samples(), log);
-  log.notes = reader.notes();
-  return log;
+std::vector<Log> logsFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name) {
+  std::vector<Log> logs;
+  for (const ColumnSegment& segment : wantedSegments(table, format, name)) {
+    ColumnReader reader(segment.names, segment.places, table.file, format);
+    Log log;
+    log.name = segment.name;
+    reader.read(0, reader.samples(), log);
+    log.notes = reader.notes();
+    logs.push_back(std::move(log));
+  }
+  return logs;
 }
 
 }  // namespace rubber_suspension::log

@@ -25,14 +25,20 @@ struct ColumnFile {
 
 constexpr std::size_t kAllSamples = std::numeric_limits<std::size_t>::max();
 
-/// Finds the columns and hands out those that are needed in blocks of so many samples: checked; the notes are those
-/// that readCsvLog gives. Throws std::runtime_error that names column, element and what is accepted.
-std::vector<std::string> blocksFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file,
-                                           const LogFormat& format, const std::string& name, std::size_t block,
-                                           const LogSource::Take& take);
+/// The columns of a file, with the group or struct that each belongs to.
+struct ColumnTable {
+  std::vector<ColumnName> names;
+  std::vector<std::string> groups;  ///< as many
+  ColumnFile file;
+};
 
-/// The same as one log.
-Log logFromColumns(const std::vector<ColumnName>& names, const ColumnFile& file, const LogFormat& format,
-                   const std::string& name);
+/// Finds the columns of the one log, or of the segment that the format asks for, and hands out those that are needed in
+/// blocks of so many samples: checked; the notes are those that readCsvLog gives. Throws std::runtime_error that names
+/// column, element and what is accepted.
+std::vector<std::string> blocksFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name,
+                                           std::size_t block, const LogSource::Take& take);
+
+/// The same as logs: one, or each segment. Groups that each hold a log are segments.
+std::vector<Log> logsFromColumns(const ColumnTable& table, const LogFormat& format, const std::string& name);
 
 }  // namespace rubber_suspension::log

@@ -8,6 +8,7 @@
 
 #include "log/log_columns.h"
 #include "log/text.h"
+#include "log/time_text.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
@@ -53,28 +54,6 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
     }
   }
   return line.size();
-}
-
-// By rank, not by count: where there is a tab or a semicolon, commas and blanks are within the fields.
-Separator separatorOf(std::string_view line) {
-  const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
-  const auto anywhere = [&](Separator separator) {
-    for (std::size_t at = 0; at < line.size(); ++at) {
-      at = fieldEnd(line, at, separator);
-      if (at < line.size()) {
-        return true;
-      }
-    }
-    return false;
-  };
-  const std::string_view inner = trimmedView(line);
-  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
-    return Separator::tab;
-  }
-  if (holds(Separator::semicolon)) {
-    return Separator::semicolon;
-  }
-  return holds(Separator::comma) ? Separator::comma : Separator::blanks;
 }
 
 // "Time [s]" is two words between blanks and one name.
@@ -136,25 +115,27 @@ bool anyNumber(const std::vector<Field>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
 }
 
-std::vector<std::string> unitsIn(std::string_view line, Separator separator, std::size_t count) {
-  std::vector<std::string> units;
-  bool any = false;
+// What stands below the names of `count` columns, where it holds a unit; empty where it is no row of units.
+std::vector<std::string> cellsBelow(std::string_view line, Separator separator, std::size_t count) {
+  std::vector<std::string> cells;
+  bool any_unit = false;
   for (const Field& field : namesIn(line, separator, count)) {
-    const auto unit = unitInField(std::string(field.text));
-    if (!unit) {
+    cells.emplace_back(field.text);
+    if (isNumberField(field.text)) {
       return {};
     }
-    any = any || !unit->empty();
-    units.push_back(*unit);
+    const auto unit = unitInField(cells.back());
+    any_unit = any_unit || (unit && !unit->empty() && quantityOfUnit(*unit));
   }
-  units.resize(any && units.size() <= count ? count : 0);
-  return units;
+  cells.resize(any_unit && cells.size() <= count ? count : 0);
+  return cells;
 }
 
-std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std::vector<std::string>& units) {
+std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std::vector<std::string>& below) {
   std::vector<ColumnName> names;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    names.push_back(parseColumnName(std::string(fields[i].text), units.empty() ? "" : units[i]));
+    const std::string text(fields[i].text);
+    names.push_back(below.empty() ? parseColumnName(text) : parseColumnName(text, below[i]));
   }
   return names;
 }
@@ -162,15 +143,15 @@ std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std:
 // The columns that the user told by number, from 0; empty where one is told by name.
 std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
   std::vector<std::size_t> places;
-  for (const std::string* name :
-       {&format.time_column, &format.displacement_column, &format.force_column, &format.temperature_column}) {
-    if (name->empty()) {
+  for (const LogFormat::Channel& channel : format.of) {
+    const std::string& name = channel.column;
+    if (name.empty()) {
       continue;
     }
-    if (name->size() > 5 || name->find_first_not_of("0123456789") != std::string::npos || std::stoul(*name) == 0) {
+    if (name.size() > 5 || name.find_first_not_of("0123456789") != std::string::npos || std::stoul(name) == 0) {
       return {};
     }
-    places.push_back(std::stoul(*name) - 1);
+    places.push_back(std::stoul(name) - 1);
   }
   return places;
 }
@@ -188,6 +169,27 @@ std::string toString(Separator separator) {
     default:
       return "blank";
   }
+}
+
+Separator separatorOf(std::string_view line) {
+  const auto holds = [&](Separator separator) { return fieldEnd(line, 0, separator) < line.size(); };
+  const auto anywhere = [&](Separator separator) {
+    for (std::size_t at = 0; at < line.size(); ++at) {
+      at = fieldEnd(line, at, separator);
+      if (at < line.size()) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const std::string_view inner = trimmedView(line);
+  if (inner.find('\t') != std::string_view::npos && anywhere(Separator::tab)) {
+    return Separator::tab;
+  }
+  if (holds(Separator::semicolon)) {
+    return Separator::semicolon;
+  }
+  return holds(Separator::comma) ? Separator::comma : Separator::blanks;
 }
 
 void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields) {
@@ -215,9 +217,13 @@ bool isComment(std::string_view line) {
 }
 
 bool isNumberField(std::string_view text) {
-  std::string number(text.substr(0, 64));
+  constexpr std::size_t kLongest = 64;
+  std::string number(text.substr(0, kLongest));
   std::replace(number.begin(), number.end(), ',', '.');
-  return text.size() <= 64 && parseNumber(number).has_value();
+  for (std::size_t mark = number.find('.'); mark != number.rfind('.'); mark = number.find('.')) {
+    number.erase(mark, 1);  // between thousands
+  }
+  return text.size() <= kLongest && (parseNumber(number).has_value() || isTimeText(text));
 }
 
 std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
@@ -264,11 +270,14 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
   const std::vector<Field> fields = namesIn(line, header.separator, count);
   std::vector<std::string> units;
   if (units_follow) {
-    units = i + 1 < lines_.size() ? unitsIn(withoutCommentMark(lines_[i + 1].text), header.separator, fields.size())
+    units = i + 1 < lines_.size() ? cellsBelow(withoutCommentMark(lines_[i + 1].text), header.separator, fields.size())
                                   : units;
     if (units.empty()) {
       return std::nullopt;
     }
+  } else {
+    units = unitsAbove(header, i);
+    units.resize(units.empty() ? 0 : fields.size());
   }
   header.names = columnNames(fields, units);
   const bool fits = !anyNumber(fields) && looksLikeHeader(header.names, format_) &&
@@ -311,6 +320,22 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
   return std::nullopt;
 }
 
+// Units that stand in the preamble, in a line that says so: "Unit;s;mm;kN".
+std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::size_t line) const {
+  constexpr std::size_t kMostLines = 20;
+  for (std::size_t i = line; i-- > 0 && line - i <= kMostLines;) {
+    const std::vector<Field> fields = namesIn(withoutCommentMark(lines_[i].text), header.separator, 0);
+    if (fields.size() > 1 && lowerCase(std::string(fields[0].text)).find("unit") != std::string::npos) {
+      std::vector<std::string> units = cellsBelow(withoutCommentMark(lines_[i].text), header.separator, fields.size());
+      if (!units.empty()) {
+        units[0].clear();
+      }
+      return units;
+    }
+  }
+  return {};
+}
+
 // The names above the first row, with a row of units between or without. A line of numbers there is a row, though one
 // that will be refused: it is not passed over.
 void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
@@ -319,20 +344,31 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
     return lines > row ? std::vector<Field>()
                        : namesIn(withoutCommentMark(lines_[row - lines].text), header.separator, count);
   };
-  const auto are_names = [&](const std::vector<Field>& fields) { return fields.size() == count && !anyNumber(fields); };
-  const std::vector<Field> first = fields_above(1);
-  const std::vector<Field> second = fields_above(2);
+  const auto are_names = [&](const std::vector<Field>& fields) {
+    return fields.size() > 1 && fields.size() <= count && !anyNumber(fields);
+  };
+  std::vector<Field> first = fields_above(1);
+  std::vector<Field> second = fields_above(2);
   if (first.size() == count && anyNumber(first)) {
     header.next_line = lines_[row - 1].number;
     return;
   }
-  if (!are_names(first)) {
+  if (!are_names(first) && !(count == 1 && first.size() == 1 && !anyNumber(first))) {
     return;
   }
-  const std::vector<std::string> units = unitsIn(withoutCommentMark(lines_[row - 1].text), header.separator, count);
-  header.has_units_row = !units.empty() && are_names(second);
-  header.names = header.has_units_row ? columnNames(second, units) : columnNames(first, {});
-  header.line = lines_[row - (header.has_units_row ? 2 : 1)].number;
+  const std::vector<std::string> units = cellsBelow(withoutCommentMark(lines_[row - 1].text), header.separator, count);
+  const bool two_rows = !units.empty() && are_names(second);
+  first.resize(count);  // without names where the rows end in separators
+  second.resize(count);
+  std::vector<std::string> above = unitsAbove(header, row - 1);
+  above.resize(above.empty() ? 0 : count);
+  const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
+  for (std::size_t i = 0; i < count && units_alone; ++i) {
+    header.names[i] = parseColumnName(header.names[i].text, units[i]);
+  }
+  header.names = two_rows ? columnNames(second, units) : units_alone ? header.names : columnNames(first, above);
+  header.has_units_row = two_rows || units_alone;
+  header.line = lines_[row - (two_rows ? 2 : 1)].number;
 }
 
 // No line is a header; the one directly above the first row of numbers says best what is wrong.

@@ -23,6 +23,9 @@ enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);
 
+/// That of a line of names: by rank, for where there is a tab or a semicolon, commas and blanks are within the fields.
+Separator separatorOf(std::string_view line);
+
 /// A field of a line: its text without blanks and quotes around it.
 struct Field {
   std::string_view text;
@@ -62,6 +65,7 @@ class HeaderFinder {
   std::optional<CsvHeader> numberedColumns(std::size_t i) const;
   bool confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const;
   void addNamesAbove(CsvHeader& header, std::size_t row) const;
+  std::vector<std::string> unitsAbove(const CsvHeader& header, std::size_t line) const;
   CsvHeader bestGuess() const;
 
   LogFormat format_;
@@ -71,7 +75,7 @@ class HeaderFinder {
 /// True for a line that is a comment: it begins with #, %, ! or //.
 bool isComment(std::string_view line);
 
-/// True for a number in decimal notation, with point or comma.
+/// True for a number in decimal notation, with points and commas, or a time as a clock or a calendar shows it.
 bool isNumberField(std::string_view text);
 
 }  // namespace rubber_suspension::log

@@ -5,217 +5,226 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "log/byte_source.h"
-#include "log/csv_blocks.h"
 #include "log/csv_dialect.h"
+#include "log/file_readers.h"
 #include "log/line_reader.h"
 #include "log/log_columns.h"
+#include "log/new_file.h"
+#include "log/number_marks.h"
+#include "log/sample_rules.h"
 #include "log/text.h"
+#include "log/time_text.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
 namespace {
 
-// Decimal notation only: strtod would take hexadecimal numbers as well.
-void requireDecimal(const char* field, const char* field_end, const Column& column) {
-  const char* c = field + std::strspn(field, " \t");
-  c += *c == '-' || *c == '+' ? 1 : 0;
-  if (*c == '0' && (c[1] == 'x' || c[1] == 'X')) {
-    throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: decimal notation", column.name,
-                                         quoted(std::string(field, static_cast<std::size_t>(field_end - field)))));
-  }
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+// What instruments and spreadsheets write where nothing was measured: nothing, words without a digit such as Overrun,
+// #N/A and --, and the C library's 1.#QNAN.
+bool isUnmeasured(const std::string& text) {
+  return text.find_first_of("0123456789") == std::string::npos || text.find(".#") != std::string::npos;
 }
 
-template <class Number>
-void requireNumber(Number value, const char* field, const char* parsed_end, const char* field_end,
-                   const Column& column) {
-  while (*parsed_end == ' ' || *parsed_end == '\t') {
-    ++parsed_end;
-  }
-  const std::string text = trimmed(std::string(field, static_cast<std::size_t>(field_end - field)));
-  if (text.empty()) {
-    throw std::runtime_error(fmt::format("{}: empty field; accepted: a finite number", column.name));
-  }
-  if (parsed_end != field_end) {
-    throw std::runtime_error(
-        fmt::format("{}: {} is not a number; accepted: a finite number", column.name, quoted(text)));
-  }
-  if (!std::isfinite(value)) {
-    throw std::runtime_error(fmt::format("{}: {} is not finite; accepted: a finite number", column.name, quoted(text)));
-  }
-}
-
-double readNumber(const char* field, const char* field_end, const Column& column) {
-  char* parsed_end = nullptr;
-  const double value = strtod_l(field, &parsed_end, cLocale());
-  requireDecimal(field, field_end, column);
-  if (parsed_end != field_end || parsed_end == field || !std::isfinite(value)) {
-    requireNumber(value, field, parsed_end, field_end, column);
-  }
-  return column.conversion(value);
-}
-
-// Long double keeps the nanoseconds of a time since 1970, which a double cannot hold.
-std::int64_t readStamp(const char* field, const char* field_end, const Column& column) {
-  char* parsed_end = nullptr;
-  const long double value = strtold_l(field, &parsed_end, cLocale());
-  requireDecimal(field, field_end, column);
-  requireNumber(value, field, parsed_end, field_end, column);
-  return toStamp(value, column);
+std::string reasonOf(const std::string& text, const Column& column) {
+  const auto number = parseNumber(text);
+  return column.name + ": " +
+         (text.empty() ? "empty field"
+          : number     ? quoted(text) + " is not finite"
+                       : quoted(text) + " is not a number");
 }
 
 // Where each field of a row begins; one more than there are fields, so that the end of field i is begin of i+1 less
 // one.
-void splitRow(const char* line, std::vector<const char*>& starts) {
+// False for a row with quotes, in which commas need not separate.
+bool splitRow(const char* line, std::vector<const char*>& starts) {
   starts.clear();
   starts.push_back(line);
   const char* c = line;
   for (; *c != '\0'; ++c) {
     if (*c == ',') {
       starts.push_back(c + 1);
+    } else if (*c == '"') {
+      return false;
     }
   }
   starts.push_back(c + 1);
+  return true;
 }
 
-// Numbers of any dialect: what is neither a field between commas nor without quotes may have a decimal comma.
-class FieldParser {
- public:
-  /// The field with a decimal point, ended by a 0; valid until the next call.
-  const char* normalised(const Field& field, Separator separator, std::size_t line, const Column& column) {
-    if (field.text.size() >= sizeof buffer_) {
-      throw std::runtime_error(fmt::format("{}: {} is not a number; accepted: a finite number", column.name,
-                                           quoted(std::string(field.text))));
-    }
-    field.text.copy(buffer_, field.text.size());
-    buffer_[field.text.size()] = '\0';
-    end_ = buffer_ + field.text.size();
-    char* const comma = std::strchr(buffer_, ',');
-    const bool may_have_comma = separator != Separator::comma || field.quoted;
-    if (comma != nullptr && may_have_comma) {
-      require(',', line, field, column);
-      *comma = '.';
-    } else if (may_have_comma && std::strchr(buffer_, '.') != nullptr) {
-      require('.', line, field, column);
-    }
-    return buffer_;
-  }
-
-  const char* end() const { return end_; }
-  bool hasDecimalComma() const { return mark_ == ','; }
-
- private:
-  // One mark throughout: "1.234" is another number where the others are like "0,5".
-  void require(char mark, std::size_t line, const Field& field, const Column& column) {
-    const bool both = field.text.find('.') != std::string_view::npos && field.text.find(',') != std::string_view::npos;
-    if (both || (mark_ != '\0' && mark_ != mark)) {
-      throw std::runtime_error(fmt::format(
-          "{}: {} has {}; accepted: one decimal mark throughout, no separators of thousands", column.name,
-          quoted(std::string(field.text)),
-          both ? "point and comma"
-               : fmt::format("a decimal {} and line {} has a decimal {}", nameOf(mark), first_line_, nameOf(mark_))));
-    }
-    if (mark_ == '\0') {
-      mark_ = mark;
-      first_line_ = line;
-    }
-  }
-
-  static const char* nameOf(char mark) { return mark == ',' ? "comma" : "point"; }
-
-  char buffer_[128] = {};
-  const char* end_ = buffer_;
-  char mark_ = '\0';
-  std::size_t first_line_ = 0;
-};
+// Days since the end of 1899, as spreadsheets count them, for a time that tells no unit.
+constexpr long double kFirstDay = 20000.0L;  // in 1954
+constexpr long double kLastDay = 80000.0L;   // in 2119
+constexpr long double kDaysBefore1970 = 25569.0L;
 
 class CsvLogReader {
  public:
-  CsvLogReader(const std::string& path, const LogFormat& format) : format_(format) {
-    log_.name = logName(path);
+  CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
+      : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, allQuantities().size()) {
     TextSource source = openText(path);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
   }
 
-  Log read() {
-    readRows(nullptr);
-    return std::move(log_);
+  std::vector<Log> read() {
+    readFile(nullptr);
+    return std::move(logs_);
   }
 
   std::vector<std::string> readBlocks(const LogSource::Take& take) {
-    readRows(&take);
-    if (log_.size() > 0 && !ended_) {
-      handOut(take);
-    }
-    return std::move(log_.notes);
+    readFile(&take);
+    return ended_ ? std::vector<std::string>() : std::move(logs_.front().notes);
   }
 
   /// Of what an error is about.
   std::size_t line() const { return line_; }
 
+  bool hasHandedOut() const { return handed_out_ > 0; }
+
  private:
   // All rows are kept where nobody takes them.
-  void readRows(const LogSource::Take* take) {
-    readHeader();
-    for (line_ = reader_->line() + 1; !ended_; ++line_) {
-      const char* const line = reader_->next();
+  void readFile(const LogSource::Take* take) {
+    take_ = take;
+    std::vector<TextLine> head;
+    header_ = firstHeader(head);
+    startSegment(head);
+    while (!ended_ && !isPastChosen()) {
+      const char* const line = nextLine();
       if (line == nullptr) {
         break;
       }
       readRow(line);
-      if (take != nullptr && log_.size() == kLogBlock) {
-        handOut(*take);
-      }
     }
-    line_ = std::max<std::size_t>(reader_->line(), 1);
-    if (count() < 2) {
-      throw std::runtime_error(fmt::format("{} sample{}; accepted: at least 2", count(), count() == 1 ? "" : "s"));
-    }
-    if (!ended_) {
-      addNotes();
+    if (!ended_ && !isPastChosen()) {
+      line_ = std::max<std::size_t>(reader_->line(), 1);
+      endSegment(false);
+      requireSegment();
     }
   }
 
-  void handOut(const LogSource::Take& take) {
-    const std::size_t first = handed_out_;
-    handed_out_ += log_.size();
-    ended_ = !take(log_, first);
-    log_.stamp.clear();
-    for (auto* values : {&log_.displacement, &log_.force, &log_.temperature}) {
-      values->clear();
-    }
-  }
-
-  // Of the rows read so far.
-  std::size_t count() const { return handed_out_ + log_.size(); }
-
-  void readHeader() {
-    HeaderFinder finder(format_);
-    std::vector<TextLine> head;
-    std::optional<CsvHeader> header;
-    while (!header && head.size() < kMaximumHeadLines) {
+  // First those that were read ahead to find a header.
+  const char* nextLine() {
+    if (read_ahead_.empty()) {
       line_ = reader_->line() + 1;
-      const char* line = reader_->next();
+      return reader_->next();
+    }
+    current_ = std::move(read_ahead_.front());
+    read_ahead_.pop_front();
+    line_ = current_.number;
+    return current_.text.c_str();
+  }
+
+  void requireSegment() const {
+    try {
+      chosenSegment(format_, segments_);
+    } catch (const std::runtime_error& error) {
+      throw LogError(fmt::format("{}: {}", path_, error.what()));
+    }
+  }
+
+  bool isPastChosen() const { return format_.segment > 0 && segments_.size() >= format_.segment; }
+
+  // Whether the segment that is read is one that is wanted.
+  bool isWanted() const {
+    return format_.segment == kAllSegments || segments_.size() + 1 == std::max<std::size_t>(format_.segment, 1);
+  }
+
+  CsvHeader firstHeader(std::vector<TextLine>& head) {
+    HeaderFinder finder(format_);
+    const auto found = searchHeader(finder, head);
+    line_ = 1;
+    refuseEmpty(head);
+    return found ? *found : finder.finish();
+  }
+
+  // Reads on until a header is there, the file ends or a head would be too long. Lines are added to the head.
+  std::optional<CsvHeader> searchHeader(HeaderFinder& finder, std::vector<TextLine>& head) {
+    std::optional<CsvHeader> header;
+    for (const TextLine& line : head) {
+      header = finder.add(line);
+    }
+    while (!header && head.size() < kMaximumHeadLines) {
+      const char* line = nextLine();
       if (line == nullptr) {
         break;
       }
       head.push_back({line_, line});
       header = finder.add(head.back());
     }
-    line_ = 1;
-    refuseEmpty(head);
-    header_ = header ? *header : finder.finish();
+    return header;
+  }
+
+  // With the rows among the lines that were read to find its header.
+  void startSegment(const std::vector<TextLine>& head) {
     line_ = std::max<std::size_t>(header_.line, 1);
     columns_ = findColumns(header_.names, format_);
+    resolveTime(head);
+    beginRows();
+    by_fields_ = header_.separator != Separator::comma || format_.decimal == ',';
+    const auto rows =
+        std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= header_.next_line; });
+    read_ahead_.insert(read_ahead_.begin(), rows, head.end());
+  }
+
+  void beginRows() {
+    log_ = Log();
     log_.notes = notesOnIgnored(header_.names, columns_, format_);
-    readRowsOf(head);
+    rules_.emplace(format_, columns_, "line");
+    clock_ = TimeTextReader();
+    first_row_ = 0;
+    blank_line_ = comments_ = 0;
+  }
+
+  void endSegment(bool another_follows) {
+    const bool wanted = isWanted();
+    segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
+    // Without a word on segments, several are refused at the end.
+    if (!wanted || (format_.segment == 0 && another_follows)) {
+      return;
+    }
+    marks_.requireClear(
+        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name});
+    rules_->finish();
+    addNotes();
+    if (take_ != nullptr && log_.size() > 0) {
+      handOut();
+    }
+    log_.name = format_.segment == 0 ? file_ : segmentName(file_, segments_.size());
+    logs_.push_back(std::move(log_));
+  }
+
+  // A line that is no row ends a segment where another header follows, as does a blank line. Otherwise it is an error.
+  void endSegmentAt(const char* line, const std::runtime_error& error) {
+    const std::size_t error_line = line_;
+    const bool behind_blank = blank_line_ != 0;
+    std::vector<TextLine> head = {{line_, line}};
+    HeaderFinder finder(format_);
+    const auto header = searchHeader(finder, head);
+    if (!header || (header->line == 0 && !behind_blank)) {
+      throw RowError(error_line, error.what());
+    }
+    endSegment(true);
+    border_ = "";
+    header_ = *header;
+    startSegment(head);
+  }
+
+  // Rows behind a blank line, without a header of their own.
+  void endSegmentAtBlank() {
+    endSegment(true);
+    border_ = fmt::format(", where rows behind blank line {} begin another specimen", blank_line_);
+    beginRows();
   }
 
   static void refuseEmpty(const std::vector<TextLine>& head) {
@@ -227,21 +236,36 @@ class CsvLogReader {
     }
   }
 
-  // The rows among the lines that were read to find the header.
-  void readRowsOf(const std::vector<TextLine>& head) {
-    for (const TextLine& line : head) {
-      if (line.number >= header_.next_line) {
-        line_ = line.number;
-        const bool has_quotes = line.text.find('"') != std::string::npos;
-        by_fields_ = by_fields_ || header_.separator != Separator::comma || has_quotes;
-        readRow(line.text.c_str());
-      }
+  // A time without a unit may tell by its text that it is a clock's, or by its size that it is a spreadsheet's.
+  void resolveTime(const std::vector<TextLine>& head) {
+    days_ = false;
+    const auto row = std::find_if(head.begin(), head.end(), [&](const TextLine& line) {
+      return line.number >= header_.next_line && !trimmed(line.text).empty() && !isComment(line.text);
+    });
+    if (!columns_.time.found() || columns_.time.tells_unit || row == head.end()) {
+      requireTimeUnit(columns_, format_);
+      return;
     }
+    splitFields(row->text, header_.separator, fields_);
+    const std::string text(columns_.time.index < fields_.size() ? fields_[columns_.time.index].text : "");
+    if (isTimeText(text)) {
+      columns_.time.assumed_unit.clear();
+      return;
+    }
+    std::string point = text;
+    std::replace(point.begin(), point.end(), ',', '.');
+    const double day = parseNumber(point).value_or(0.0);
+    days_ = point.find('.') != std::string::npos && day > kFirstDay && day < kLastDay;
+    if (days_) {
+      columns_.time.conversion = UnitConversion("day", "s");
+      columns_.time.assumed_unit = "days since 1899, as spreadsheets count them";
+    }
+    requireTimeUnit(columns_, format_);
   }
 
   void readRow(const char* line) {
     const char* const text = line + std::strspn(line, " \t");
-    if (*text == '\0') {
+    if (text[std::strspn(text, " \t,;\"")] == '\0') {  // as well where a spreadsheet has left its separators
       blank_line_ = blank_line_ == 0 ? line_ : blank_line_;
       return;
     }
@@ -249,93 +273,183 @@ class CsvLogReader {
       noteComment();
       return;
     }
-    if (blank_line_ != 0 && count() > 0) {
-      throw std::runtime_error(
-          fmt::format("a row after blank line {}; accepted: no blank line between rows", blank_line_));
+    try {
+      parseRow(line);
+    } catch (const std::runtime_error& error) {
+      const bool any_row = first_row_ != 0;
+      if (!any_row) {
+        throw;
+      }
+      endSegmentAt(line, error);
+      return;
     }
+    const bool lacks_value = !row_.unmeasured.empty();
+    if (isNoRow() || (lacks_value && blank_line_ != 0 && first_row_ != 0)) {
+      endSegmentAt(line, std::runtime_error(row_.unmeasured + "; accepted: a finite number"));
+      return;
+    }
+    if (blank_line_ != 0 && first_row_ != 0) {
+      endSegmentAtBlank();
+      if (isPastChosen()) {
+        return;
+      }
+    }
+    takeRow();
+  }
+
+  // Nothing of it was measured: a line of text.
+  bool isNoRow() const {
+    const bool time = format_.rate || !row_.stamp;
+    const bool force = !columns_.force.found() || std::isnan(row_.force);
+    return first_row_ != 0 && time && force && std::isnan(row_.displacement);
+  }
+
+  void takeRow() {
     blank_line_ = 0;
+    first_row_ = first_row_ == 0 ? line_ : first_row_;
+    last_row_ = line_;
+    if (!isWanted() && log_.size() == kLogBlock) {
+      log_ = Log();  // of a segment that nobody asked for
+    }
     if (log_.size() == kMaximumLogRows) {  // never where they are handed out
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
-    if (by_fields_ || !readPlainRow(line)) {
-      readRowByFields(line);
+    row_.place = line_;
+    rules_->take(row_, log_);
+    if (take_ != nullptr && isWanted() && log_.size() == kLogBlock) {
+      handOut();
+    }
+  }
+
+  void handOut() {
+    const std::size_t first = handed_out_;
+    handed_out_ += log_.size();
+    log_.name = format_.segment == 0 ? file_ : segmentName(file_, format_.segment);
+    ended_ = !(*take_)(log_, first);
+    log_.stamp.clear();
+    for (auto* values : {&log_.displacement, &log_.force, &log_.temperature}) {
+      values->clear();
+    }
+  }
+
+  void parseRow(const char* line) {
+    row_ = SampleRow();
+    if (by_fields_ || !parsePlainRow(line)) {
+      parseRowByFields(line);
     }
   }
 
   // Commas and nothing else: the fast path. False where the number of fields tells that there is more to it.
-  bool readPlainRow(const char* line) {
-    splitRow(line, starts_);
-    if (starts_.size() - 1 != columns_.count) {
+  bool parsePlainRow(const char* line) {
+    if (!splitRow(line, starts_) || starts_.size() - 1 != columns_.count) {
       return false;
     }
-    appendPlainStamp();
-    appendPlain(columns_.displacement, log_.displacement);
-    appendPlain(columns_.force, log_.force);
-    appendPlain(columns_.temperature, log_.temperature);
+    const auto parse = [&](const Column& column, Quantity quantity) {
+      const char* const field = starts_[column.index];
+      const char* const field_end = starts_[column.index + 1] - 1;
+      const double value = readNumber(field, field_end, column);
+      marks_.seePlain(field, field_end, value, channelOf(quantity), line_);
+      return column.toSi(value);
+    };
+    if (columns_.time.found()) {
+      const char* const field = starts_[columns_.time.index];
+      const char* const field_end = starts_[columns_.time.index + 1] - 1;
+      readStamp(field, field_end);
+      marks_.seePlain(field, field_end, time_, channelOf(Quantity::time), line_);
+    }
+    readValues(parse);
     return true;
   }
 
-  const char* plainEnd(const Column& column) const { return starts_[column.index + 1] - 1; }
-
-  void appendPlain(const Column& column, std::vector<double>& values) {
-    if (column.found()) {
-      values.push_back(readNumber(starts_[column.index], plainEnd(column), column));
-    }
+  template <class Parse>
+  void readValues(const Parse& parse) {
+    row_.displacement = parse(columns_.displacement, Quantity::displacement);
+    row_.force = columns_.force.found() ? parse(columns_.force, Quantity::force) : 0.0;
+    row_.temperature = columns_.temperature.found() ? parse(columns_.temperature, Quantity::temperature) : 0.0;
   }
 
-  void appendPlainStamp() {
-    if (format_.rate) {
-      appendRateStamp();
-    } else {
-      appendStamp(readStamp(starts_[columns_.time.index], plainEnd(columns_.time), columns_.time));
-    }
-  }
-
-  void appendRateStamp() { keepStamp(stampAtRate(count(), *format_.rate)); }
-
-  void appendStamp(std::int64_t stamp) {
-    if (count() > 0) {
-      requireIncrease(last_stamp_, stamp, columns_.time);
-    }
-    keepStamp(stamp);
-  }
-
-  void keepStamp(std::int64_t stamp) {
-    first_stamp_ = count() == 0 ? stamp : first_stamp_;
-    last_stamp_ = stamp;
-    log_.stamp.push_back(stamp);
-  }
-
-  void readRowByFields(const char* line) {
+  void parseRowByFields(const char* line) {
     splitFields(line, header_.separator, fields_);
     while (fields_.size() > columns_.count && fields_.back().text.empty() && !fields_.back().quoted) {
       fields_.pop_back();  // a separator at the end of the line
     }
     if (fields_.size() != columns_.count) {
-      throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header", fields_.size(),
-                                           fields_.size() == 1 ? "" : "s", columns_.count));
+      throw std::runtime_error(fmt::format("{} field{}; accepted: {}, as in the header: {}", fields_.size(),
+                                           fields_.size() == 1 ? "" : "s", columns_.count, quoted(line)));
     }
-    if (format_.rate) {
-      appendRateStamp();
-    } else {
-      const char* const text = normalised(columns_.time);
-      appendStamp(readStamp(text, parser_.end(), columns_.time));
+    const auto normalised = [&](const Column& column, Quantity quantity) {
+      return marks_.normalised(fields_[column.index].text, channelOf(quantity), column.name, line_);
+    };
+    if (columns_.time.found()) {
+      const char* const text = normalised(columns_.time, Quantity::time);
+      readStamp(text, marks_.end());
+      marks_.see(time_, channelOf(Quantity::time));
     }
-    append(columns_.displacement, log_.displacement);
-    append(columns_.force, log_.force);
-    append(columns_.temperature, log_.temperature);
+    readValues([&](const Column& column, Quantity quantity) {
+      const char* const text = normalised(column, quantity);
+      const double value = readNumber(text, marks_.end(), column);
+      marks_.see(value, channelOf(quantity));
+      return column.toSi(value);
+    });
   }
 
-  const char* normalised(const Column& column) {
-    return parser_.normalised(fields_[column.index], header_.separator, line_, column);
+  // Not a number for a field that holds none, with the reason in the row. Throws for text that should have been one.
+  double readNumber(const char* field, const char* field_end, const Column& column) {
+    char* parsed_end = nullptr;
+    const double value = strtod_l(field, &parsed_end, cLocale());
+    if (parsed_end == field_end && parsed_end != field && std::isfinite(value) && !isHexadecimal(field)) {
+      return value;
+    }
+    return isNumberBefore(field, parsed_end, field_end) && std::isfinite(value) ? value
+                                                                                : unmeasured(field, field_end, column);
   }
 
-  void append(const Column& column, std::vector<double>& values) {
-    if (column.found()) {
-      const char* const text = normalised(column);
-      values.push_back(readNumber(text, parser_.end(), column));
+  // Blanks may follow. strtod takes hexadecimal numbers as well.
+  static bool isHexadecimal(const char* field) { return std::strpbrk(field, "xX") != nullptr; }
+  static bool isNumberBefore(const char* field, const char* parsed_end, const char* field_end) {
+    const char* c = parsed_end;
+    while (c != field_end && (*c == ' ' || *c == '\t')) {
+      ++c;
+    }
+    return c == field_end && parsed_end != field &&
+           std::none_of(field, field_end, [](char x) { return x == 'x' || x == 'X'; });
+  }
+
+  double unmeasured(const char* field, const char* field_end, const Column& column) {
+    const std::string text = trimmed(std::string(field, static_cast<std::size_t>(field_end - field)));
+    const std::string reason = reasonOf(text, column);
+    if (!isUnmeasured(text)) {
+      throw std::runtime_error(reason + "; accepted: a finite number");
+    }
+    row_.unmeasured = row_.unmeasured.empty() ? reason : row_.unmeasured;
+    return kNotMeasured;
+  }
+
+  // Long double keeps the nanoseconds of a time since 1970, which a double cannot hold. Beside a given rate a time that
+  // cannot be read is none.
+  void readStamp(const char* field, const char* field_end) {
+    time_ = kNotMeasured;
+    try {
+      char* parsed_end = nullptr;
+      const long double value = strtold_l(field, &parsed_end, cLocale());
+      if (isNumberBefore(field, parsed_end, field_end) && std::isfinite(value)) {
+        time_ = static_cast<double>(value);
+        row_.stamp = toStamp(days_ ? value - kDaysBefore1970 : value, columns_.time);
+        return;
+      }
+      row_.stamp = clock_.read(trimmed(std::string(field, static_cast<std::size_t>(field_end - field))));
+      if (!row_.stamp) {
+        unmeasured(field, field_end, columns_.time);
+      }
+    } catch (const std::runtime_error&) {
+      if (!format_.rate) {
+        throw;
+      }
+      row_.stamp.reset();
     }
   }
+
+  static std::size_t channelOf(Quantity quantity) { return static_cast<std::size_t>(quantity); }
 
   void noteComment() {
     first_comment_ = comments_ == 0 ? line_ : first_comment_;
@@ -344,9 +458,13 @@ class CsvLogReader {
 
   void addNotes() {
     const bool canonical = areCanonical(columns_) && coding_.empty() && header_.line == 1 && !header_.has_units_row &&
-                           header_.separator == Separator::comma && !parser_.hasDecimalComma();
+                           header_.separator == Separator::comma && !marks_.hasDecimalComma() &&
+                           !marks_.hasThousands() && segments_.size() == 1;
     if (!canonical) {
-      log_.notes.insert(log_.notes.begin(), describeColumns(columns_, {count(), first_stamp_, last_stamp_}) + layout());
+      log_.notes.insert(log_.notes.begin(), describeColumns(columns_, rules_->extent()) + layout());
+    }
+    for (std::string& note : rules_->notes()) {
+      log_.notes.push_back(std::move(note));
     }
     if (comments_ > 0) {
       log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_,
@@ -364,39 +482,62 @@ class CsvLogReader {
     text += header_.line == 0 ? "no header" : fmt::format("header in line {}", header_.line);
     text += header_.has_units_row ? " with a row of units" : "";
     text += ", separator " + toString(header_.separator);
-    text += parser_.hasDecimalComma() ? ", decimal comma" : "";
+    text += marks_.hasDecimalComma() ? ", decimal comma" : "";
+    text += marks_.hasThousands() ? ", marks between thousands" : "";
     return text + (coding_.empty() ? "" : ", " + coding_);
   }
 
+  std::string path_;
+  std::string file_;
   LogFormat format_;
   std::string coding_;
   std::unique_ptr<LineReader> reader_;
+  const LogSource::Take* take_ = nullptr;
+  std::vector<Log> logs_;              // of complete segments that are wanted
+  std::vector<std::string> segments_;  // complete ones, in words
+  std::string border_;                 // what made the segment another one than that before
   CsvHeader header_;
+  std::deque<TextLine> read_ahead_;
+  TextLine current_;  // of these
   Columns columns_;
+  std::optional<SampleRules> rules_;
   Log log_;  // what is not handed out yet
   std::size_t handed_out_ = 0;
-  std::int64_t first_stamp_ = 0;
-  std::int64_t last_stamp_ = 0;
   bool ended_ = false;  // nobody takes any more
   std::size_t line_ = 1;
+  std::size_t first_row_ = 0;  // line, of the segment
+  std::size_t last_row_ = 0;
   std::size_t blank_line_ = 0;
   std::size_t comments_ = 0;
   std::size_t first_comment_ = 0;
   bool by_fields_ = false;  // rows are not commas and numbers alone
+  bool days_ = false;       // the time is in those of a spreadsheet
+  TimeTextReader clock_;
+  double time_ = 0.0;  // of the row, as the file has it
+  SampleRow row_;
   std::vector<const char*> starts_;
   std::vector<Field> fields_;
-  FieldParser parser_;
+  NumberMarks marks_;
 };
 
 // What `read` makes of a reader of the file; errors with their line.
 template <class Read>
-auto withReader(const std::string& path, const LogFormat& format, const Read& read) {
+auto withReader(const std::string& path, const LogFormat& format, const Read& read, char found_mark = '\0') {
   std::unique_ptr<CsvLogReader> reader;
   try {
-    reader = std::make_unique<CsvLogReader>(path, format);
+    reader = std::make_unique<CsvLogReader>(path, format, found_mark);
     return read(*reader);
+  } catch (const OtherDecimalMark& other) {
+    if (found_mark == '\0' && !reader->hasHandedOut() && !isStream(path)) {
+      return withReader(path, format, read, other.decimal);
+    }
+    throw LogError(
+        fmt::format("{}:{}: a decimal {}, where marks before may be between thousands; accepted: --decimal {}", path,
+                    reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
     throw;  // of who takes the samples
+  } catch (const RowError& error) {
+    throw LogError(fmt::format("{}:{}: {}", path, error.row(), error.what()));
   } catch (const std::runtime_error& error) {
     throw LogError(reader ? fmt::format("{}:{}: {}", path, reader->line(), error.what())
                           : fmt::format("{}: {}", path, error.what()));
@@ -405,7 +546,9 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
 
 }  // namespace
 
-Log readCsvLog(const std::string& path, const LogFormat& format) {
+Log readCsvLog(const std::string& path, const LogFormat& format) { return onlyLog(path, readCsvLogs(path, format)); }
+
+std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format) {
   return withReader(path, format, [](CsvLogReader& reader) { return reader.read(); });
 }
 

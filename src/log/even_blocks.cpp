@@ -12,17 +12,14 @@ namespace {
 
 constexpr double kJitterAllowed = 0.02;      // of the median step; more is resampled
 constexpr std::size_t kMostCounted = 16384;  // different steps
+constexpr double kLongestStep = 0.5;         // [s] that is never a time gap: what the node bridges without a word
+constexpr std::int64_t kGapFactor = 20;      // times the step of nine in ten samples
+constexpr double kMostGrowth = 2.0;          // samples at even steps for one of the log,
+constexpr double kFewSamples = 20000.0;      // or so many in all, as of a creep test sampled by the logarithm of time
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
 }  // namespace
-
-EvenSteps evenStepsFor(double median, double largest_difference, double duration, std::size_t samples) {
-  if (largest_difference <= kJitterAllowed * median) {
-    return {duration / static_cast<double>(samples - 1), samples, true};
-  }
-  return {median, static_cast<std::size_t>(std::floor(duration / median)) + 1, false};
-}
 
 void TimeSteps::count(std::int64_t step) {
   ++counts_[step / width_];
@@ -55,69 +52,141 @@ void TimeSteps::add(const Log& block) {
   }
 }
 
-double TimeSteps::median() const {
-  std::vector<std::pair<std::int64_t, std::uint64_t>> ascending(counts_.begin(), counts_.end());
-  std::sort(ascending.begin(), ascending.end());
-  const std::uint64_t middle = (samples_ - 1) / 2;
-  std::uint64_t before = 0;
-  auto found = ascending.begin();
-  while (before + found->second <= middle) {
-    before += found->second;
-    ++found;
+std::vector<std::pair<std::int64_t, std::uint64_t>> TimeSteps::ascending() const {
+  std::vector<std::pair<std::int64_t, std::uint64_t>> steps(counts_.begin(), counts_.end());
+  std::sort(steps.begin(), steps.end());
+  for (auto& [step, number] : steps) {
+    step = step * width_ + width_ / 2;
   }
-  return seconds(found->first * width_ + width_ / 2);
+  return steps;
 }
 
 EvenSteps TimeSteps::evenSteps() const {
-  const double step = median();
-  const double duration = seconds(last_ - first_);
-  const double worst = std::max(std::abs(seconds(smallest_) - step), std::abs(seconds(largest_) - step));
-  return evenStepsFor(step, worst, duration, samples_);
-}
-
-void EvenBlocks::keepLast(const Log& block) { last_ = samplesOf(block, block.size() - 1, 1); }
-
-EvenBlocks::Piece EvenBlocks::interpolated() const {
-  return {even_.displacement.size(), even_.displacement.data(), even_.force.data(),
-          even_.temperature.empty() ? nullptr : even_.temperature.data()};
-}
-
-EvenBlocks::Piece EvenBlocks::add(const Log& block) {
-  if (steps_.as_recorded) {
-    return {block.size(), block.displacement.data(), block.force.data(),
-            block.temperature.empty() ? nullptr : block.temperature.data()};
+  const auto steps = ascending();
+  const auto at = [&steps](std::uint64_t place) {
+    auto found = steps.begin();
+    for (std::uint64_t before = 0; before + found->second <= place; ++found) {
+      before += found->second;
+    }
+    return found->first;
+  };
+  EvenSteps even;
+  even.median = seconds(at((samples_ - 1) / 2));
+  const std::int64_t most = std::numeric_limits<std::int64_t>::max() / kGapFactor;
+  even.longest_step =
+      std::max(static_cast<std::int64_t>(kLongestStep * 1e9), kGapFactor * std::min(at((samples_ - 1) * 9 / 10), most));
+  std::int64_t in_gaps = 0;
+  std::int64_t largest = largest_;
+  for (const auto& [step, number] : steps) {
+    if (step > even.longest_step) {
+      in_gaps += step * static_cast<std::int64_t>(number);
+      even.gaps += number;
+    } else if (largest_ > even.longest_step) {
+      largest = step;
+    }
   }
+  even.duration = seconds(last_ - first_ - in_gaps);
+  const bool slow = std::abs(seconds(largest) - even.median) > std::abs(seconds(smallest_) - even.median);
+  even.worst = seconds(slow ? largest : smallest_);
+  even.as_recorded = even.gaps == 0 && std::abs(even.worst - even.median) <= kJitterAllowed * even.median;
+  if (even.as_recorded) {
+    even.dt = even.duration / static_cast<double>(samples_ - 1);
+    even.samples = samples_;
+    return even;
+  }
+  even.dt = std::max(even.median, even.duration / std::max(kMostGrowth * static_cast<double>(samples_), kFewSamples));
+  even.samples =
+      even.gaps > 0 ? EvenSteps::kUnknown : static_cast<std::size_t>(std::floor(even.duration / even.dt)) + 1;
+  return even;
+}
+
+std::vector<std::size_t> stretchesOf(const Log& log) {
+  std::vector<std::size_t> first = {0};
+  if (log.size() < 2) {
+    return first;
+  }
+  TimeSteps steps;
+  steps.add(log);
+  const EvenSteps even = steps.evenSteps();
+  for (std::size_t i = 1; even.gaps > 0 && i < log.size(); ++i) {
+    if (log.stamp[i] - log.stamp[i - 1] > even.longest_step) {
+      first.push_back(i);
+    }
+  }
+  return first;
+}
+
+void EvenBlocks::handOut(const Take& take) {
+  if (even_.displacement.empty()) {
+    return;
+  }
+  take({gap_, even_.displacement.size(), even_.displacement.data(), even_.force.data(),
+        even_.temperature.empty() ? nullptr : even_.temperature.data()});
+  gap_ = 0.0;
   even_ = Log();
-  first_stamp_ = seen_ == 0 ? block.stamp.front() : first_stamp_;
-  const auto keep = [&](const Log& left, std::size_t l, std::size_t right, double share) {
+}
+
+void EvenBlocks::interpolate(const Log& left, std::size_t l, const Log& block, std::size_t right) {
+  const double from = seconds(left.stamp[l] - first_stamp_);
+  const double until = seconds(block.stamp[right] - first_stamp_);
+  for (; done_ < steps_.samples && static_cast<double>(done_) * steps_.dt <= until; ++done_) {
+    const double share = std::clamp((static_cast<double>(done_) * steps_.dt - from) / (until - from), 0.0, 1.0);
     even_.displacement.push_back((1.0 - share) * left.displacement[l] + share * block.displacement[right]);
     even_.force.push_back((1.0 - share) * left.force[l] + share * block.force[right]);
     if (!block.temperature.empty()) {
       even_.temperature.push_back((1.0 - share) * left.temperature[l] + share * block.temperature[right]);
     }
-  };
-  for (std::size_t i = seen_ == 0 ? 1 : 0; i < block.size(); ++i) {
-    const Log& left = i == 0 ? last_ : block;
-    const std::size_t l = i == 0 ? 0 : i - 1;
-    const double from = seconds(left.stamp[l] - first_stamp_);
-    const double until = seconds(block.stamp[i] - first_stamp_);
-    for (; done_ < steps_.samples && static_cast<double>(done_) * steps_.dt <= until; ++done_) {
-      keep(left, l, i, std::clamp((static_cast<double>(done_) * steps_.dt - from) / (until - from), 0.0, 1.0));
-    }
   }
-  seen_ += block.size();
-  keepLast(block);
-  return interpolated();
 }
 
-EvenBlocks::Piece EvenBlocks::finish() {
-  even_ = Log();
-  if (!steps_.as_recorded) {
-    for (; done_ < steps_.samples; ++done_) {
-      appendSamples(last_, 0, 1, even_);
+void EvenBlocks::endStretch(const Log& last, std::size_t sample) {
+  constexpr double kRounding = 1e-6;  // of a step
+  const double steps = seconds(last.stamp[sample] - first_stamp_) / steps_.dt;
+  const auto samples = std::min(static_cast<std::size_t>(std::floor(steps + kRounding)) + 1, steps_.samples);
+  for (; done_ < samples; ++done_) {
+    even_.displacement.push_back(last.displacement[sample]);
+    even_.force.push_back(last.force[sample]);
+    if (!last.temperature.empty()) {
+      even_.temperature.push_back(last.temperature[sample]);
     }
   }
-  return interpolated();
+}
+
+void EvenBlocks::beginBehindGap(std::int64_t stamp) {
+  gap_ = seconds(stamp - first_stamp_) - static_cast<double>(done_ - 1) * steps_.dt;
+  first_stamp_ = stamp;
+  done_ = 0;
+}
+
+void EvenBlocks::add(const Log& block, const Take& take) {
+  if (steps_.as_recorded) {
+    take({0.0, block.size(), block.displacement.data(), block.force.data(),
+          block.temperature.empty() ? nullptr : block.temperature.data()});
+    return;
+  }
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const Log& left = i == 0 ? last_ : block;
+    const std::size_t l = i == 0 ? 0 : i - 1;
+    if (!started_) {
+      started_ = true;
+      first_stamp_ = block.stamp[i];
+    } else if (block.stamp[i] - left.stamp[l] > steps_.longest_step) {
+      endStretch(left, l);
+      handOut(take);
+      beginBehindGap(block.stamp[i]);
+    } else {
+      interpolate(left, l, block, i);
+    }
+  }
+  last_ = samplesOf(block, block.size() - 1, 1);
+  handOut(take);
+}
+
+void EvenBlocks::finish(const Take& take) {
+  if (!steps_.as_recorded) {
+    endStretch(last_, 0);
+    handOut(take);
+  }
 }
 
 }  // namespace rubber_suspension::log

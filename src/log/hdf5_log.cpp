@@ -1,6 +1,5 @@
 // Reads a log from HDF5 by libhdf5, one file at a time.
 #include <fmt/format.h>
-#include <hdf5.h>
 
 #include <algorithm>
 #include <array>
@@ -9,32 +8,13 @@
 #include <utility>
 
 #include "log/column_table.h"
-#include "log/hdf5_blocks.h"
+#include "log/file_readers.h"
 #include "log/hdf5_mutex.h"
+#include "log/hdf5_storage.h"
 #include "log/log_columns.h"
 
 namespace rubber_suspension::log {
 namespace {
-
-// A handle of the library, given back by the function that belongs to it.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) {
-      close_(id_);
-    }
-  }
-
-  explicit operator bool() const { return id_ >= 0; }
-  hid_t get() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
 
 constexpr hsize_t kMostColumns = 10000;  // of one file, and of one matrix
 
@@ -42,6 +22,7 @@ constexpr hsize_t kMostColumns = 10000;  // of one file, and of one matrix
 struct Hdf5Column {
   std::string name;
   std::string path;
+  std::string member;  // of a compound dataset
   std::string unit;
   hsize_t length = 0;
   hsize_t parts = 1;
@@ -54,15 +35,15 @@ std::string textAttribute(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) {
     return {};
   }
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  const Handle type(attribute ? H5Aget_type(attribute.get()) : -1, H5Tclose);
-  const Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(attribute ? H5Aget_type(attribute.get()) : -1, H5Tclose);
+  const Hdf5Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
   if (!type || !space || H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
     return {};
   }
   if (H5Tis_variable_str(type.get()) > 0) {
     char* text = nullptr;
-    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Hdf5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(memory.get(), H5T_VARIABLE);
     H5Tset_cset(memory.get(), H5Tget_cset(type.get()));
     std::string result = H5Aread(attribute.get(), memory.get(), &text) >= 0 && text != nullptr ? text : "";
@@ -89,14 +70,24 @@ std::string unitOf(hid_t dataset) {
   return {};
 }
 
-bool isNumeric(hid_t dataset) {
-  const Handle type(H5Dget_type(dataset), H5Tclose);
-  const H5T_class_t kind = type ? H5Tget_class(type.get()) : H5T_NO_CLASS;
-  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+bool isNumber(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOAT; }
+
+// Those of a dataset of structures that are numbers.
+std::vector<std::string> memberNames(hid_t type) {
+  std::vector<std::string> names;
+  const int count = H5Tget_nmembers(type);
+  for (unsigned i = 0; static_cast<int>(i) < count; ++i) {
+    char* const name = H5Tget_member_name(type, i);
+    if (name != nullptr && isNumber(H5Tget_member_class(type, i))) {
+      names.emplace_back(name);
+    }
+    H5free_memory(name);
+  }
+  return names;
 }
 
 std::vector<hsize_t> extentOf(hid_t dataset) {
-  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   const int rank = space ? H5Sget_simple_extent_ndims(space.get()) : -1;
   std::vector<hsize_t> extent(rank == 1 || rank == 2 ? static_cast<std::size_t>(rank) : 0);
   if (!extent.empty()) {
@@ -106,8 +97,10 @@ std::vector<hsize_t> extentOf(hid_t dataset) {
 }
 
 void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::string& path) {
-  const std::vector<hsize_t> extent = isNumeric(dataset) ? extentOf(dataset) : std::vector<hsize_t>();
-  if (extent.empty()) {
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+  const H5T_class_t kind = type ? H5Tget_class(type.get()) : H5T_NO_CLASS;
+  const std::vector<hsize_t> extent = extentOf(dataset);
+  if (extent.empty() || !(isNumber(kind) || (kind == H5T_COMPOUND && extent.size() == 1))) {
     return;
   }
   Hdf5Column column;
@@ -115,6 +108,13 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
   column.unit = unitOf(dataset);
   column.rank = static_cast<int>(extent.size());
   column.length = *std::max_element(extent.begin(), extent.end());
+  if (kind == H5T_COMPOUND) {
+    for (std::string& member : memberNames(type.get())) {
+      column.member = std::move(member);
+      columns.push_back(column);
+    }
+    return;
+  }
   column.parts = extent.size() == 2 ? std::min(extent[0], extent[1]) : 1;
   column.wide = extent.size() == 2 && extent[0] < extent[1];
   for (column.part = 0; column.part < std::min(column.parts, kMostColumns); ++column.part) {
@@ -124,24 +124,36 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 
 struct Visit {
   std::vector<Hdf5Column>* columns;
+  std::string pandas;  // group that pandas has written
+  std::string error;
 };
 
 herr_t visitObject(hid_t root, const char* name, const H5O_info_t* info, void* data) {
-  auto& columns = *static_cast<Visit*>(data)->columns;
-  if (info->type == H5O_TYPE_DATASET) {
-    const Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (dataset) {
-      addDataset(columns, dataset.get(), name);
-    }
+  auto& visit = *static_cast<Visit*>(data);
+  try {
+    requireShallow(name);
+  } catch (const std::runtime_error& error) {
+    visit.error = error.what();
+    return -1;
   }
-  return columns.size() >= kMostColumns ? 1 : 0;
+  if (info->type == H5O_TYPE_DATASET) {
+    const Hdf5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (dataset) {
+      addDataset(*visit.columns, dataset.get(), name);
+    }
+  } else if (visit.pandas.empty() && H5Aexists_by_name(root, name, "pandas_type", H5P_DEFAULT) > 0) {
+    visit.pandas = name;
+  }
+  return visit.columns->size() >= kMostColumns ? 1 : 0;
 }
 
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-std::string groupOf(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash);
+// That a column belongs to; the dataset itself is one for its members.
+std::string groupOf(const Hdf5Column& column) {
+  const std::size_t slash = column.path.find_last_of('/');
+  const std::string group = slash == std::string::npos ? "" : column.path.substr(0, slash);
+  return column.member.empty() ? group : column.path;
 }
 
 // Short names where they are clear.
@@ -149,11 +161,12 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   std::set<std::string> groups;
   std::set<std::string> paths;
   for (const Hdf5Column& column : columns) {
-    groups.insert(groupOf(column.path));
+    groups.insert(groupOf(column));
     paths.insert(column.path);
   }
   for (Hdf5Column& column : columns) {
-    const std::string name = groups.size() == 1 ? leafOf(column.path) : column.path;
+    const std::string path = column.path + (column.member.empty() ? "" : "/" + column.member);
+    const std::string name = groups.size() == 1 ? leafOf(path) : path;
     const std::string number = std::to_string(column.part + 1);
     column.name = column.parts == 1   ? name
                   : paths.size() == 1 ? number
@@ -162,20 +175,32 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
+// A double, or a structure of which it is the member.
+hid_t memoryType(const Hdf5Column& column) {
+  if (column.member.empty()) {
+    return H5Tcopy(H5T_NATIVE_DOUBLE);
+  }
+  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(double));
+  H5Tinsert(type, column.member.c_str(), 0, H5T_NATIVE_DOUBLE);
+  return type;
+}
+
 // The numbers [first, first + count) of a column.
 std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
-  const Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
+  const Hdf5Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
+  requireOwnData(dataset.get(), column.path);
+  const Hdf5Handle type(memoryType(column), H5Tclose);
+  const Hdf5Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
   // Of a vector the first number of each pair counts.
   const bool samples_first = column.rank == 1 || !column.wide;
   const std::array<hsize_t, 2> from = {samples_first ? first : column.part, samples_first ? column.part : first};
   const std::array<hsize_t, 2> size = {samples_first ? count : 1, samples_first ? 1 : count};
-  const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
   std::vector<double> values(count);
   const bool selected =
       space && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >= 0;
   if (!dataset || !selected ||
-      H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+      H5Dread(dataset.get(), type.get(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read; accepted: numbers, with a filter that libhdf5 has here", column.name));
   }
@@ -185,27 +210,33 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
 // A file whose columns are known.
 class Hdf5File {
  public:
-  explicit Hdf5File(const std::string& path) : file_(open(path), H5Fclose) {
-    if (!file_) {
-      throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
-    }
-    Visit visit{&columns_};
+  explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
+    Visit visit{&columns_, "", ""};
     if (H5Ovisit2(file_.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
-      throw std::runtime_error("damaged; accepted: a complete HDF5 file");
+      throw std::runtime_error(visit.error.empty() ? "damaged; accepted: a complete HDF5 file" : visit.error);
+    }
+    if (!visit.pandas.empty()) {
+      throw std::runtime_error(
+          fmt::format("a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
+                      "pandas; pandas.read_hdf('{}', '{}').to_csv('LOG.csv')\"",
+                      path, visit.pandas));
     }
     nameColumns(columns_);
   }
 
-  std::vector<ColumnName> names() const {
-    std::vector<ColumnName> names;
+  /// Its columns, of at most so many numbers each. The file has to outlive them.
+  ColumnTable table(std::size_t most) const {
+    ColumnTable table{{}, {}, columns(most)};
     for (const Hdf5Column& column : columns_) {
       ColumnName name = parseColumnName(column.name, column.unit);
       name.bare = leafOf(name.bare);
-      names.push_back(name);
+      table.names.push_back(name);
+      table.groups.push_back(groupOf(column));
     }
-    return names;
+    return table;
   }
 
+ private:
   /// Columns of as many numbers as may be read; longer ones are refused.
   ColumnFile columns(std::size_t most) const {
     return {
@@ -220,13 +251,7 @@ class Hdf5File {
         }};
   }
 
- private:
-  static hid_t open(const std::string& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
-    return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  }
-
-  Handle file_;
+  Hdf5Handle file_;
   std::vector<Hdf5Column> columns_;
 };
 
@@ -245,15 +270,14 @@ auto withFile(const std::string& path, const Read& read) {
 
 }  // namespace
 
-Log readHdf5Log(const std::string& path, const LogFormat& format) {
-  return withFile(path, [&](const Hdf5File& file) {
-    return logFromColumns(file.names(), file.columns(kMaximumLogRows), format, logName(path));
-  });
+std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format) {
+  return withFile(
+      path, [&](const Hdf5File& file) { return logsFromColumns(file.table(kMaximumLogRows), format, logName(path)); });
 }
 
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take) {
   return withFile(path, [&](const Hdf5File& file) {
-    return blocksFromColumns(file.names(), file.columns(kAllSamples), format, logName(path), kLogBlock, take);
+    return blocksFromColumns(file.table(kAllSamples), format, logName(path), kLogBlock, take);
   });
 }
 

@@ -13,7 +13,6 @@
 
 #include "element/suggestion.h"
 #include "kernel/sample_checks.h"
-#include "log/file_format.h"
 #include "log/log_columns.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -54,47 +53,114 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
   }
 }
 
+// The channel of a quantity; nothing for another word.
+LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity) {
+  for (const Quantity one : allQuantities()) {
+    if (quantity == toString(one)) {
+      return &format.of[static_cast<std::size_t>(one)];
+    }
+  }
+  return nullptr;
+}
+
+// "-NAME" and "0.001*NAME" are a factor and a name.
+void setColumnAndFactor(LogFormat::Channel& channel, const std::string& text) {
+  const std::size_t star = text.find('*');
+  const std::optional<double> factor =
+      star == std::string::npos ? std::nullopt : parseNumber(trimmed(text.substr(0, star)));
+  if (factor && std::isfinite(*factor) && *factor != 0.0) {
+    channel.factor = *factor;
+    channel.column = trimmed(text.substr(star + 1));
+  } else if (text.size() > 1 && text[0] == '-') {
+    channel.factor = -1.0;
+    channel.column = text.substr(1);
+  } else {
+    channel.column = text;
+  }
+}
+
 // "QUANTITY=NAME", or QUANTITY alone: the column of that place.
 void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
   const std::string column = equals == std::string::npos ? std::to_string(place) : entry.substr(equals + 1);
-  const std::array<std::pair<const char*, std::string*>, 4> accepted = {{{"time", &format.time_column},
-                                                                         {"displacement", &format.displacement_column},
-                                                                         {"force", &format.force_column},
-                                                                         {"temperature", &format.temperature_column}}};
-  const auto found =
-      std::find_if(accepted.begin(), accepted.end(), [&](const auto& pair) { return quantity == pair.first; });
-  if (found == accepted.end() || column.empty()) {
+  LogFormat::Channel* const channel = channelNamed(format, quantity);
+  const bool given_twice = channel != nullptr && !channel->column.empty();
+  if (channel != nullptr && !given_twice) {
+    setColumnAndFactor(*channel, column);
+  }
+  if (channel == nullptr || channel->column.empty()) {
     throw std::invalid_argument(fmt::format(
-        "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that "
-        "of the file or the column's number, or these words alone in the order of the columns",
+        "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, NAME being that of the "
+        "file or the column's number, with a factor as in force=-NAME and force=0.001*NAME; or these words alone in "
+        "the "
+        "order of the columns",
         quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
   }
-  if (!found->second->empty()) {
+  if (given_twice) {
     throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));
   }
-  *found->second = column;
+  if (channel->factor != 1.0 && quantity == "temperature") {
+    throw std::invalid_argument("--columns: a factor of the temperature; accepted: its column alone");
+  }
+}
+
+// "force=kN", of which a unit may be of several words.
+void setUnitOption(LogFormat& format, const std::string& entry) {
+  const std::size_t equals = entry.find('=');
+  const std::string quantity = entry.substr(0, equals);
+  LogFormat::Channel* const channel = equals == std::string::npos ? nullptr : channelNamed(format, quantity);
+  std::string reason = "no quantity and its unit";
+  if (channel != nullptr) {
+    const std::string unit = entry.substr(equals + 1);
+    const std::string si = siUnit(allQuantities()[static_cast<std::size_t>(channel - format.of.data())]);
+    try {
+      UnitConversion(spelledUnit(unit, si), si);
+      reason = channel->unit.empty() ? "" : "given twice";
+      channel->unit = unit;
+    } catch (const std::invalid_argument& error) {
+      reason = error.what();
+    }
+  }
+  if (!reason.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--unit: {}: {}{}; accepted: QUANTITY=UNIT, as in displacement=mm force=kN time=ms", quoted(entry),
+                    reason, element::didYouMean(quantity, {"time", "displacement", "force", "temperature"})));
+  }
 }
 
 void setUnits(LogFormat& format, const std::string& units) {
-  std::istringstream rest(units);
-  const std::array<std::pair<std::string*, const char*>, 3> quantities = {
-      {{&format.displacement_unit, "m"}, {&format.force_unit, "N"}, {&format.time_unit, "s"}}};
-  try {
-    for (const auto& [unit, si] : quantities) {
-      std::getline(rest, *unit, ',');
-      UnitConversion(unit->empty() ? si : *unit, si);
+  std::istringstream words(units);
+  std::vector<std::string> entries;
+  for (std::string word; words >> word;) {
+    if (!entries.empty() && word.find('=') == std::string::npos) {
+      entries.back() += " " + word;
+    } else {
+      entries.push_back(word);
     }
-    if (std::string more; std::getline(rest, more)) {
-      throw std::invalid_argument("more than three");
-    }
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("--unit: '{}': {}; accepted: units of displacement, force and time, as in mm,kN,ms, of which the "
-                    "later ones may be left out",
-                    units, error.what()));
   }
+  for (const std::string& entry : entries) {
+    setUnitOption(format, entry);
+  }
+}
+
+char decimalMark(const std::string& text) {
+  if (text == "." || text == "point") {
+    return '.';
+  }
+  if (text == "," || text == "comma") {
+    return ',';
+  }
+  throw std::invalid_argument(fmt::format("--decimal: {}; accepted: , or . (comma or point)", quoted(text)));
+}
+
+std::size_t segmentNumber(const std::string& text) {
+  const bool digits = !text.empty() && text.size() < 7 && text.find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t number = text == "all" ? kAllSegments : digits ? std::stoul(text) : 0;
+  if (number == 0) {
+    throw std::invalid_argument(fmt::format("--segment: {}; accepted: a number from 1, or all", quoted(text)));
+  }
+  return number;
 }
 
 }  // namespace
@@ -106,9 +172,7 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   for (std::size_t i = 0; i < columns.size(); ++i) {
     setColumn(format, columns[i], i + 1);
   }
-  if (!units.empty()) {
-    setUnits(format, units);
-  }
+  setUnits(format, units);
   // Above 1 GHz two samples would share a nanosecond.
   if (!(rate >= 0.0 && rate <= 1e9)) {
     throw std::invalid_argument(fmt::format("--sampling-rate: {:g} Hz; accepted: greater than 0, at most 1e9", rate));
@@ -119,16 +183,46 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
   return format;
 }
 
-Log readLog(const std::string& path, const LogFormat& format) {
-  switch (formatOfFile(path)) {
-    case FileFormat::matlab:
-      return readMatLog(path, format);
-    case FileFormat::hdf5:
-      return readHdf5Log(path, format);
-    default:
-      return readCsvLog(path, format);
+LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
+                        const std::string& decimal, const std::string& segment, double bridge) {
+  LogFormat format = makeLogFormat(columns, units, rate);
+  format.decimal = decimal.empty() ? '\0' : decimalMark(decimal);
+  format.segment = segment.empty() ? 0 : segmentNumber(segment);
+  constexpr double kLongestBridge = 3600.0;  // [s]
+  if (!(bridge <= kLongestBridge)) {
+    throw std::invalid_argument(fmt::format("--bridge: {:g} s; accepted: 0 to {:g} s", bridge, kLongestBridge));
   }
+  if (bridge >= 0.0) {
+    format.bridge = bridge;
+  }
+  return format;
 }
+
+Log onlyLog(const std::string& path, std::vector<Log>&& logs) {
+  if (logs.size() != 1) {
+    throw LogError(fmt::format("{}: {} logs, of which one is needed; accepted: --segment 1 to {}", path, logs.size(),
+                               logs.size()));
+  }
+  return std::move(logs.front());
+}
+
+std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vector<std::string>& segments) {
+  if (format.segment == kAllSegments || (segments.size() == 1 && format.segment <= 1)) {
+    return format.segment == kAllSegments ? std::nullopt : std::optional<std::size_t>(0);
+  }
+  if (format.segment >= 1 && format.segment <= segments.size()) {
+    return format.segment - 1;
+  }
+  constexpr std::size_t kMostNamed = 6;
+  const std::vector<std::string> named(
+      segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(std::min(segments.size(), kMostNamed)));
+  throw std::runtime_error(
+      fmt::format("{} log{} in one file: {}{}; accepted: --segment 1{}", segments.size(),
+                  segments.size() == 1 ? "" : "s", join(named), segments.size() > kMostNamed ? ", ..." : "",
+                  segments.size() == 1 ? "" : fmt::format(" to {}, or --segment all", segments.size())));
+}
+
+std::string segmentName(const std::string& file, std::size_t number) { return fmt::format("{}_{}", file, number); }
 
 void checkLog(const Log& log) {
   checkLengths(log);

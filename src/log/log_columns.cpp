@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "element/suggestion.h"
@@ -17,30 +18,11 @@ namespace {
 constexpr double kMaximumTime = 9.0e9;  // [s]
 
 const std::string& columnOption(const LogFormat& format, Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return format.time_column;
-    case Quantity::displacement:
-      return format.displacement_column;
-    case Quantity::force:
-      return format.force_column;
-    default:
-      return format.temperature_column;
-  }
+  return format.of[static_cast<std::size_t>(quantity)].column;
 }
 
 const std::string& unitOption(const LogFormat& format, Quantity quantity) {
-  static const std::string kNone;
-  switch (quantity) {
-    case Quantity::time:
-      return format.time_unit;
-    case Quantity::displacement:
-      return format.displacement_unit;
-    case Quantity::force:
-      return format.force_unit;
-    default:
-      return kNone;
-  }
+  return format.of[static_cast<std::size_t>(quantity)].unit;
 }
 
 bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Quantity::time || !format.rate; }
@@ -77,8 +59,9 @@ Places placeOfNumber(const std::string& text, std::size_t count) {
 
 // Where the column is that the user named: as in the file, without its unit, or by its number.
 Places placesOfOption(const std::vector<ColumnName>& header, const std::string& name) {
-  Places places =
-      placesWhere(header, [&](const ColumnName& column) { return column.text == name || column.withUnit() == name; });
+  Places places = placesWhere(header, [&](const ColumnName& column) {
+    return column.text == name || column.withUnit() == name || (!column.second.empty() && column.second == name);
+  });
   if (places.empty()) {
     places = placesWhere(header, [&](const ColumnName& column) { return column.bare == name; });
   }
@@ -112,15 +95,26 @@ class ColumnFinder {
     Places named = placesWhere(
         header_, [&](const ColumnName& column) { return is_free(column) && quantityOfName(column.bare) == quantity; });
     if (!named.empty()) {
-      return named;
+      return withKnownUnit(named);
     }
-    return placesWhere(header_, [&](const ColumnName& column) {
+    Places measured = placesWhere(header_, [&](const ColumnName& column) {
       return is_free(column) && !column.unit.empty() && !quantityOfName(column.bare) &&
              quantityOfUnit(column.unit) == quantity;
+    });
+    return !measured.empty() ? measured : placesWhere(header_, [&](const ColumnName& column) {
+      return is_free(column) && quantityOfOtherName(column.bare) == quantity;
     });
   }
 
  private:
+  // "Force (set)" is no rival of "Force [N]", but is refused by name where it stands alone.
+  Places withKnownUnit(const Places& places) const {
+    Places known;
+    std::copy_if(places.begin(), places.end(), std::back_inserter(known),
+                 [&](std::size_t place) { return header_[place].unit_known; });
+    return known.empty() ? places : known;
+  }
+
   const std::vector<ColumnName>& header_;
   Places taken_;  // by the user's word
 };
@@ -147,20 +141,33 @@ void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places
   }
 }
 
-Column columnAt(const std::vector<ColumnName>& header, std::size_t place) {
+Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity) {
   Column column;
   column.index = place;
   column.name = header[place].text;
   column.label = header[place].withUnit();
+  column.factor = format.of[static_cast<std::size_t>(quantity)].factor;
   return column;
+}
+
+// Beyond these a unit is another one misspelt: "Mm" is a thousand kilometres.
+double largestUnit(Quantity quantity) {
+  return quantity == Quantity::displacement ? 1e3 : quantity == Quantity::time ? 7.0 * 86400.0 : HUGE_VAL;
 }
 
 void setUnit(Column& column, const std::string& unit, Quantity quantity) {
   try {
-    column.conversion = UnitConversion(unit, siUnit(quantity));
+    column.conversion = UnitConversion(spelledUnit(unit, siUnit(quantity)), siUnit(quantity));
+    const double size = column.conversion(1.0);
+    if (size > largestUnit(quantity)) {
+      const std::string lower = lowerCase(unit);
+      throw std::invalid_argument(
+          fmt::format("unit {} is {:g} {}{}", quoted(unit), size, siUnit(quantity),
+                      lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : ""));
+    }
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(
-        fmt::format("column {}: {}; accepted: a unit of {}", quoted(column.label), error.what(), toString(quantity)));
+    throw std::runtime_error(fmt::format("column {}: {}; accepted: a unit of {}, in the header or by --unit {}=UNIT",
+                                         quoted(column.label), error.what(), toString(quantity), toString(quantity)));
   }
 }
 
@@ -188,27 +195,32 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
         fmt::format("column {} stands {} times in the header; accepted: --columns {}=NUMBER, from 1", quoted(name),
                     places.size(), toString(quantity)));
   }
-  Column column = columnAt(header, places[0]);
+  Column column = columnAt(header, places[0], format, quantity);
   const std::string& option = unitOption(format, quantity);
-  const std::string& unit = option.empty() ? header[places[0]].unit : option;
+  const std::string own = header[places[0]].unit_known ? header[places[0]].unit : "";
+  const std::string& unit = option.empty() ? own : option;
+  column.tells_unit = !unit.empty();
   column.assumed_unit = unit.empty() ? siUnit(quantity) : "";
   setUnit(column, unit.empty() ? siUnit(quantity) : unit, quantity);
   return column;
 }
 
+[[noreturn]] void refuseNoUnit(const Column& column, Quantity quantity) {
+  throw std::runtime_error(fmt::format("column {} tells no unit; accepted: {}, '{} [UNIT]', or --unit {}=UNIT",
+                                       quoted(column.name), accepted(quantity), column.name, toString(quantity)));
+}
+
 // A column found by its name or unit, which has to tell its unit or be told it.
 Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format,
                    Quantity quantity) {
-  Column column = columnAt(header, place);
-  const std::string& own = header[place].unit;
-  const std::string& unit = own.empty() ? unitOption(format, quantity) : own;
-  if (unit.empty()) {
-    throw std::runtime_error(
-        fmt::format("column {} tells no unit; accepted: {}, '{} [UNIT]', or --unit "
-                    "LENGTH,FORCE,TIME as in mm,kN,s",
-                    quoted(column.name), accepted(quantity), column.name));
+  Column column = columnAt(header, place, format, quantity);
+  const std::string& option = unitOption(format, quantity);
+  const std::string& unit = option.empty() ? header[place].unit : option;
+  column.tells_unit = !unit.empty();
+  if (!column.tells_unit && quantity != Quantity::time) {
+    refuseNoUnit(column, quantity);
   }
-  setUnit(column, unit, quantity);
+  setUnit(column, unit.empty() ? siUnit(quantity) : unit, quantity);
   return column;
 }
 
@@ -244,12 +256,20 @@ void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& heade
   }
 }
 
-void noteUnusedUnit(std::vector<std::string>& notes, const std::vector<ColumnName>& header, const Column& column,
-                    const LogFormat& format, Quantity quantity) {
+void noteReplacedUnit(std::vector<std::string>& notes, const std::vector<ColumnName>& header, const Column& column,
+                      const LogFormat& format, Quantity quantity) {
   const std::string& unit = unitOption(format, quantity);
-  const bool own = column.found() && columnOption(format, quantity).empty() && !header[column.index].unit.empty();
-  if (!unit.empty() && own) {
-    notes.push_back(fmt::format("unit {} is not used: column {} names its own", quoted(unit), quoted(column.label)));
+  if (!unit.empty() && column.found() && !header[column.index].unit.empty() && header[column.index].unit != unit) {
+    notes.push_back(fmt::format("column {} is taken to be in {}, by --unit", quoted(column.label), quoted(unit)));
+  }
+}
+
+// A time that a rate replaces is looked at where it can be found.
+Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format) {
+  try {
+    return findColumn(finder, header, format, Quantity::time);
+  } catch (const std::runtime_error&) {
+    return {};
   }
 }
 
@@ -264,6 +284,8 @@ Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& form
   if (isWanted(Quantity::time, format)) {
     columns.time = findColumn(finder, header, format, Quantity::time);
     requireColumn(columns.time, header, Quantity::time);
+  } else {
+    columns.time = timeBesideRate(finder, header, format);
   }
   columns.displacement = findColumn(finder, header, format, Quantity::displacement);
   requireColumn(columns.displacement, header, Quantity::displacement);
@@ -271,6 +293,15 @@ Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& form
   columns.temperature = findColumn(finder, header, format, Quantity::temperature);
   refuseTwoOfOne(columns, header);
   return columns;
+}
+
+void requireTimeUnit(Columns& columns, const LogFormat& format) {
+  if (columns.time.found() && !columns.time.tells_unit && columns.time.assumed_unit.empty()) {
+    if (!format.rate) {
+      refuseNoUnit(columns.time, Quantity::time);
+    }
+    columns.time = Column();
+  }
 }
 
 bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& format) {
@@ -292,13 +323,18 @@ bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& for
 
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format) {
+  constexpr std::size_t kMostNamed = 12;
   std::vector<std::string> notes;
+  std::size_t ignored = 0;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const bool read = i == columns.time.index || i == columns.displacement.index || i == columns.force.index ||
                       i == columns.temperature.index;
-    if (!read && !header[i].text.empty()) {
+    if (!read && !header[i].text.empty() && ++ignored <= kMostNamed) {
       notes.push_back(fmt::format("column {} is ignored", quoted(header[i].withUnit())));
     }
+  }
+  if (ignored > kMostNamed) {
+    notes.push_back(fmt::format("{} more columns are ignored", ignored - kMostNamed));
   }
   for (const Column* column : {&columns.time, &columns.displacement, &columns.force, &columns.temperature}) {
     if (!column->assumed_unit.empty()) {
@@ -306,15 +342,16 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
                                   column->assumed_unit));
     }
   }
-  noteUnusedUnit(notes, header, columns.time, format, Quantity::time);
-  noteUnusedUnit(notes, header, columns.displacement, format, Quantity::displacement);
-  noteUnusedUnit(notes, header, columns.force, format, Quantity::force);
+  noteReplacedUnit(notes, header, columns.time, format, Quantity::time);
+  noteReplacedUnit(notes, header, columns.displacement, format, Quantity::displacement);
+  noteReplacedUnit(notes, header, columns.force, format, Quantity::force);
+  noteReplacedUnit(notes, header, columns.temperature, format, Quantity::temperature);
   return notes;
 }
 
 bool areCanonical(const Columns& columns) {
   const auto fits = [](const Column& column, Quantity quantity) {
-    return !column.found() || isCanonical(column.name, quantity);
+    return !column.found() || (isCanonical(column.name, quantity) && column.factor == 1.0);
   };
   return fits(columns.time, Quantity::time) && fits(columns.displacement, Quantity::displacement) &&
          fits(columns.force, Quantity::force) && fits(columns.temperature, Quantity::temperature);
@@ -324,7 +361,8 @@ std::string describeColumns(const Columns& columns, const LogExtent& extent) {
   std::string text;
   const auto tell = [&](const Column& column, Quantity quantity) {
     if (column.found()) {
-      appendPart(text, fmt::format("{} from {}", toString(quantity), quoted(column.label)));
+      const std::string factor = column.factor == 1.0 ? "" : fmt::format("{:g} times ", column.factor);
+      appendPart(text, fmt::format("{} from {}{}", toString(quantity), factor, quoted(column.label)));
     }
   };
   tell(columns.time, Quantity::time);
@@ -339,10 +377,11 @@ std::string describeColumns(const Columns& columns, const LogExtent& extent) {
 }
 
 std::int64_t toStamp(long double time, const Column& column) {
-  const long double seconds_per_unit = column.conversion(1.0);
-  // A division, for 1 ms is a whole part of a second and not 0.001 in binary.
-  const long double seconds =
-      seconds_per_unit < 1.0L ? time / std::round(1.0L / seconds_per_unit) : time * seconds_per_unit;
+  const long double seconds_per_unit = column.toSi(1.0);
+  const long double units_per_second = std::round(1.0L / seconds_per_unit);
+  // A division where it is exact, for 1 ms is a whole part of a second and not 0.001 in binary.
+  const bool whole = seconds_per_unit < 1.0L && std::abs(units_per_second * seconds_per_unit - 1.0L) < 1e-15L;
+  const long double seconds = whole ? time / units_per_second : time * seconds_per_unit;
   if (!(std::abs(seconds) <= kMaximumTime)) {
     throw std::runtime_error(fmt::format("{}: {:g} s is out of range; accepted: at most {:g} s", column.name,
                                          static_cast<double>(seconds), kMaximumTime));
@@ -352,14 +391,6 @@ std::int64_t toStamp(long double time, const Column& column) {
 
 std::int64_t stampAtRate(std::size_t sample, double rate) {
   return std::llround(static_cast<double>(sample) * 1e9 / rate);
-}
-
-void requireIncrease(std::int64_t last, std::int64_t next, const Column& column) {
-  if (next <= last) {
-    throw std::runtime_error(
-        fmt::format("{}: {} after {}; accepted: time that increases from row to row, by 1 ns at least", column.name,
-                    formatStamp(next), formatStamp(last)));
-  }
 }
 
 std::string formatStamp(std::int64_t stamp) {

@@ -20,14 +20,19 @@ struct Column {
   std::string name;   ///< as in the file
   std::string label;  ///< the same with the unit of a row of units
   UnitConversion conversion{"1", "1"};
+  double factor = 1.0;       ///< that the user told
   std::string assumed_unit;  ///< of a column whose unit neither its name nor the user told; else empty
+  bool tells_unit = true;    ///< false for a time whose unit neither the file nor the user tells: its text may
 
   bool found() const { return index != kNone; }
+
+  /// A number of the file in SI units.
+  double toSi(double number) const { return factor * conversion(number); }
 };
 
 struct Columns {
   std::size_t count = 0;  ///< of all columns in the header
-  Column time;            ///< missing if the format gives a rate
+  Column time;            ///< may be missing if the format gives a rate
   Column displacement;
   Column force;        ///< may be missing
   Column temperature;  ///< may be missing
@@ -36,6 +41,9 @@ struct Columns {
 /// Find the columns: those that the format names or numbers, then by name, then by unit where exactly one column has a
 /// unit of that quantity. What is ambiguous is refused. Throws std::runtime_error with name and what is accepted.
 Columns findColumns(const std::vector<ColumnName>& header, const LogFormat& format);
+
+/// Throws std::runtime_error for a column of time whose unit nothing tells; beside a rate it is left out.
+void requireTimeUnit(Columns& columns, const LogFormat& format);
 
 /// True where a row of names tells enough to be a header: the columns that the format names are there, and of the
 /// others at least displacement and time, or any two.
@@ -63,9 +71,6 @@ std::int64_t toStamp(long double time, const Column& column);
 
 /// The stamp [ns] of a sample of a log without time column.
 std::int64_t stampAtRate(std::size_t sample, double rate);
-
-/// Throws std::runtime_error unless the next stamp is later than the last one.
-void requireIncrease(std::int64_t last, std::int64_t next, const Column& column);
 
 /// A stamp [ns] in seconds, exactly.
 std::string formatStamp(std::int64_t stamp);

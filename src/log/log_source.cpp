@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "log/csv_blocks.h"
 #include "log/file_format.h"
-#include "log/hdf5_blocks.h"
+#include "log/file_readers.h"
 #include "log/log_columns.h"
 #include "log/samples.h"
 
@@ -52,12 +51,14 @@ using ReadBlocks = std::vector<std::string> (*)(const std::string& path, const L
                                                 const LogSource::Take& take);
 
 // A file that is read again each time.
-class FileSource : public LogSource {
+class LogFileSource : public LogSource {
  public:
-  FileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
+  LogFileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
       : path_(std::move(path)), format_(std::move(format)), read_(read_blocks) {}
 
-  std::string name() const override { return logName(path_); }
+  std::string name() const override {
+    return format_.segment == 0 ? logName(path_) : segmentName(logName(path_), format_.segment);
+  }
   std::vector<std::string> read(const Take& take) const override { return read_(path_, format_, take); }
 
  private:
@@ -82,7 +83,7 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   if (kind == FileFormat::matlab || kind == FileFormat::bag || !isRegularFile(path)) {
     return sourceOf(readLog(path, format));
   }
-  auto file = std::make_shared<FileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
+  auto file = std::make_shared<LogFileSource>(path, format, kind == FileFormat::hdf5 ? readHdf5Blocks : readCsvBlocks);
   Log kept;
   bool all = true;
   std::vector<std::string> notes = file->read([&](const Log& block, std::size_t first) {
@@ -98,6 +99,30 @@ std::shared_ptr<const LogSource> openLog(const std::string& path, const LogForma
   kept.name = file->name();
   kept.notes = std::move(notes);
   return sourceOf(std::move(kept));
+}
+
+std::vector<Log> readLogs(const std::string& path, const LogFormat& format) {
+  switch (formatOfFile(path)) {
+    case FileFormat::matlab:
+      return readMatLogs(path, format);
+    case FileFormat::hdf5:
+      return readHdf5Logs(path, format);
+    default:
+      return readCsvLogs(path, format);
+  }
+}
+
+Log readLog(const std::string& path, const LogFormat& format) { return onlyLog(path, readLogs(path, format)); }
+
+LogSources openLogs(const std::string& path, const LogFormat& format) {
+  if (format.segment != kAllSegments) {
+    return {openLog(path, format)};
+  }
+  LogSources sources;
+  for (Log& log : readLogs(path, format)) {
+    sources.push_back(sourceOf(std::move(log)));
+  }
+  return sources;
 }
 
 }  // namespace rubber_suspension::log

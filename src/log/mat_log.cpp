@@ -9,8 +9,12 @@
 #include <stdexcept>
 
 #include "log/column_table.h"
+#include "log/file_readers.h"
 #include "log/hdf5_mutex.h"
+#include "log/hdf5_storage.h"
 #include "log/log_columns.h"
+#include "log/mat_check.h"
+#include "log/text.h"
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::log {
@@ -19,12 +23,21 @@ namespace {
 using MatPointer = std::unique_ptr<mat_t, int (*)(mat_t*)>;
 using VariablePointer = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
 
-// A vector of numbers in the file: a variable, a field of one, or a column of a matrix.
+// A field of one element of a struct.
+struct MatStep {
+  std::string field;
+  std::size_t element = 0;
+};
+
+// A vector of numbers in the file: a variable, a field within structs, or a column of a matrix.
 struct MatColumn {
   std::string name;
+  std::string unit;  // that a text beside a field tells
+  std::string leaf;  // of a field, what it is called itself; empty: the name
+  std::string group;
   std::string variable;
-  std::string field;     // empty: the variable itself
-  std::size_t part = 0;  // of a matrix, from 1; 0: the whole vector
+  std::vector<MatStep> path;  // empty: the variable itself
+  std::size_t part = 0;       // of a matrix, from 1; 0: the whole vector
 };
 
 // Beyond these a matrix is a picture or a table of something else.
@@ -61,20 +74,77 @@ void addParts(std::vector<MatColumn>& columns, const matvar_t& matrix) {
   for (std::size_t part = 1; part <= partCount(matrix); ++part) {
     const std::string name =
         isWide(matrix) ? fmt::format("{}({},:)", matrix.name, part) : fmt::format("{}(:,{})", matrix.name, part);
-    columns.push_back({name, matrix.name, "", part});
+    columns.push_back({name, "", "", "", matrix.name, {}, part});
   }
 }
 
-void addFields(std::vector<MatColumn>& columns, matvar_t& variable) {
-  const unsigned count = Mat_VarGetNumberOfFields(&variable);
-  char* const* names = Mat_VarGetStructFieldnames(&variable);
-  for (unsigned i = 0; i < count; ++i) {
-    const matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
-    if (field != nullptr && isVector(*field)) {
-      columns.push_back({std::string(variable.name) + "." + names[i], variable.name, names[i], 0});
+std::string textIn(const matvar_t* variable) {
+  constexpr std::size_t kLongestText = 200;
+  if (variable == nullptr || variable->class_type != MAT_C_CHAR || variable->data == nullptr) {
+    return "";
+  }
+  std::string text;
+  const auto* const bytes = static_cast<const unsigned char*>(variable->data);
+  const auto size = static_cast<std::size_t>(std::max(variable->data_size, 1));
+  for (std::size_t i = 0; i < std::min(elementCount(*variable), kLongestText) && (i + 1) * size <= variable->nbytes;
+       ++i) {
+    text += bytes[i * size] != 0 ? static_cast<char>(bytes[i * size]) : ' ';
+  }
+  return trimmed(text);
+}
+
+// The text of a field of one of these names, whatever their case.
+std::string textOf(matvar_t& variable, std::size_t element, const std::vector<std::string>& names) {
+  char* const* fields = Mat_VarGetStructFieldnames(&variable);
+  for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
+    if (std::find(names.begin(), names.end(), lowerCase(fields[i])) != names.end()) {
+      return textIn(Mat_VarGetStructFieldByIndex(&variable, i, element));
     }
   }
+  return "";
 }
+
+// The vectors in a struct, within structs as well. One that stands beside a text that names it, as in what Simulink and
+// data acquisition write, has that name.
+class FieldFinder {
+ public:
+  FieldFinder(std::vector<MatColumn>& columns, std::string variable)
+      : columns_(columns), variable_(std::move(variable)) {}
+
+  void add(matvar_t& structure, const std::string& name, const std::vector<MatStep>& path) {
+    constexpr std::size_t kMostElements = 1000;
+    constexpr std::size_t kDeepestPath = 8;
+    const std::size_t elements = std::min(elementCount(structure), kMostElements);
+    for (std::size_t element = 0; element < elements && path.size() < kDeepestPath; ++element) {
+      const std::string place = elements == 1 ? name : fmt::format("{}({})", name, element + 1);
+      group_ = path.empty() ? (elements == 1 ? variable_ : fmt::format("{}({})", variable_, element + 1)) : group_;
+      addElement(structure, element, place, path);
+    }
+  }
+
+ private:
+  void addElement(matvar_t& structure, std::size_t element, const std::string& place, std::vector<MatStep> path) {
+    const std::string label = textOf(structure, element, {"name", "label", "title"});
+    const std::string unit = textOf(structure, element, {"unit", "units"});
+    char* const* names = Mat_VarGetStructFieldnames(&structure);
+    for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&structure); ++i) {
+      matvar_t* const field = Mat_VarGetStructFieldByIndex(&structure, i, element);
+      const std::string name = (place.empty() ? "" : place + ".") + names[i];
+      path.push_back({names[i], element});
+      if (field != nullptr && field->class_type == MAT_C_STRUCT) {
+        add(*field, name, path);
+      } else if (field != nullptr && isVector(*field)) {
+        const bool labelled = !label.empty() && elementCount(*field) > 1;
+        columns_.push_back({labelled ? label : name, unit, labelled ? label : names[i], group_, variable_, path, 0});
+      }
+      path.pop_back();
+    }
+  }
+
+  std::vector<MatColumn>& columns_;
+  std::string variable_;
+  std::string group_;
+};
 
 template <class Number>
 void copyNumbers(const matvar_t& variable, std::size_t first, std::size_t stride, std::vector<double>& values) {
@@ -93,43 +163,47 @@ class MatLogReader {
     }
   }
 
-  Log read(const std::string& name) {
+  std::vector<Log> read(const std::string& name) {
     listColumns();
-    std::vector<ColumnName> names;
-    std::transform(columns_.begin(), columns_.end(), std::back_inserter(names),
-                   [](const MatColumn& column) { return parseColumnName(column.name); });
-    return logFromColumns(
-        names,
-        {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
-         [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, and all of them
-           keep(place, column);
-           std::vector<double> numbers = std::move(kept_.at(place));
-           kept_.erase(place);
-           return numbers;
-         }},
-        format_, name);
+    ColumnTable table;
+    for (const MatColumn& column : columns_) {
+      table.names.push_back(parseColumnName(column.name, column.unit));
+      table.names.back().bare = parseColumnName(column.leaf.empty() ? column.name : column.leaf).bare;
+      table.groups.push_back(column.group);
+    }
+    table.file = {
+        [this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
+        [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, and all of them
+          keep(place, column);
+          std::vector<double> numbers = std::move(kept_.at(place));
+          kept_.erase(place);
+          return numbers;
+        }};
+    return logsFromColumns(table, format_, name);
   }
 
  private:
   void listColumns() {
     std::size_t variables = 0;
+    std::vector<std::string> structs;
     while (const VariablePointer variable{Mat_VarReadNextInfo(file_.get()), Mat_VarFree}) {
       ++variables;
       if (variable->name == nullptr) {
         continue;
       }
       if (isVector(*variable)) {
-        columns_.push_back({variable->name, variable->name, "", 0});
+        columns_.push_back({variable->name, "", "", "", variable->name, {}, 0});
       } else if (isMatrix(*variable)) {
         addParts(columns_, *variable);
-      } else if (variable->class_type == MAT_C_STRUCT && elementCount(*variable) == 1) {
-        addFields(columns_, *variable);
+      } else if (variable->class_type == MAT_C_STRUCT) {
+        structs.emplace_back(variable->name);
       }
     }
-    if (variables == 1) {
-      for (MatColumn& column : columns_) {
-        column.name = column.part > 0 ? std::to_string(column.part) : column.field.empty() ? column.name : column.field;
-      }
+    for (const std::string& name : structs) {
+      FieldFinder(columns_, name).add(read(name, name), variables == 1 ? "" : name, {});
+    }
+    for (MatColumn& column : columns_) {
+      column.name = variables == 1 && column.part > 0 ? std::to_string(column.part) : column.name;
     }
   }
 
@@ -140,31 +214,42 @@ class MatLogReader {
   }
 
   std::vector<double> readColumn(const MatColumn& source, const std::string& name) {
-    requireSize(source, name);
-    const VariablePointer variable(Mat_VarRead(file_.get(), source.variable.c_str()), Mat_VarFree);
-    const matvar_t* vector = variable.get();
-    if (vector != nullptr && !source.field.empty()) {
-      vector = Mat_VarGetStructFieldByName(variable.get(), source.field.c_str(), 0);
+    matvar_t* vector = &read(source.variable, name);
+    for (const MatStep& step : source.path) {
+      vector = vector == nullptr ? nullptr : Mat_VarGetStructFieldByName(vector, step.field.c_str(), step.element);
     }
     return numbersOf(vector, source.part, name);
   }
 
-  // From what is known before any data is read, so that a small file cannot claim the memory of a large one.
-  void requireSize(const MatColumn& source, const std::string& name) {
-    const VariablePointer info(Mat_VarReadInfo(file_.get(), source.variable.c_str()), Mat_VarFree);
-    if (!info) {
-      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
+  // A variable with its data, kept until another one is read. Its size is known before, so that a small file cannot
+  // claim the memory of a large one.
+  matvar_t& read(const std::string& variable, const std::string& name) {
+    if (kept_variable_ && kept_variable_->name == variable) {
+      return *kept_variable_;
     }
-    std::size_t total = elementCount(*info);
-    const unsigned fields = info->class_type == MAT_C_STRUCT ? Mat_VarGetNumberOfFields(info.get()) : 0;
-    for (unsigned i = 0; i < fields; ++i) {
-      const matvar_t* field = Mat_VarGetStructFieldByIndex(info.get(), i, 0);
-      total += field == nullptr ? 0 : elementCount(*field);
-    }
-    if (total > kMaximumLogRows) {
+    const VariablePointer info(Mat_VarReadInfo(file_.get(), variable.c_str()), Mat_VarFree);
+    if (info && numbersIn(*info, 0) > kMaximumLogRows) {
       throw std::runtime_error(
           fmt::format("{}: more than {} numbers; accepted: that many at most", name, kMaximumLogRows));
     }
+    kept_variable_.reset(info ? Mat_VarRead(file_.get(), variable.c_str()) : nullptr);
+    if (!kept_variable_) {
+      throw std::runtime_error(fmt::format("{}: cannot be read; accepted: a vector or a matrix of numbers", name));
+    }
+    return *kept_variable_;
+  }
+
+  static std::size_t numbersIn(matvar_t& variable, std::size_t depth) {
+    constexpr std::size_t kDeepestStruct = 64;
+    std::size_t total = elementCount(variable);
+    const std::size_t fields = variable.class_type == MAT_C_STRUCT && depth < kDeepestStruct && total <= kMaximumLogRows
+                                   ? Mat_VarGetNumberOfFields(&variable)
+                                   : 0;
+    for (std::size_t i = 0; i < fields * elementCount(variable) && total <= kMaximumLogRows; ++i) {
+      matvar_t* const field = Mat_VarGetStructFieldByIndex(&variable, i % fields, i / fields);
+      total += field == nullptr ? 0 : numbersIn(*field, depth + 1);
+    }
+    return total;
   }
 
   static std::vector<double> numbersOf(const matvar_t* vector, std::size_t part, const std::string& name) {
@@ -207,18 +292,28 @@ class MatLogReader {
 
   MatPointer file_;
   LogFormat format_;
+  VariablePointer kept_variable_{nullptr, Mat_VarFree};
   std::vector<MatColumn> columns_;
   std::map<std::size_t, std::vector<double>> kept_;
 };
 
 }  // namespace
 
-Log readMatLog(const std::string& path, const LogFormat& format) {
+std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());
+  std::string objects;
   try {
+    requireOwnData(path);
+    objects = join(checkMatStructure(path));
     return MatLogReader(path, format).read(logName(path));
   } catch (const std::runtime_error& error) {
-    throw LogError(fmt::format("{}: {}", path, error.what()));
+    throw LogError(fmt::format("{}: {}{}", path, error.what(),
+                               objects.empty()
+                                   ? ""
+                                   : fmt::format("; {} is an object of MATLAB, which is not read: in MATLAB, "
+                                                 "writetable(NAME, 'LOG.csv') writes a table, writetimetable(NAME, "
+                                                 "'LOG.csv') a timetable",
+                                                 objects)));
   }
 }
 

@@ -8,15 +8,13 @@
 #include <cmath>
 #include <complex>
 #include <random>
-#include <unsupported/Eigen/FFT>
 
 #include "log/even_blocks.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::log {
 namespace {
-
-constexpr Eigen::Index kFewestSamples = 100;
 
 // The median of an exponentially distributed periodogram line is ln 2 of its mean; averaging over segments brings it
 // closer to one, by about 1 - 1/(3 segments).
@@ -42,18 +40,15 @@ double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array
 
 // Even time steps. A log that has them is taken as it is.
 void setTimeBase(const Log& log, Record& record) {
-  std::vector<double> steps(log.size() - 1);
-  for (std::size_t i = 0; i + 1 < log.size(); ++i) {
-    steps[i] = static_cast<double>(log.stamp[i + 1] - log.stamp[i]) * 1e-9;
+  TimeSteps steps;
+  steps.add(log);
+  const EvenSteps even = steps.evenSteps();
+  if (even.gaps > 0) {
+    throw LogError(fmt::format("{}: {} time gaps; a record is of a stretch without", log.name, even.gaps));
   }
-  const double step = median(steps);
-  const double duration = static_cast<double>(log.stamp.back() - log.stamp.front()) * 1e-9;
-  const auto worst = std::max_element(steps.begin(), steps.end(),
-                                      [&](double a, double b) { return std::abs(a - step) < std::abs(b - step); });
-  const EvenSteps even = evenStepsFor(step, std::abs(*worst - step), duration, log.size());
   if (!even.as_recorded) {
     record.notes.push_back(
-        fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", step, *worst));
+        fmt::format("uneven time base (median step {:.4g} s, worst {:.4g} s): resampled", even.median, even.worst));
   }
   record.dt = even.dt;
   const auto samples = static_cast<Eigen::Index>(even.samples);
@@ -71,8 +66,8 @@ void setTimeBase(const Log& log, Record& record) {
     done += count;
   };
   EvenBlocks blocks(even);
-  append(blocks.add(log));
-  append(blocks.finish());
+  blocks.add(log, append);
+  blocks.finish(append);
 }
 
 // Weights of a low-pass filter of zero phase: passes `frequency` and stops kStop times that, by a sinc in a Kaiser
@@ -225,7 +220,7 @@ Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw) {
 }
 
 Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment) {
-  Eigen::FFT<double> fft;
+  numerics::Fourier fourier;
   const Eigen::Index lines = segment / 2 + 1;
   Eigen::VectorXd density = Eigen::VectorXd::Zero(lines);
   Eigen::ArrayXd window(segment);
@@ -236,11 +231,10 @@ Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, E
   const double scale = 2.0 * dt / window.square().sum();
   Eigen::Index segments = 0;
   std::vector<double> piece(static_cast<std::size_t>(segment));
-  std::vector<std::complex<double>> spectrum;
   for (Eigen::Index start = 0; start + segment <= signal.size(); start += std::max<Eigen::Index>(segment / 2, 1)) {
     const Eigen::ArrayXd part = signal.segment(start, segment).array();
     Eigen::Map<Eigen::ArrayXd>(piece.data(), segment) = (part - part.mean()) * window;
-    fft.fwd(spectrum, piece);
+    const std::vector<std::complex<double>> spectrum = fourier.halfSpectrum(piece);
     for (Eigen::Index i = 0; i < lines; ++i) {
       density[i] += scale * std::norm(spectrum[static_cast<std::size_t>(i)]);
     }
@@ -269,7 +263,7 @@ void requireForce(const Log& log) {
 
 Record evenRecord(const Log& log) {
   requireForce(log);
-  if (static_cast<Eigen::Index>(log.size()) < kFewestSamples) {
+  if (log.size() < kFewestSamples) {
     throw LogError(
         fmt::format("{}: {} samples are too few to diagnose; needed are {}", log.name, log.size(), kFewestSamples));
   }

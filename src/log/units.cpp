@@ -6,7 +6,9 @@
 #include <udunits2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -42,14 +44,85 @@ ut_system* unitSystem() {
     }
     mapName(made, "deg", "arc_degree");
     mapName(made, "tonf", "1000 kgf");
-    mapName(made, "Sek", "s");
-    mapName(made, "sek", "s");
+    mapName(made, "kip", "1000 lbf");
+    mapName(made, "mil", "0.001 in");
     return made;
   }();
   return system;
 }
 
-UnitPointer parseUnit(const std::string& text) { return {ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free}; }
+// Units as headers of logs spell them, in lower case, where the library of units has another spelling.
+struct Spelling {
+  const char* written;
+  const char* unit;
+};
+
+constexpr Spelling kSpellings[] = {
+    {"c", "degC"},        {"deg c", "degC"},  {"deg. c", "degC"}, {"degc", "degC"},  {"\u00b0c", "degC"},
+    {"\u00b0 c", "degC"}, {"grad c", "degC"}, {"f", "degF"},      {"deg f", "degF"}, {"degf", "degF"},
+    {"\u00b0f", "degF"},  {"kn", "kN"},       {"dan", "daN"},     {"newtons", "N"},  {"lb", "lbf"},
+    {"lbs", "lbf"},       {"pounds", "lbf"},  {"lbsf", "lbf"},    {"klbf", "kip"},   {"klb", "kip"},
+    {"klbs", "kip"},      {"kips", "kip"},    {"kp", "kgf"},      {"kgf", "kgf"},    {"nm", "N m"},
+    {"knm", "kN m"},      {"mm", "mm"},       {"cm", "cm"},       {"m", "m"},        {"um", "um"},
+    {"micron", "um"},     {"microns", "um"},  {"mils", "mil"},    {"thou", "mil"},   {"inch", "in"},
+    {"inches", "in"},     {"\"", "in"},       {"s", "s"},         {"sec", "s"},      {"secs", "s"},
+    {"sec.", "s"},        {"seconds", "s"},   {"sek", "s"},       {"sek.", "s"},     {"sekunden", "s"},
+    {"ms", "ms"},         {"msec", "ms"},     {"msek", "ms"},     {"usec", "us"},    {"us", "us"},
+    {"mins", "min"},      {"minuten", "min"}, {"hrs", "h"},       {"std", "h"},
+};
+
+bool isUnitByte(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+// One unit expression: words between blanks, `*` and `/`, with integer exponents; the grammar of UDUNITS allows
+// numbers, origins ("since") and logarithms in it as well.
+bool isUnitExpression(const std::string& text) {
+  if (text.find('%') != std::string::npos) {
+    return text == "%";
+  }
+  static const std::array<const char*, 5> kOrigins = {"since", "from", "after", "ref", "per"};
+  std::size_t at = text.compare(0, 2, "1/") == 0 ? 2 : 0;
+  bool word_needed = true;
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == ' ') {
+      ++at;
+    } else if (c == '*' || c == '/') {
+      if (word_needed) {
+        return false;
+      }
+      word_needed = true;
+      ++at;
+    } else if (isUnitByte(c)) {
+      const std::size_t begin = at;
+      while (at < text.size() && isUnitByte(text[at])) {
+        ++at;
+      }
+      const std::string word = lowerCase(text.substr(begin, at - begin));
+      if (std::find(kOrigins.begin(), kOrigins.end(), word) != kOrigins.end()) {
+        return false;
+      }
+      const std::size_t power = at + (at < text.size() && text[at] == '^' ? 1 : 0);
+      const std::size_t digits = power + (power < text.size() && text[power] == '-' ? 1 : 0);
+      const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
+      if (end == digits && digits > at) {
+        return false;  // a sign or ^ without an exponent
+      }
+      at = end;
+      word_needed = false;
+    } else {
+      return false;
+    }
+  }
+  return !word_needed;
+}
+
+UnitPointer parseUnit(const std::string& text) {
+  const bool is_unit = text == "1" || isUnitExpression(text);
+  return {is_unit ? ut_parse(unitSystem(), text.c_str(), UT_UTF8) : nullptr, ut_free};
+}
 
 // UDUNITS takes the radian for the number 1; the definition of the unit shows whether it is in there.
 bool containsAngle(const ut_unit* unit) {
@@ -182,8 +255,20 @@ std::optional<double> parseNumber(const std::string& text) {
 
 bool isUnit(const std::string& text) {
   const std::lock_guard<std::mutex> lock(unitMutex());
-  const UnitPointer unit(ut_parse(unitSystem(), text.c_str(), UT_UTF8), ut_free);
-  return unit != nullptr;
+  return parseUnit(text) != nullptr;
+}
+
+std::string spelledUnit(const std::string& text, const std::string& wanted) {
+  const std::lock_guard<std::mutex> lock(unitMutex());
+  const UnitPointer target = parseUnit(wanted);
+  const auto converts = [&](const std::string& unit) {
+    const UnitPointer parsed = parseUnit(unit);
+    return parsed && areConvertible(parsed.get(), target.get());
+  };
+  const std::string written = lowerCase(text);
+  const auto* const row = std::find_if(std::begin(kSpellings), std::end(kSpellings),
+                                       [&](const Spelling& spelling) { return spelling.written == written; });
+  return converts(text) || row == std::end(kSpellings) || !converts(row->unit) ? text : row->unit;
 }
 
 UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
@@ -225,7 +310,12 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   }
   refuseSeparators(quantity, length);
   const double value = strtod_l(quantity.substr(0, length).c_str(), nullptr, cLocale());
-  return UnitConversion(trimmed(quantity.substr(length)), unit)(value);
+  const std::string rest = trimmed(quantity.substr(length));
+  if (!isUnitExpression(rest)) {
+    throw std::invalid_argument(fmt::format(
+        "{} behind the number is no unit; accepted: one number and one unit, as in '3 kN/mm'", quoted(rest)));
+  }
+  return UnitConversion(rest, unit)(value);
 }
 
 std::string unitOfQuantity(const std::string& text) {

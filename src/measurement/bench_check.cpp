@@ -9,10 +9,10 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <unsupported/Eigen/FFT>
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -134,11 +134,7 @@ class CrossSpectrum {
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
       windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
     }
-    Eigen::FFT<double> fft;
-    fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    std::vector<std::complex<double>> spectrum;
-    fft.fwd(spectrum, windowed);
-    return spectrum;
+    return numerics::Fourier().halfSpectrum(windowed);
   }
 
   void add(const VectorXd& displacement, const VectorXd& force) {
@@ -311,7 +307,7 @@ RigFinding signFinding(const log::Record& record, const Evidence& e) {
   return fatal(
       record, finding::kSign, -1.0,
       fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m): "
-                  "the sign of one is reversed; multiply the force by -1",
+                  "the sign of one is reversed; multiply the force by -1, --columns force=-NAME",
                   e.measured.stiffness, e.configured.stiffness));
 }
 
@@ -320,7 +316,7 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
       record, finding::kSwappedColumns, e.ratio,
       fmt::format("force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
                   "of a loop's most, negative: energy out of nothing): swap the columns, "
-                  "--columns displacement=... force=...",
+                  "--columns displacement=NAME force=NAME",
                   e.measured.stiffness, e.configured.stiffness, e.loss));
 }
 
@@ -401,7 +397,8 @@ std::optional<RigFinding> stiffnessFinding(const component::Component& component
   if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
     return swapFinding(record, e);
   }
-  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness, "name the units, --unit LENGTH,FORCE");
+  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness,
+                      "name the unit, as in --unit force=kN");
 }
 
 // Dampers: forces that go together, hundreds of times apart.
@@ -416,7 +413,7 @@ std::optional<RigFinding> forceFinding(const log::Record& record, const Evidence
   return fatal(
       record, finding::kUnitFactor, e.force_ratio,
       fmt::format("the measured force goes with the simulated one, but is {:.3g} times as large, as by the factor "
-                  "{:.4g} of a wrong unit: {}; or name the units, --unit LENGTH,FORCE",
+                  "{:.4g} of a wrong unit: {}; or name the unit, as in --unit force=kN",
                   e.force_ratio, factor->factor, factor->correction));
 }
 

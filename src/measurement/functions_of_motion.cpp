@@ -1,12 +1,12 @@
 // Piecewise linear functions of displacement and speed.
 #include "measurement/functions_of_motion.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::measurement {
 namespace {
@@ -96,7 +96,7 @@ VectorXd weightsOf(const Columns& columns, const VectorXd& residual, const Mask&
       }
     }
   }
-  return gram.completeOrthogonalDecomposition().solve(moment);  // hats of both kinds add up to the same constant
+  return numerics::solveLeastNorm(gram, moment);  // hats of both kinds add up to the same constant
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-// Noise floor from repeats, standstill, spectrum and model.
+// Noise floor from hasRepeat, standstill, spectrum and model.
 #include "rubber_suspension/measurement/noise_floor.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "measurement/functions_of_motion.h"
 #include "measurement/spectrum.h"
 #include "measurement/statistics.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_model.h"
 
@@ -67,15 +67,15 @@ struct Differences {
   double lag = 0.0;  // sum over all, samples
 };
 
-bool repeats(const VectorXd& z, Index begin, Index lag) {
-  constexpr double kAlike = 0.02;  // of the cycle's RMS
+bool hasRepeat(const VectorXd& z, Index begin, Index lag) {
+  constexpr double kSameMotion = 0.02;  // of the cycle's RMS
   if (begin + 3 * lag > z.size() || lag < 4) {
     return false;
   }
   const VectorXd first = z.segment(begin, lag);
   const double size = deviationOf(first);
-  return rmsOf(z.segment(begin + lag, lag) - first) < kAlike * size &&
-         rmsOf(z.segment(begin + 2 * lag, lag) - first) < kAlike * size;
+  return rmsOf(z.segment(begin + lag, lag) - first) < kSameMotion * size &&
+         rmsOf(z.segment(begin + 2 * lag, lag) - first) < kSameMotion * size;
 }
 
 void addCycle(const log::Record& record, const Mask& mask, Index begin, Index lag, Differences& differences) {
@@ -96,7 +96,7 @@ Differences secondDifferences(const log::Record& record, const Mask& mask) {
   const std::vector<Index> crossings = upcrossings(record.displacement);
   for (std::size_t i = 0; i + 3 < crossings.size(); i += 3) {
     const Index lag = (crossings[i + 3] - crossings[i] + 1) / 3;
-    if (repeats(record.displacement, crossings[i], lag)) {
+    if (hasRepeat(record.displacement, crossings[i], lag)) {
       addCycle(record, mask, crossings[i], lag, differences);
     }
   }
@@ -142,7 +142,7 @@ double powerOfLines(const log::Record& record, const VectorXd& residual, const M
   return power;
 }
 
-// Lines are in the repeats as well, unless they are harmonics of the motion.
+// Lines are in the hasRepeat as well, unless they are harmonics of the motion.
 double withoutLines(double deviation, const log::Record& record, const VectorXd& residual, const Mask& mask) {
   return std::sqrt(std::max(0.0, deviation * deviation - powerOfLines(record, residual, mask)));
 }
@@ -164,7 +164,7 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   columns.col(0) = asVector(differences.displacement);
   columns.col(1) = asVector(differences.speed);
   const VectorXd force = asVector(differences.force);
-  const VectorXd left = force - columns * columns.colPivHouseholderQr().solve(force);
+  const VectorXd left = force - columns * numerics::solveLeastSquares(columns, force);
   const double deviation = robustDeviation(left, Mask::Constant(count, true)) / std::sqrt(6.0);
   const NoiseModel noise = estimateNoise(residual, mask, motionBand(record));
   const double kept = noise.isColoured() ? keptShare(noise, differences.lag / static_cast<double>(count)) : 1.0;
@@ -192,7 +192,7 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
       trend.col(0).setOnes();
       trend.col(2) = trend.col(1).cwiseAbs2();
       const VectorXd force = record.force.segment(end - length, length);
-      square += (force - trend * trend.householderQr().solve(force)).squaredNorm();
+      square += (force - trend * numerics::solveIndependent(trend, force)).squaredNorm();
       count += length;
       freedom += 3;
     }
@@ -227,7 +227,7 @@ NoiseFloor noiseFloor(const log::Record& record, const VectorXd& residual, const
   const double by_repeats = noiseFromRepeats(record, rest, mask);
   const double by_spectrum = noiseFromSpectrum(record, rest, mask);
   take(by_repeats > by_spectrum ? std::max(by_spectrum, withoutLines(by_repeats, record, rest, mask)) : by_repeats,
-       "repeats");
+       "hasRepeat");
   take(by_spectrum, "spectrum");
   take(noiseFromStandstill(record, mask), "standstill");
   const double least_left = std::min(left, std::sqrt(meanSquare(rest, mask)));

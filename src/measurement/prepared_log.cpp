@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/least_squares.h"
 #include "rubber_suspension/measurement/faults.h"
 
 namespace rubber_suspension::measurement {
@@ -49,13 +49,7 @@ Eigen::MatrixXd chosenColumns(const RigColumns& rig, bool zero_counts) {
 // Without columns that others stand for, such as exponentials that are over before the first sample that counts.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   constexpr double kIndependent = 1e-6;
-  if (columns.cols() == 0) {
-    return columns;
-  }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(columns.rows(), columns.cols());
-  factor.setThreshold(kIndependent);
-  factor.compute(columns);
-  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
+  return columns.cols() == 0 ? columns : numerics::orthonormalColumns(columns, kIndependent);
 }
 
 enum class Start { counts, counts_at_rest };

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "measurement/statistics.h"
+#include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
@@ -148,9 +148,9 @@ struct Solution {
 Solution solveWithPriors(const MatrixXd& gram, const VectorXd& moment, const VectorXd& priors) {
   const Index size = priors.size();
   const MatrixXd scaled = priors.asDiagonal() * gram * priors.asDiagonal() + MatrixXd::Identity(size, size);
-  const Eigen::LLT<MatrixXd> factor(scaled);
-  return {priors.asDiagonal() * factor.solve(priors.asDiagonal() * moment),
-          priors.asDiagonal() * factor.solve(MatrixXd::Identity(size, size)) * priors.asDiagonal()};
+  const numerics::Cholesky factor(scaled);
+  return {priors.asDiagonal() * factor.solve(VectorXd(priors.asDiagonal() * moment)),
+          priors.asDiagonal() * factor.solve(MatrixXd(MatrixXd::Identity(size, size))) * priors.asDiagonal()};
 }
 
 Index columnOf(const RigColumns& rig, Nuisance nuisance) {
@@ -274,7 +274,7 @@ RigFinding told(const std::string& log, Nuisance nuisance, double value, double 
 
 // How unlikely values are if all of them were 0: a chi-square beyond its quantile.
 bool significant(const VectorXd& values, const MatrixXd& covariance) {
-  const double square = values.dot(covariance.llt().solve(values));
+  const double square = values.dot(numerics::Cholesky(covariance).solve(values));
   const boost::math::chi_squared distribution(static_cast<double>(values.size()));
   return square > boost::math::quantile(boost::math::complement(distribution, kChance));
 }

@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "measurement/statistics.h"
+#include "numerics/fourier.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::measurement {
@@ -47,10 +47,7 @@ VectorXd periodogram(const VectorXd& signal) {
     windowed[static_cast<std::size_t>(i)] = window * (signal[i] - mean);
     power += window * window;
   }
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> spectrum;
-  fft.fwd(spectrum, windowed);
+  const std::vector<std::complex<double>> spectrum = numerics::Fourier().halfSpectrum(windowed);
   VectorXd density(padded / 2 + 1);
   for (Index i = 0; i < density.size(); ++i) {
     density[i] = 2.0 * std::norm(spectrum[static_cast<std::size_t>(i)]) / power;

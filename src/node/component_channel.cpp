@@ -28,6 +28,7 @@ component::StreamCounters sum(const component::StreamCounters& a, const componen
   result.not_finite += b.not_finite;
   result.repeated += b.repeated;
   result.stepped_back += b.stepped_back;
+  result.force_not_finite += b.force_not_finite;
   return result;
 }
 
@@ -39,6 +40,7 @@ class ComponentChannel::Model {
   Model(const io::ComponentDescription& description, double max_gap)
       : described(std::make_shared<const io::ComponentDescription>(description)),
         sha256(io::sha256(io::toYaml({description}))),
+        valid(description.validDisplacement()),
         component(description.makeComponent()),
         stream(component, max_gap) {}
   Model(const Model&) = delete;
@@ -46,6 +48,7 @@ class ComponentChannel::Model {
 
   const std::shared_ptr<const io::ComponentDescription> described;
   const std::string sha256;
+  const std::optional<element::Range> valid;  // [m]
   const component::Component component;
   component::SampleStream stream;
 };
@@ -121,6 +124,7 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
     if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
+    beyond_valid_ += model_->valid && !model_->valid->contains(displacement) ? 1 : 0;
     force = answer.force;
     if (promotion_ && promotion_->fade.stage() != RunStage::configured) {
       force = promotion_->push(stamp, displacement, answer.force, beside);
@@ -238,7 +242,8 @@ void ComponentChannel::checkState(const SavedState& state) const {
     throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
   }
   try {
-    model->component.makeState().deserialise(state.displacement, state.memory);
+    component::ComponentState restored = model->component.makeState();
+    model->component.restore(restored, state.displacement, state.memory);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name_, error.what()));
   }
@@ -342,6 +347,8 @@ ChannelReport ComponentChannel::report() {
   dropFinished(finished);
   const component::SampleStream& stream = model_->stream;
   result.counters = sum(earlier_, stream.counters());
+  result.beyond_valid = beyond_valid_;
+  result.valid = model_->valid;
   result.disabled = disabled_;
   result.lost = lost_;
   result.enabled = enabled_;

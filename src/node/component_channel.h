@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -59,12 +58,13 @@ struct RunningModel {
 
 /// What a channel did since it was made, and since the last report.
 struct ChannelReport {
-  component::StreamCounters counters;  ///< since the node started, over resets and reloads
-  std::uint64_t disabled = 0;          ///< samples that came while the component was disabled
+  component::StreamCounters counters;   ///< since the node started, over resets and reloads
+  std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
+  std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
+  std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
   std::uint64_t undecodable = 0;  ///< messages that are no samples
   std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
-  std::map<std::string, std::uint64_t> undelivered_to;  ///< the same by subscriber
   bool enabled = true;
   bool started = false;
   double last_time = 0.0;                  ///< stamp of the last accepted sample [s]
@@ -154,6 +154,7 @@ class ComponentChannel {
   std::string note_;                      // how the last promotion ended
   std::int64_t since_ = 0;                // and with which sample
   component::StreamCounters earlier_;     // of the models before a reload
+  std::uint64_t beyond_valid_ = 0;
   std::uint64_t disabled_ = 0;
   std::uint64_t lost_ = 0;
   std::uint64_t refused_temperatures_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "log/even_blocks.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/record.h"
@@ -26,6 +27,11 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
     log.force.push_back(sample.*force);
   }
   return log;
+}
+
+// Spectra begin again behind a time gap.
+std::ptrdiff_t beginOfLastStretch(const std::vector<MatchedSample>& samples, SimulatedForce force) {
+  return static_cast<std::ptrdiff_t>(log::stretchesOf(logOf(samples, force)).back());
 }
 
 // Without what is left from before a log: the component has taken all samples before the window.
@@ -92,6 +98,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   std::vector<MatchedSample> samples;
   std::copy_if(window.begin(), window.end(), std::back_inserter(samples),
                [&](const MatchedSample& sample) { return !std::isnan(sample.*force); });
+  samples.erase(samples.begin(), samples.begin() + beginOfLastStretch(samples, force));
   LiveGap gap;
   gap.samples = samples.size();
   if (samples.empty()) {

@@ -46,9 +46,10 @@ struct LiveGap {
 using SimulatedForce = double MatchedSample::*;
 
 /// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that
-/// force are left out. Zero, delay, clock and gain of the force's channel are taken out where they are within 2
-/// standard deviations of the rig's tolerances, and samples that a channel did not measure do not count; a zero of the
-/// displacement stays, which it would take another simulation to see.
+/// force are left out, and those before the newest time gap (log::EvenSteps). Zero, delay, clock and gain of the
+/// force's channel are taken out where they are within 2 standard deviations of the rig's tolerances, and samples that
+/// a channel did not measure do not count; a zero of the displacement stays, which it would take another simulation to
+/// see.
 LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
                    const io::RigTolerances& tolerances = {}, SimulatedForce force = &MatchedSample::simulated);
 

@@ -9,8 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
+
+#include "log/new_file.h"
 
 namespace rubber_suspension::node {
 namespace {
@@ -44,10 +45,10 @@ void requireRegular(const std::string& path, const struct stat& status) {
   }
 }
 
-// A file descriptor that is closed at the end.
+// A file descriptor that is closed at the end. To open a pipe without O_NONBLOCK would wait for its other end.
 class File {
  public:
-  File(const std::string& path, int flags) : file_(open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0644)) {
+  explicit File(const std::string& path) : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW)) {
     if (file_ < 0) {
       failWithErrno(path);
     }
@@ -62,31 +63,6 @@ class File {
   int file_;
 };
 
-void writeAll(const File& file, const std::string& path, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = write(file.get(), text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      failWithErrno(path);
-    }
-    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
-  }
-  if (fsync(file.get()) != 0) {
-    failWithErrno(path);
-  }
-}
-
-// So that the file has its new name after a power failure, too.
-void syncFolderOf(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-  const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file >= 0) {
-    fsync(file);
-    close(file);
-  }
-}
-
 }  // namespace
 
 void requireRegularFile(const std::string& path) {
@@ -98,7 +74,7 @@ void requireRegularFile(const std::string& path) {
 }
 
 std::string readRegularFile(const std::string& path, std::size_t most) {
-  const File file(path, O_RDONLY | O_NONBLOCK);  // to open a pipe would wait for its other end
+  const File file(path);
   struct stat status {};
   if (fstat(file.get(), &status) != 0) {
     failWithErrno(path);
@@ -124,22 +100,11 @@ void replaceRegularFile(const std::string& path, const std::string& text) {
   if (lstat(path.c_str(), &status) == 0) {
     requireRegular(path, status);
   }
-  const std::string next = path + ".next";
-  if (lstat(next.c_str(), &status) == 0) {
-    requireRegular(next, status);
-    unlink(next.c_str());  // left by a process that was killed while it wrote
-  }
   try {
-    const File file(next, O_WRONLY | O_CREAT | O_EXCL);
-    writeAll(file, next, text);
-  } catch (const FileError&) {
-    unlink(next.c_str());
-    throw;
+    log::writeNewFile(path, text);
+  } catch (const std::runtime_error& error) {
+    throw FileError(error.what());
   }
-  if (std::rename(next.c_str(), path.c_str()) != 0) {
-    failWithErrno(path);
-  }
-  syncFolderOf(path);
 }
 
 }  // namespace rubber_suspension::node

@@ -28,6 +28,7 @@ class Motion {
     requireFinite(displacement);
     requirePositive(dt);
     force_ = component_->step(state_, dt, displacement);
+    requireFiniteForce(force_.total, displacement);
     return force_.total;
   }
 
@@ -37,6 +38,13 @@ class Motion {
     if (!std::isfinite(displacement)) {
       throw std::invalid_argument(
           fmt::format("displacement: {} is not finite; accepted: a finite number in m", displacement));
+    }
+  }
+
+  static void requireFiniteForce(double force, double displacement) {
+    if (!std::isfinite(force)) {
+      throw std::invalid_argument(
+          fmt::format("displacement: {:g} m gives a force that is not finite; accepted: less", displacement));
     }
   }
 
@@ -55,7 +63,7 @@ class Motion {
 };
 
 // At rest at the first displacement, then a step to each of the others.
-Array simulate(const ComponentDescription& description, const Array& displacement, double dt) {
+Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");
   if (path.empty()) {
@@ -68,6 +76,9 @@ Array simulate(const ComponentDescription& description, const Array& displacemen
     component::ComponentState state = component.makeState();
     force[0] = component.initialise(state, path[0]).total;
     component.simulate(state, dt, path.data() + 1, path.size() - 1, force.data() + 1);
+  }
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    Motion::requireFiniteForce(force[i], path[i]);
   }
   return toArray(force);
 }
@@ -96,12 +107,15 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
     specification.set(input,
                       parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below
   }
-  return {name, *found, std::move(specification)};
+  ComponentDescription description(name, *found, std::move(specification));
+  io::toYaml({description});  // throws for a name that no file can hold
+  return description;
 }
 
 ComponentDescription ofElements(const py::sequence& elements, const std::string& name) {
   ComponentDescription description(name, toElements(elements));
   description.makeComponent();  // throws where they do not go together
+  io::toYaml({description});    // and for a name that no file can hold
   return description;
 }
 
@@ -119,6 +133,8 @@ ComponentDescription load(const std::string& path, const std::string& name) {
 
 void addMotion(py::module_& module) {
   py::class_<Motion>(module, "Motion", "A component in motion, which keeps its history; made by Component.start().")
+      .def_static("__new__", [](const py::args&,
+                                const py::kwargs&) { throw py::type_error("a Motion is made by Component.start()"); })
       .def("step", &Motion::step, py::arg("dt"), py::arg("displacement"),
            "Advance by dt > 0 [s] to a displacement [m], linear in between; returns the force [N]. Raises ValueError.")
       .def("set_temperature", &Motion::setTemperature, py::arg("temperature"),

@@ -15,13 +15,13 @@ namespace {
 constexpr double kLongestTime = 9.0e9;  // [s]
 
 log::Log readLog(const std::string& path, const std::vector<std::string>& columns, const std::string& unit,
-                 double sampling_rate) {
-  const log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate);
+                 double sampling_rate, const std::string& decimal, const std::string& segment, double bridge) {
+  const log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate, decimal, segment, bridge);
   const py::gil_scoped_release others_run;
   return log::readLog(path, format);
 }
 
-log::Log makeLog(const Array& time, const Array& displacement, const std::optional<Array>& force,
+log::Log makeLog(const py::object& time, const py::object& displacement, const py::object& force,
                  const std::string& name) {
   log::Log log;
   log.name = name;
@@ -33,7 +33,7 @@ log::Log makeLog(const Array& time, const Array& displacement, const std::option
     log.stamp.push_back(std::llround(t * 1e9));
   }
   log.displacement = toVector(displacement, "displacement");
-  log.force = force ? toVector(*force, "force") : std::vector<double>();
+  log.force = force.is_none() ? std::vector<double>() : toVector(force, "force");
   log::checkLog(log);
   return log;
 }
@@ -68,12 +68,13 @@ void addLogs(py::module_& module) {
       .def("__len__", &log::Log::size)
       .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
   module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),
-             py::arg("unit") = "", py::arg("sampling_rate") = 0.0,
-             "Read a log of text (CSV), .mat or HDF5; columns, unit and sampling_rate as the options of the commands. "
-             "Raises LogError.");
+             py::arg("unit") = "", py::arg("sampling_rate") = 0.0, py::arg("decimal") = "", py::arg("segment") = "",
+             py::arg("bridge") = -1.0,
+             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment and bridge as the "
+             "options of the commands. Raises LogError.");
   module.def(
       "gap",
-      [](const Array& measured, const Array& simulated) {
+      [](const py::object& measured, const py::object& simulated) {
         return gap::relativeGap(toVector(measured, "measured"), toVector(simulated, "simulated"));
       },
       py::arg("measured"), py::arg("simulated"),

@@ -59,7 +59,20 @@ std::vector<double> toNumbers(const py::handle& value, const element::ParameterI
 
 }  // namespace
 
-std::vector<double> toVector(const Array& array, const std::string& name) {
+std::vector<double> toVector(const py::object& values_in, const std::string& name) {
+  const py::array any = py::array::ensure(values_in);
+  if (!any) {
+    PyErr_Clear();
+    throw std::invalid_argument(name + ": no array; accepted: real numbers");
+  }
+  const bool masked =
+      py::hasattr(values_in, "mask") && py::bool_(py::array::ensure(values_in.attr("mask")).attr("any")());
+  if (masked || std::string("fiu").find(any.dtype().kind()) == std::string::npos) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}; accepted: real numbers", name,
+                    masked ? "masked values" : "numbers of type " + py::cast<std::string>(py::str(any.dtype()))));
+  }
+  const Array array = Array::ensure(any);
   if (array.ndim() != 1) {
     throw std::invalid_argument(fmt::format("{}: {} dimensions; accepted: one", name, array.ndim()));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "response/extent.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::response {
@@ -36,11 +37,6 @@ double polygonArea(const std::vector<double>& displacement, const std::vector<do
     twice += (force[i] + force[next] - 2.0 * force[0]) * (displacement[next] - displacement[i]);
   }
   return 0.5 * twice;
-}
-
-double extent(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "response/extent.h"
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -43,11 +44,6 @@ std::vector<double> sineDisplacement(double amplitude, double mean, int samples)
   displacement[samples / 2] = mean + amplitude;
   displacement[samples / 4] = displacement[3 * samples / 4] = mean;
   return displacement;
-}
-
-double extent(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
 }
 
 double largestChange(const std::vector<double>& before, const std::vector<double>& after) {

@@ -16,7 +16,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 10000;
+constexpr std::uint32_t kBundleQueueSize = 10000;
 
 }  // namespace
 
@@ -24,10 +24,10 @@ BundleClient::BundleClient(const ros::NodeHandle& handle, std::vector<std::strin
     : handle_(handle), timeout_(timeout) {
   handle_.setCallbackQueue(&queue_);
   message_.components = std::move(components);
-  publisher_ = handle_.advertise<DisplacementArray>("displacements", kQueueSize);
+  publisher_ = handle_.advertise<DisplacementArray>("displacements", kBundleQueueSize);
   const boost::function<void(const boost::shared_ptr<const ForceArray>&)> callback =
       [this](const boost::shared_ptr<const ForceArray>& answer) { answers_.push_back(*answer); };
-  subscriber_ = handle_.subscribe<ForceArray>("forces", kQueueSize, callback, ros::VoidConstPtr(),
+  subscriber_ = handle_.subscribe<ForceArray>("forces", kBundleQueueSize, callback, ros::VoidConstPtr(),
                                               ros::TransportHints().tcpNoDelay());
 }
 

@@ -5,9 +5,8 @@
 #include <chrono>
 
 #include "node/message_bounds.h"
-#include "ros_interface/arrival.h"
-#include "ros_interface/checked_subscription.h"
 #include "ros_interface/sample_server.h"
+#include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -96,7 +95,7 @@ BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& gr
   const std::size_t components = group.channels().size();
   const auto size = static_cast<std::uint32_t>(std::max(queue_size, 16));
   publisher_.advertise<ForceArray>(handle, "forces", fewerOf(answerQueueSize(queue_size), longestAnswer(components)));
-  subscriber_ = subscribeChecked<DisplacementArray>(
+  subscriber_ = roscpp_fixes::subscribeChecked<DisplacementArray>(
       handle, "displacements",
       std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, node::longestBundle(components))),
       [components](const std::uint8_t* data, std::size_t bytes) { return node::isBundle(data, bytes, components); },

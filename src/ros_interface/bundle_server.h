@@ -7,14 +7,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "node/channel_group.h"
 #include "node/sequence_watch.h"
-#include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
+#include "roscpp_fixes/answer_publisher.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -38,7 +37,6 @@ class BundleServer {
   std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
   std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are no bundles
   std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
-  std::map<std::string, std::uint64_t> undeliveredTo() const { return publisher_.undeliveredTo(); }
 
  private:
   void serve(const ros::MessageEvent<const DisplacementArray>& event);
@@ -50,7 +48,7 @@ class BundleServer {
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> undecodable_{0};
-  AnswerPublisher publisher_;
+  roscpp_fixes::AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
 };
 

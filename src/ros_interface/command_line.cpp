@@ -1,10 +1,23 @@
 // Command lines of programs that are ROS nodes.
 #include "ros_interface/command_line.h"
 
+#include <fmt/format.h>
+#include <ros/duration.h>
 #include <ros/exception.h>
 #include <ros/init.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+
+#include "log/text.h"
+#include "ros_interface/termination.h"
+#include "roscpp_fixes/master_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -18,14 +31,99 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
+// Of this process; empty in a nodelet.
+std::vector<std::string>& processArguments() {
+  static std::vector<std::string> arguments;
+  return arguments;
+}
+
+// The name of the private parameter that an argument sets; empty for any other argument.
+std::string privateParameterOf(const std::string& argument) {
+  const std::size_t end = argument.find(":=");
+  const bool is_private = end != std::string::npos && argument[0] == '_' && argument.compare(0, 2, "__") != 0;
+  return is_private ? argument.substr(1, end - 1) : "";
+}
+
+// The address of the master, as roscpp finds it. roscpp itself would end the process where it is none.
+std::string masterUri(const std::vector<std::string>& arguments) {
+  const std::string option = "__master:=";
+  const char* const from_environment = std::getenv("ROS_MASTER_URI");
+  std::string uri = from_environment == nullptr ? "" : from_environment;
+  for (const std::string& argument : arguments) {
+    uri = argument.compare(0, option.size(), option) == 0 ? argument.substr(option.size()) : uri;
+  }
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(uri, host, port)) {
+    throw std::runtime_error(
+        fmt::format("ROS_MASTER_URI: {}; accepted: http://HOST:PORT", uri.empty() ? "not set" : log::quoted(uri)));
+  }
+  return uri;
+}
+
 }  // namespace
 
 RosCommandLine::RosCommandLine(int argc, char** argv) : all_(argv, argv + argc) {
+  processArguments() = all_;
   ros::removeROSArgs(argc, argv, own_);
   pointers_ = pointersTo(own_);
 }
 
-void RosCommandLine::initialise(const std::string& node_name, std::uint32_t options) {
+RosCommandLine::~RosCommandLine() {
+  constexpr double kLimit = 0.5;  // [s]
+  const std::atomic<bool> stop{false};
+  for (const std::string& argument : all_) {
+    const std::string name = initialised_ ? privateParameterOf(argument) : "";
+    XmlRpc::XmlRpcValue payload;
+    if (!name.empty() && !roscpp_fixes::callMaster(
+                             kLimit, "deleteParam",
+                             roscpp_fixes::callArguments({ros::this_node::getName() + "/" + name}), payload, stop)) {
+      return;
+    }
+  }
+}
+
+std::string originOfParameter(const std::string& name) {
+  const std::vector<std::string>& arguments = processArguments();
+  const auto any = [&](const auto& matches) { return std::any_of(arguments.begin(), arguments.end(), matches); };
+  if (any([&](const std::string& argument) { return privateParameterOf(argument) == name; })) {
+    return "the argument _" + name;
+  }
+  const bool launched = any([](const std::string& argument) { return argument.compare(0, 7, "__log:=") == 0; });
+  return fmt::format("the private parameter ~{}{}", name,
+                     launched ? " of a launch file" : ", as it stands at the master");
+}
+
+// roscpp waits for its master without a limit, and before a signal can end it.
+bool RosCommandLine::waitForMaster(double timeout) const {
+  constexpr double kTurn = 1.0;      // [s]
+  constexpr double kPatience = 2.0;  // until it is said [s]
+  const std::string uri = masterUri(all_);
+  std::string host;
+  std::uint32_t port = 0;
+  ros::network::splitURI(uri, host, port);
+  const auto begin = std::chrono::steady_clock::now();
+  for (bool said = false; !isEnding();) {
+    const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (waited >= timeout) {
+      throw std::runtime_error(fmt::format("no master answers at {} within {:g} s", uri, timeout));
+    }
+    if (roscpp_fixes::masterAnswers(std::min(kTurn, timeout - waited), host, port)) {
+      return true;
+    }
+    if (!said && waited > kPatience) {
+      fmt::print(stderr, "waiting for the master at {}\n", uri);
+      said = true;
+    }
+    ros::WallDuration(0.05).sleep();
+  }
+  return false;
+}
+
+bool RosCommandLine::initialise(const std::string& node_name, std::uint32_t options, double timeout) {
+  if (!waitForMaster(timeout)) {
+    return false;
+  }
   std::vector<char*> pointers = pointersTo(all_);
   int count = static_cast<int>(pointers.size());
   try {
@@ -33,6 +131,8 @@ void RosCommandLine::initialise(const std::string& node_name, std::uint32_t opti
   } catch (const ros::Exception& error) {
     throw std::runtime_error(error.what());
   }
+  initialised_ = true;
+  return true;
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,203 +1,37 @@
-// The live diagnosis of all components in a thread of its own.
+// Loads the live diagnosis.
 #include "ros_interface/live_diagnoser.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <pthread.h>
-#include <ros/console.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr std::chrono::milliseconds kPause(200);
-constexpr std::size_t kPiece = 4096;  // samples that are read at a time
+constexpr const char* kLibrary = "librubber_suspension_live.so";
+constexpr const char* kMaker = "rubber_suspension_make_live_diagnoser";
 
-diagnosis::LiveSettings liveSettings(const LiveDiagnoserSettings& settings) {
-  diagnosis::LiveSettings live;
-  live.memory = static_cast<std::size_t>(settings.memory);
-  return live;
+[[noreturn]] void refuseLibrary() {
+  throw std::runtime_error(fmt::format(
+      "the parameter ~diagnose is true, but the diagnosis cannot be loaded: {}; accepted: an installation with {}",
+      dlerror(), kLibrary));
 }
-
-// True where listeners have not been told this yet.
-bool isNews(const diagnosis::LiveFindings& before, const diagnosis::LiveFindings& now) {
-  return before.looks != now.looks || before.now.verdict != now.now.verdict || before.now.effects != now.now.effects ||
-         before.now.since != now.now.since;
-}
-
-bool isGap(const std::string& verdict) { return verdict != "watching" && verdict != "none"; }
 
 }  // namespace
 
-Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
-  Diagnosis message;
-  message.header.stamp.fromNSec(static_cast<std::uint64_t>(findings.stamp));
-  message.verdict = findings.now.verdict;
-  message.effects = findings.now.effects;
-  if (findings.now.effects.size() == findings.probabilities.size()) {
-    message.probabilities = findings.probabilities;
-    message.confounded = findings.now.effects.empty() ? std::vector<std::string>() : findings.confounded;
+// It stays loaded: its code may still be at work when the process ends.
+std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle,
+                                                 const std::vector<node::ComponentChannel*>& channels,
+                                                 const LiveDiagnoserSettings& settings) {
+  void* const library = dlopen(kLibrary, RTLD_NOW);
+  void* const maker = library == nullptr ? nullptr : dlsym(library, kMaker);
+  if (maker == nullptr) {
+    refuseLibrary();
   }
-  message.gap_as_configured = findings.gap.as_configured;
-  message.gap_augmented = findings.gap.augmented;
-  message.noise_floor = findings.gap.noise_floor;
-  message.where = findings.where;
-  message.rig_findings = findings.rig_findings;
-  message.since_known = static_cast<std::uint8_t>(findings.now.since.has_value());
-  message.since.fromNSec(static_cast<std::uint64_t>(findings.now.since.value_or(0)));
-  message.evidence = findings.now.evidence;
-  message.evidence_needed = findings.now.threshold;
-  message.samples = static_cast<std::uint32_t>(findings.samples);
-  message.window = findings.window;
-  message.sentence = findings.sentence;
-  return message;
-}
-
-void fillDiagnosisStatus(const diagnosis::LiveFindings& findings, diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  const std::string& verdict = findings.now.verdict;
-  const auto level = verdict == "check_bench" ? DiagnosticStatus::ERROR
-                     : isGap(verdict)         ? DiagnosticStatus::WARN
-                                              : DiagnosticStatus::OK;
-  status.summary(level, findings.now.effects.empty()
-                            ? verdict
-                            : fmt::format("{}: {}", verdict, fmt::join(findings.now.effects, ", ")));
-  status.add("sentence", findings.sentence);
-  status.add("looks", findings.looks);
-  status.add("window [s]", findings.window);
-  status.add("gap as configured", findings.gap.as_configured);
-  status.add("gap with what was found", findings.gap.augmented);
-  status.add("noise floor", findings.gap.noise_floor);
-  status.add("evidence", fmt::format("{:.3g} of {:.3g}", findings.now.evidence, findings.now.threshold));
-  if (findings.now.since) {
-    status.add("since [s]", fmt::format("{:.3f}", 1e-9 * static_cast<double>(*findings.now.since)));
-  }
-}
-
-LiveDiagnoser::LiveDiagnoser(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
-                             const LiveDiagnoserSettings& settings)
-    : settings_(settings) {
-  for (node::ComponentChannel* channel : channels) {
-    auto configured = channel->configured();
-    auto live = std::make_unique<diagnosis::LiveDiagnosis>(*configured, liveSettings(settings_));
-    const diagnosis::LiveFindings findings = live->findings();
-    watched_.push_back({channel,
-                        std::move(configured),
-                        std::move(live),
-                        0,
-                        handle.advertise<Diagnosis>(channel->name() + "/diagnosis", 10, true),
-                        findings,
-                        {}});
-    watched_.back().publisher.publish(diagnosisMessage(findings));
-  }
-  thread_ = std::thread([this] { run(); });
-  pthread_setname_np(thread_.native_handle(), "diagnosis");
-}
-
-void LiveDiagnoser::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-  }
-  wake_.notify_all();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
-}
-
-bool LiveDiagnoser::isStopping() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return stopping_;
-}
-
-// On Linux niceness belongs to the thread.
-void LiveDiagnoser::run() {
-  if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
-    ROS_WARN("the live diagnosis runs at normal priority");
-  }
-  while (!isStopping()) {
-    for (Watched& watched : watched_) {
-      try {
-        serve(watched);
-      } catch (const diagnosis::LookCancelled&) {
-        return;
-      } catch (const std::exception& error) {
-        ROS_ERROR_THROTTLE(60.0, "live diagnosis of %s: %s", watched.channel->name().c_str(), error.what());
-      }
-    }
-    std::unique_lock<std::mutex> lock(mutex_);
-    wake_.wait_for(lock, kPause, [this] { return stopping_; });
-  }
-}
-
-void LiveDiagnoser::serve(Watched& watched) {
-  auto configured = watched.channel->configured();
-  if (configured != watched.configured) {  // the component file was read again
-    watched.configured = std::move(configured);
-    watched.live = std::make_unique<diagnosis::LiveDiagnosis>(*watched.configured, liveSettings(settings_));
-  }
-  std::vector<node::MatchedSample> samples;
-  do {
-    samples.clear();
-    watched.channel->gap().read(watched.next, kPiece, samples);
-    for (const node::MatchedSample& sample : samples) {
-      watched.live->add({sample.stamp, sample.displacement, sample.measured});
-    }
-  } while (samples.size() >= kPiece && !isStopping());
-  tell(watched);
-  if (watched.live->lookIsDue()) {
-    watched.live->look([this] { return isStopping(); });
-    tell(watched);
-  }
-}
-
-void LiveDiagnoser::tell(Watched& watched) {
-  const diagnosis::LiveFindings findings = watched.live->findings();
-  auto found = watched.live->found();
-  const bool news = isNews(watched.findings, findings);
-  const bool other =
-      watched.findings.now.verdict != findings.now.verdict || watched.findings.now.effects != findings.now.effects;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    watched.findings = findings;
-    watched.found = std::move(found);
-  }
-  if (news) {
-    watched.publisher.publish(diagnosisMessage(findings));
-  }
-  if (other && findings.now.verdict != "watching") {
-    ROS_INFO("%s: %s: %s", watched.channel->name().c_str(), findings.now.verdict.c_str(), findings.sentence.c_str());
-  }
-}
-
-const LiveDiagnoser::Watched& LiveDiagnoser::at(const std::string& component) const {
-  const auto found = std::find_if(watched_.begin(), watched_.end(),
-                                  [&](const Watched& watched) { return watched.channel->name() == component; });
-  if (found == watched_.end()) {
-    throw std::invalid_argument(fmt::format("{}: no such component", component));
-  }
-  return *found;
-}
-
-io::ComponentDescription LiveDiagnoser::found(const std::string& component) const {
-  const Watched& watched = at(component);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!watched.found) {
-    throw std::invalid_argument(fmt::format("{}: nothing to promote: the live diagnosis says `{}`: {}", component,
-                                            watched.findings.now.verdict, watched.findings.sentence));
-  }
-  return *watched.found;
-}
-
-diagnosis::LiveFindings LiveDiagnoser::findings(const std::string& component) const {
-  const Watched& watched = at(component);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return watched.findings;
+  using Make =
+      LiveDiagnoser* (*)(ros::NodeHandle&, const std::vector<node::ComponentChannel*>&, const LiveDiagnoserSettings&);
+  return std::unique_ptr<LiveDiagnoser>(reinterpret_cast<Make>(maker)(handle, channels, settings));
 }
 
 }  // namespace rubber_suspension::ros_interface

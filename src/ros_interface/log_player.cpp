@@ -17,7 +17,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 100000;
+constexpr std::uint32_t kSampleQueueSize = 100000;
 constexpr double kNoteEvery = 5.0;            // [s]
 constexpr double kPatienceWithOthers = 10.0;  // [s]
 
@@ -41,16 +41,16 @@ bool PlayResult::exactlyOneEach() const {
 LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) : options_(options), handle_(handle) {
   handle_.setCallbackQueue(&queue_);
   const std::string& component = options_.component;
-  displacement_publisher_ = handle_.advertise<Displacement>(component + "/displacement", kQueueSize);
-  measured_force_publisher_ = handle_.advertise<MeasuredForce>(component + "/measured_force", kQueueSize);
-  temperature_publisher_ = handle_.advertise<sensor_msgs::Temperature>(component + "/temperature", kQueueSize);
+  displacement_publisher_ = handle_.advertise<Displacement>(component + "/displacement", kSampleQueueSize);
+  measured_force_publisher_ = handle_.advertise<MeasuredForce>(component + "/measured_force", kSampleQueueSize);
+  temperature_publisher_ = handle_.advertise<sensor_msgs::Temperature>(component + "/temperature", kSampleQueueSize);
   const boost::function<void(const boost::shared_ptr<const Force>&)> callback =
       [this](const boost::shared_ptr<const Force>& force) { take(*force); };
-  subscriber_ = handle_.subscribe<Force>(component + "/force", kQueueSize, callback, ros::VoidConstPtr(),
+  subscriber_ = handle_.subscribe<Force>(component + "/force", kSampleQueueSize, callback, ros::VoidConstPtr(),
                                          ros::TransportHints().tcpNoDelay());
   if (options_.record_gap) {
     const boost::function<void(const GapConstPtr&)> gap_callback = [this](const GapConstPtr& gap) { takeGap(gap); };
-    gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kQueueSize, gap_callback);
+    gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kSampleQueueSize, gap_callback);
   }
 }
 

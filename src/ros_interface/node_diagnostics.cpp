@@ -6,7 +6,6 @@
 #include <ros/console.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 namespace rubber_suspension::ros_interface {
@@ -18,33 +17,6 @@ constexpr std::size_t kMostCells = 20;
 void append(std::string& text, std::uint64_t before, std::uint64_t now, const std::string& what) {
   if (now > before) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", now - before, what);
-  }
-}
-
-using Losses = std::map<std::string, std::uint64_t>;
-
-// Who lost more since.
-std::string slowReaders(const Losses& before, const Losses& now) {
-  constexpr std::size_t kMostNames = 3;
-  std::vector<std::string> names;
-  for (const auto& [name, lost] : now) {
-    const auto earlier = before.find(name);
-    if (earlier == before.end() || lost > earlier->second) {
-      names.push_back(name);
-    }
-  }
-  if (names.empty()) {
-    return "a subscriber reads too slowly";
-  }
-  const std::size_t more = names.size() - std::min(names.size(), kMostNames);
-  names.resize(names.size() - more);
-  return fmt::format("{}{} read{} too slowly", fmt::join(names, ", "),
-                     more > 0 ? fmt::format(" and {} more", more) : "", names.size() + more > 1 ? "" : "s");
-}
-
-void addLosses(const Losses& losses, diagnostic_updater::DiagnosticStatusWrapper& status) {
-  for (const auto& [name, lost] : losses) {
-    status.add("forces not delivered to " + name, lost);
   }
 }
 
@@ -60,12 +32,17 @@ std::string describeFaults(const node::ChannelReport& before, const node::Channe
   const component::StreamCounters& fresh = now.counters;
   std::string text;
   append(text, old.not_finite, fresh.not_finite, "not finite (dropped)");
+  append(text, old.force_not_finite, fresh.force_not_finite, "force not finite (dropped)");
   append(text, old.repeated, fresh.repeated, "with a repeated stamp (dropped)");
   append(text, old.stepped_back, fresh.stepped_back, "with a stamp that steps back (dropped)");
+  if (now.valid) {
+    append(text, before.beyond_valid, now.beyond_valid,
+           fmt::format("beyond valid_displacement, {:g} to {:g} mm (served)", 1e3 * now.valid->lower,
+                       1e3 * now.valid->upper));
+  }
   append(text, before.undecodable, now.undecodable, "that cannot be decoded (dropped)");
   append(text, before.lost, now.lost, "lost before they arrived");
-  append(text, before.undelivered, now.undelivered,
-         "forces not delivered: " + slowReaders(before.undelivered_to, now.undelivered_to));
+  append(text, before.undelivered, now.undelivered, "forces not delivered: a subscriber reads too slowly");
   append(text, before.disabled, now.disabled, "while disabled (dropped)");
   append(text, old.restarted, fresh.restarted, "jumps back of more than a second (reset)");
   append(text, before.refused_temperatures, now.refused_temperatures,
@@ -91,15 +68,16 @@ void fillStatus(const node::ChannelReport& before, const node::ChannelReport& no
   status.add("accepted", counters.accepted);
   status.add("dropped", counters.dropped() + now.disabled);
   status.add("dropped, not finite", counters.not_finite);
+  status.add("dropped, force not finite", counters.force_not_finite);
   status.add("dropped, repeated stamp", counters.repeated);
   status.add("dropped, stepped back", counters.stepped_back);
   status.add("dropped, disabled", now.disabled);
   status.add("dropped, undecodable", now.undecodable);
   status.add("lost before arrival", now.lost);
   status.add("forces not delivered", now.undelivered);
-  addLosses(now.undelivered_to, status);
   status.add("restarts", counters.restarted);
   status.add("time gaps bridged", counters.bridged);
+  status.add("beyond valid displacement", now.beyond_valid);
   status.add("latency median [us]", microseconds(now.latency.percentile(0.5)));
   status.add("latency 99 % [us]", microseconds(now.latency.percentile(0.99)));
   status.add("latency maximum [us]", microseconds(now.latency.maximum()));
@@ -260,7 +238,6 @@ void NodeDiagnostics::watch(const BundleServer& bundle) {
                  status.add("dropped, undecodable", bundle.undecodable());
                  status.add("lost before arrival", bundle.lost());
                  status.add("forces not delivered", bundle.undelivered());
-                 addLosses(bundle.undeliveredTo(), status);
                });
 }
 
@@ -272,7 +249,7 @@ void NodeDiagnostics::watch(const ServingThread& thread) {
 
 void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& component) {
   updater_.add("diagnosis of " + component, [&live, component](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    fillDiagnosisStatus(live.findings(component), status);
+    live.fillStatus(component, status);
   });
 }
 
@@ -314,7 +291,6 @@ node::ChannelReport NodeDiagnostics::reportOf(const Watched& watched) {
   node::ChannelReport report = watched.channel->report();
   report.undecodable = watched.server->undecodable();
   report.undelivered = watched.server->undelivered();
-  report.undelivered_to = watched.server->undeliveredTo();
   return report;
 }
 

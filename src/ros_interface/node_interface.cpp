@@ -6,11 +6,13 @@
 #include <rubber_suspension/Diagnosis.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
+#include <rubber_suspension/EnableComponent.h>
 #include <rubber_suspension/Force.h>
 #include <rubber_suspension/ForceArray.h>
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/GapShare.h>
 #include <rubber_suspension/MeasuredForce.h>
+#include <rubber_suspension/ResetComponent.h>
 #include <rubber_suspension/Running.h>
 #include <sensor_msgs/Temperature.h>
 #include <std_srvs/SetBool.h>
@@ -95,12 +97,16 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       service<std_srvs::Trigger>("~load_state", "continue from the state in ~state_file"),
       service<std_srvs::Trigger>("~reload", "read the component file again; unchanged components keep their state"),
       service<std_srvs::SetBool>("~set_enabled", "a disabled component answers no displacement and keeps its state"),
-      service<std_srvs::Trigger>("COMPONENT/reset", "reset one component: at rest, as new"),
-      service<std_srvs::SetBool>("COMPONENT/set_enabled", "as ~set_enabled, for one component"),
-      service<std_srvs::Trigger>("COMPONENT/promote",
-                                 "put the model of ~promote_file in the place of the configured one, or the one that "
-                                 "the live diagnosis found: first in its shadow, then by a cross-fade"),
-      service<std_srvs::Trigger>("COMPONENT/rollback", "back to the configured model, by a cross-fade"),
+      service<ResetComponent>("~reset_component", "reset the one of the name `component`: at rest, as new"),
+      service<EnableComponent>("~enable_component", "as ~set_enabled, for the one of the name `component`"),
+      service<std_srvs::Trigger>(
+          "COMPONENT/promote",
+          "where ~diagnose or ~promote_file is set: put the model of ~promote_file in the place "
+          "of the configured one, or the one that the live diagnosis found: first in its shadow, "
+          "then by a cross-fade"),
+      service<std_srvs::Trigger>("COMPONENT/rollback",
+                                 "likewise, or where a state with a promoted model was loaded: back to the configured "
+                                 "model, by a cross-fade"),
   };
   return table;
 }

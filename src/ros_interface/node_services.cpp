@@ -2,16 +2,25 @@
 #include "ros_interface/node_services.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ros/console.h>
+#include <rubber_suspension/EnableComponent.h>
+#include <rubber_suspension/ResetComponent.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "element/suggestion.h"
+#include "io/cancellation.h"
 #include "node/regular_file.h"
 #include "node/state_file.h"
-#include "ros_interface/timed_call.h"
+#include "ros_interface/termination.h"
+#include "roscpp_fixes/master_call.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -21,6 +30,8 @@ template <class Entries, class Name>
 auto findNamed(const Entries& entries, Name name_of, const std::string& name) {
   return std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return name_of(entry) == name; });
 }
+
+std::string nameOf(const node::ComponentChannel* channel) { return channel->name(); }
 
 // For every channel the entry of its name; throws unless the names are the same on both sides.
 template <class Entries, class Name>
@@ -36,8 +47,7 @@ std::vector<const typename Entries::value_type*> matchByName(const Entries& entr
   }
   for (const auto& entry : entries) {
     const std::string& name = name_of(entry);
-    const auto channel_name = [](const node::ComponentChannel* channel) { return channel->name(); };
-    if (findNamed(channels, channel_name, name) == channels.end()) {
+    if (findNamed(channels, nameOf, name) == channels.end()) {
       throw std::invalid_argument(
           fmt::format("component {} is not one of this node, which would need a restart", name));
     }
@@ -73,35 +83,67 @@ void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, d
 
 NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                            node::ChannelGroup& group, FoundModel found_model)
-    : private_handle_(private_handle), settings_(settings), group_(group), found_model_(std::move(found_model)) {
-  advertise(private_handle, "reset", [this] {
+    : handle_(handle),
+      private_handle_(private_handle),
+      settings_(settings),
+      group_(group),
+      found_model_(std::move(found_model)) {
+  advertiseForAll();
+  advertise<ResetComponent>(private_handle_, "reset_component", [this](const ResetComponent::Request& request) {
+    at(request.component).reset();
+    return request.component + " is reset: at rest, as new";
+  });
+  advertise<EnableComponent>(private_handle_, "enable_component", [this](const EnableComponent::Request& request) {
+    at(request.component).setEnabled(request.data != 0U);
+    return request.component + (request.data != 0U ? " is enabled" : " is disabled");
+  });
+  advertisePromotions();
+}
+
+void NodeServices::advertiseForAll() {
+  using std_srvs::SetBool;
+  using std_srvs::Trigger;
+  advertise<Trigger>(private_handle_, "reset", [this](const Trigger::Request&) {
     group_.reset();
     return fmt::format("{} components are reset: at rest, as new", group_.channels().size());
   });
-  advertise(private_handle, "save_state", [this] { return save(); });
-  advertise(private_handle, "load_state", [this] { return load(); });
-  advertise(private_handle, "reload", [this] { return reload(); });
-  advertiseSwitch(private_handle, "set_enabled", [this](bool enabled) { group_.setEnabled(enabled); });
+  advertise<Trigger>(private_handle_, "save_state", [this](const Trigger::Request&) { return save(); });
+  advertise<Trigger>(private_handle_, "load_state", [this](const Trigger::Request&) { return load(); });
+  advertise<Trigger>(private_handle_, "reload", [this](const Trigger::Request&) { return reload(); });
+  advertise<SetBool>(private_handle_, "set_enabled", [this](const SetBool::Request& request) {
+    group_.setEnabled(request.data != 0U);
+    return std::string(request.data != 0U ? "enabled" : "disabled");
+  });
+}
+
+// Of each component that a model can be promoted for, or that has a promoted one from a state that was loaded.
+void NodeServices::advertisePromotions() {
   for (node::ComponentChannel* channel : group_.channels()) {
-    advertise(handle, channel->name() + "/reset", [channel] {
-      channel->reset();
-      return channel->name() + " is reset: at rest, as new";
-    });
-    advertiseSwitch(handle, channel->name() + "/set_enabled",
-                    [channel](bool enabled) { channel->setEnabled(enabled); });
-    advertise(handle, channel->name() + "/promote", [this, channel] { return promote(*channel); });
-    advertise(handle, channel->name() + "/rollback", [this, channel] {
-      channel->rollBack();
-      return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
-    });
+    if (settings_.diagnose || !settings_.promote_file.empty() || !channel->running().other_sha256.empty()) {
+      advertisePromotion(*channel);
+    }
   }
 }
 
-void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, std::function<std::string()> action) {
-  const boost::function<bool(Trigger::Request&, Trigger::Response&)> answer =
-      [name, action = std::move(action)](Trigger::Request&, Trigger::Response& response) {
+void NodeServices::advertisePromotion(node::ComponentChannel& channel) {
+  using std_srvs::Trigger;
+  if (!promotable_.insert(channel.name()).second) {
+    return;
+  }
+  advertise<Trigger>(handle_, channel.name() + "/promote",
+                     [this, &channel](const Trigger::Request&) { return promote(channel); });
+  advertise<Trigger>(handle_, channel.name() + "/rollback", [this, &channel](const Trigger::Request&) {
+    channel.rollBack();
+    return fmt::format("back to the configured model within {:g} s of stamps", settings_.promotion.fade);
+  });
+}
+
+template <class Service, class Action>
+void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, Action action) {
+  const boost::function<bool(typename Service::Request&, typename Service::Response&)> answer =
+      [name, action = std::move(action)](typename Service::Request& request, typename Service::Response& response) {
         try {
-          response.message = action();
+          response.message = action(request);
           response.success = 1U;
           ROS_INFO("%s: %s", name.c_str(), response.message.c_str());
         } catch (const std::exception& error) {
@@ -111,28 +153,31 @@ void NodeServices::advertise(ros::NodeHandle& handle, const std::string& name, s
         }
         return true;
       };
-  servers_.push_back(handle.advertiseService<Trigger::Request, Trigger::Response>(name, answer));
-}
-
-void NodeServices::advertiseSwitch(ros::NodeHandle& handle, const std::string& name,
-                                   std::function<void(bool)> set_enabled) {
-  const boost::function<bool(SetBool::Request&, SetBool::Response&)> answer =
-      [name, set_enabled = std::move(set_enabled)](SetBool::Request& request, SetBool::Response& response) {
-        set_enabled(request.data != 0U);
-        response.success = 1U;
-        response.message = request.data != 0U ? "enabled" : "disabled";
-        ROS_INFO("%s: %s", name.c_str(), response.message.c_str());
-        return true;
-      };
-  servers_.push_back(handle.advertiseService<SetBool::Request, SetBool::Response>(name, answer));
+  const ros::ServiceServer server =
+      handle.advertiseService<typename Service::Request, typename Service::Response>(name, answer);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  servers_.push_back(server);
 }
 
 std::vector<std::string> NodeServices::names() const {
   std::vector<std::string> result;
+  const std::lock_guard<std::mutex> lock(mutex_);
   for (const ros::ServiceServer& server : servers_) {
     result.push_back(server.getService());
   }
   return result;
+}
+
+node::ComponentChannel& NodeServices::at(const std::string& component) const {
+  const auto& channels = group_.channels();
+  const auto found = findNamed(channels, nameOf, component);
+  if (found == channels.end()) {
+    std::vector<std::string> names;
+    std::transform(channels.begin(), channels.end(), std::back_inserter(names), nameOf);
+    throw std::invalid_argument(fmt::format("no component '{}'{}; accepted: {}", component,
+                                            element::didYouMean(component, names), fmt::join(names, ", ")));
+  }
+  return **found;
 }
 
 std::string NodeServices::save() const {
@@ -142,17 +187,19 @@ std::string NodeServices::save() const {
   return fmt::format("{} components saved to {}", states.size(), settings_.state_file);
 }
 
-std::string NodeServices::load() const {
+std::string NodeServices::load() {
   requireStateFile(settings_);
   loadStates(settings_.state_file, group_);
+  advertisePromotions();
   return fmt::format("{} components loaded from {}", group_.channels().size(), settings_.state_file);
 }
 
 std::string NodeServices::reload() const {
   constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
-  if (!masterAnswers(kLimit)) {
+  if (!roscpp_fixes::masterAnswers(kLimit)) {
     throw std::runtime_error(fmt::format("the master, which holds the parameters, did not answer in {} s", kLimit));
   }
+  const io::Cancellable cancellable(isEnding);
   exchangeModels(readComponents(private_handle_), settings_.max_gap, group_);
   return fmt::format("{} components reloaded", group_.channels().size());
 }

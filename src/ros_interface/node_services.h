@@ -2,10 +2,10 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 
 #include <functional>
+#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,35 +28,40 @@ void exchangeModels(const std::vector<io::ComponentDescription>& descriptions, d
 using FoundModel = std::function<io::ComponentDescription(const std::string& component)>;
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
-/// components, `COMPONENT/reset`, `COMPONENT/set_enabled`, `COMPONENT/promote` and `COMPONENT/rollback` for one. They
-/// read and write nothing but the files that the node's private parameters name: whoever calls a service names no path.
+/// components, ~reset_component and ~enable_component for one by its name. `COMPONENT/promote` and `COMPONENT/rollback`
+/// are there where something can be promoted, or was. They read and write nothing but the files that the node's private
+/// parameters name: whoever calls a service names no path.
 class NodeServices {
  public:
   /// The group must outlive the object.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                node::ChannelGroup& group, FoundModel found_model);
 
-  /// Resolved names of all services.
+  /// Resolved names of all services. From any thread.
   std::vector<std::string> names() const;
 
  private:
-  using Trigger = std_srvs::Trigger;
-  using SetBool = std_srvs::SetBool;
+  /// `action` returns the message of success, its exceptions become that of failure.
+  template <class Service, class Action>
+  void advertise(ros::NodeHandle& handle, const std::string& name, Action action);
+  void advertiseForAll();
+  void advertisePromotions();
+  void advertisePromotion(node::ComponentChannel& channel);
 
-  /// A Trigger service; `action` returns the message of success, its exceptions become that of failure.
-  void advertise(ros::NodeHandle& handle, const std::string& name, std::function<std::string()> action);
-  void advertiseSwitch(ros::NodeHandle& handle, const std::string& name, std::function<void(bool)> set_enabled);
-
+  node::ComponentChannel& at(const std::string& component) const;
   std::string save() const;
-  std::string load() const;
+  std::string load();
   std::string reload() const;
   std::string promote(node::ComponentChannel& channel) const;
 
+  ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
   node::ChannelGroup& group_;
   FoundModel found_model_;
+  mutable std::mutex mutex_;  // of the servers
   std::vector<ros::ServiceServer> servers_;
+  std::set<std::string> promotable_;  // components whose promotion has its services
 };
 
 }  // namespace rubber_suspension::ros_interface

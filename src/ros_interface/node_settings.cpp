@@ -11,7 +11,9 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "io/cancellation.h"
 #include "node/regular_file.h"
+#include "ros_interface/command_line.h"
 #include "ros_interface/node_interface.h"
 #include "ros_interface/parameter_yaml.h"
 #include "rubber_suspension/estimation/notes.h"
@@ -21,67 +23,51 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+// Reads a value; false where it is not accepted.
+using ReadSetting = std::function<bool(const XmlRpcValue&, NodeSettings&)>;
+
 struct SettingInfo {
   std::string name;
   std::string accepted;
   std::string documentation;
-  std::function<bool(const XmlRpcValue&, NodeSettings&)> read;  // false where the value is not accepted
+  ReadSetting read;
 };
 
-bool readNumber(const XmlRpcValue& value, double& result) {
-  if (value.getType() == XmlRpcValue::TypeInt) {
-    result = static_cast<int>(value);
-    return true;
-  }
-  if (value.getType() == XmlRpcValue::TypeDouble) {
-    result = static_cast<double>(value);
-    return true;
-  }
-  return false;
-}
-
-std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(const std::function<int&(NodeSettings&)>& member,
-                                                                 int lower, int upper) {
+// A value of exactly that type.
+template <class Value, class Member>
+ReadSetting ofType(XmlRpcValue::Type type, Member member) {
   return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    if (value.getType() != XmlRpcValue::TypeInt) {
+    if (value.getType() != type) {
       return false;
     }
-    int& number = member(settings);
-    number = static_cast<int>(value);
-    return number >= lower && number <= upper;
-  };
-}
-
-std::function<bool(const XmlRpcValue&, NodeSettings&)> integerIn(int NodeSettings::*member, int lower, int upper) {
-  return integerIn([=](NodeSettings& settings) -> int& { return settings.*member; }, lower, upper);
-}
-
-std::function<bool(const XmlRpcValue&, NodeSettings&)> flag(bool NodeSettings::*member) {
-  return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    if (value.getType() != XmlRpcValue::TypeBoolean) {
-      return false;
-    }
-    settings.*member = static_cast<bool>(value);
+    std::invoke(member, settings) = static_cast<Value>(value);
     return true;
   };
 }
 
-std::function<bool(const XmlRpcValue&, NodeSettings&)> positive(const std::function<double&(NodeSettings&)>& member,
-                                                                double upper) {
-  return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    double& number = member(settings);
-    return readNumber(value, number) && number > 0.0 && number <= upper;
+template <class Member>
+ReadSetting integerIn(Member member, int lower, int upper) {
+  return [=, read = ofType<int>(XmlRpcValue::TypeInt, member)](const XmlRpcValue& value, NodeSettings& settings) {
+    return read(value, settings) && std::invoke(member, settings) >= lower && std::invoke(member, settings) <= upper;
   };
 }
 
-std::function<bool(const XmlRpcValue&, NodeSettings&)> path(std::string NodeSettings::*member) {
+// A whole number is one, too.
+template <class Member>
+ReadSetting positive(Member member, double upper) {
   return [=](const XmlRpcValue& value, NodeSettings& settings) {
-    if (value.getType() != XmlRpcValue::TypeString) {
-      return false;
-    }
-    settings.*member = static_cast<const std::string&>(value);
-    return true;
+    double& number = std::invoke(member, settings);
+    const auto type = value.getType() == XmlRpcValue::TypeInt ? XmlRpcValue::TypeInt : XmlRpcValue::TypeDouble;
+    const bool read = type == XmlRpcValue::TypeInt ? ofType<int>(type, member)(value, settings)
+                                                   : ofType<double>(type, member)(value, settings);
+    return read && number > 0.0 && number <= upper;
   };
+}
+
+ReadSetting flag(bool NodeSettings::*member) { return ofType<bool>(XmlRpcValue::TypeBoolean, member); }
+
+ReadSetting path(std::string NodeSettings::*member) {
+  return ofType<const std::string&>(XmlRpcValue::TypeString, member);
 }
 
 const std::vector<SettingInfo>& settingsTable() {
@@ -261,11 +247,18 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
         fmt::format("parameter {}: {}; accepted: text, the path of a file", file_name, shown(file)));
   }
   const auto& path = static_cast<const std::string&>(file);
-  node::requireRegularFile(path);
-  auto loaded = io::loadComponentFile(path);
-  refuseReserved(loaded, path, private_handle);
-  warnOfSpecifications(loaded, path);
-  return loaded;
+  try {
+    node::requireRegularFile(path);
+    auto loaded = io::loadComponentFile(path);
+    refuseReserved(loaded, path, private_handle);
+    warnOfSpecifications(loaded, path);
+    return loaded;
+  } catch (const io::Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(
+        fmt::format("{} (the path is that of {})", error.what(), originOfParameter("config_file")));
+  }
 }
 
 std::string describeNodeSettings() {

@@ -34,8 +34,9 @@ struct NodeSettings {
 NodeSettings readNodeSettings(const ros::NodeHandle& private_handle);
 
 /// The components from the file that ~config_file names or from the parameters under ~components, of which exactly one
-/// must be given; the file must be a regular one. Throws std::invalid_argument, node::FileError or ComponentFileError,
-/// also for a component that is named as the node, or as one of its topics or services.
+/// must be given; the file must be a regular one. Throws std::invalid_argument or ComponentFileError, also for a
+/// component that is named as the node, or as one of its topics or services; of a file it says where its path came
+/// from. Throws io::Cancelled where the process is to end.
 std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& private_handle);
 
 /// The table above as text for --help.

@@ -5,11 +5,7 @@
 #include <chrono>
 
 #include "node/message_bounds.h"
-#include "ros_interface/arrival.h"
-#include "ros_interface/checked_subscription.h"
-#ifdef RUBBER_SUSPENSION_MUTANT  // a program of the tests
-#include "../test/wire/mutant.h"
-#endif
+#include "roscpp_fixes/checked_subscription.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -17,6 +13,13 @@ namespace rubber_suspension::ros_interface {
 std::uint32_t answerQueueSize(int queue_size) {
   constexpr std::uint32_t kFewest = 40000;
   return std::max(kFewest, 4 * static_cast<std::uint32_t>(queue_size));
+}
+
+std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_clock::time_point callback) {
+  if (ros::Time::isSystemTime()) {
+    return std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec());
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - callback).count();
 }
 
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message) {
@@ -32,13 +35,13 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
     : channel_(channel) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   publisher_.advertise<Force>(handle, channel.name() + "/force", answerQueueSize(queue_size));
-  subscriber_ = subscribeChecked<Displacement>(
+  subscriber_ = roscpp_fixes::subscribeChecked<Displacement>(
       handle, channel.name() + "/displacement", size, node::isStampedNumber, undecodable_,
       [this](const ros::MessageEvent<const Displacement>& event) { serve(event); });
-  measured_subscriber_ = subscribeChecked<MeasuredForce>(
+  measured_subscriber_ = roscpp_fixes::subscribeChecked<MeasuredForce>(
       handle, channel.name() + "/measured_force", size, node::isStampedNumber, undecodable_,
       [this](const ros::MessageEvent<const MeasuredForce>& event) { compare(event); });
-  temperature_subscriber_ = subscribeChecked<sensor_msgs::Temperature>(
+  temperature_subscriber_ = roscpp_fixes::subscribeChecked<sensor_msgs::Temperature>(
       handle, channel.name() + "/temperature", size, node::isStampedPair, undecodable_,
       [this](const ros::MessageEvent<const sensor_msgs::Temperature>& event) { takeTemperature(event); });
 }
@@ -73,11 +76,6 @@ void SampleServer::serve(const ros::MessageEvent<const Displacement>& event) {
   }
   const auto message = pool_.take();
   fillForce(sample, force, *message);
-#ifdef RUBBER_SUSPENSION_MUTANT
-  if (!wire_test::mutate(channel_, message, publisher_)) {
-    return;
-  }
-#endif
   publisher_.publish(message);
   channel_.countLatency(timeSinceArrival(event.getReceiptTime(), callback));
 }

@@ -8,19 +8,23 @@
 #include <sensor_msgs/Temperature.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
-#include <map>
 #include <string>
 
 #include "node/component_channel.h"
 #include "node/sequence_watch.h"
-#include "ros_interface/answer_publisher.h"
 #include "ros_interface/message_pool.h"
+#include "roscpp_fixes/answer_publisher.h"
 
 namespace rubber_suspension::ros_interface {
 
 /// Answers that may wait for a subscriber that reads slowly, where that many samples may wait for the node.
 std::uint32_t answerQueueSize(int queue_size);
+
+/// From the arrival of a message to now [ns]. ROS stamps arrivals with ros::Time, which stands for real time only while
+/// no simulated time is in use; then what is known is the time since `callback`, when the message's callback began.
+std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_clock::time_point callback);
 
 /// Write the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
@@ -40,7 +44,6 @@ class SampleServer {
 
   /// Forces that a subscriber did not get because it reads too slowly.
   std::uint64_t undelivered() const { return publisher_.undelivered(); }
-  std::map<std::string, std::uint64_t> undeliveredTo() const { return publisher_.undeliveredTo(); }
 
  private:
   void serve(const ros::MessageEvent<const Displacement>& event);
@@ -51,7 +54,7 @@ class SampleServer {
   MessagePool<Force> pool_;
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> undecodable_{0};
-  AnswerPublisher publisher_;
+  roscpp_fixes::AnswerPublisher publisher_;
   ros::Subscriber subscriber_;
   ros::Subscriber measured_subscriber_;
   ros::Subscriber temperature_subscriber_;

@@ -2,15 +2,24 @@
 #include "ros_interface/simulate_node.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
+#include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/param.h>
 #include <sys/stat.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
-#include "ros_interface/loopback.h"
+#include "io/cancellation.h"
+#include "ros_interface/termination.h"
+#include "roscpp_fixes/logger_service.h"
+#include "roscpp_fixes/loopback.h"
+#include "roscpp_fixes/master_call.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -28,7 +37,72 @@ bool exists(const std::string& path) {
   return lstat(path.c_str(), &status) == 0;
 }
 
+// Who serves which component.
+struct Claims {
+  std::mutex mutex;
+  std::map<std::string, std::string> nodes;
+};
+
+Claims& claims() {
+  static Claims all;
+  return all;
+}
+
+// Give large blocks back when they are freed: by itself the allocator takes one large message for a habit, and keeps
+// room for the next.
+void giveLargeBlocksBack() {
+  constexpr int kLarge = 256 * 1024;
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+  mallopt(M_TRIM_THRESHOLD, 2 * kLarge);
+}
+
+// Services, timers and diagnostics, until the end. ros::spin() would leave that to ROS, which ends from within.
+void spinUntilEnd(SimulateNode& node) {
+  while (!isEnding()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  }
+  constexpr double kMasterLimit = 0.5;  // [s]
+  node.registerNoMore();
+  if (!roscpp_fixes::masterAnswers(kMasterLimit)) {
+    roscpp_fixes::giveUpMaster();
+  }
+}
+
 }  // namespace
+
+ClaimedComponents::~ClaimedComponents() {
+  const std::lock_guard<std::mutex> lock(claims().mutex);
+  for (const std::string& component : components_) {
+    claims().nodes.erase(component);
+  }
+}
+
+void ClaimedComponents::claim(const std::string& component, const std::string& node) {
+  const std::lock_guard<std::mutex> lock(claims().mutex);
+  const auto [claimed, is_new] = claims().nodes.emplace(component, node);
+  if (!is_new) {
+    throw std::invalid_argument(
+        fmt::format("component {} is served by {} of the same process already; accepted: another "
+                    "namespace or name",
+                    component, claimed->second));
+  }
+  components_.push_back(component);
+}
+
+void runSimulateNode(RosCommandLine& line) {
+  giveLargeBlocksBack();
+  const Termination termination;
+  if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
+    return;
+  }
+  try {
+    SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"));
+    spinUntilEnd(node);
+  } catch (const io::Cancelled&) {
+    ROS_INFO("ended before it served");
+  }
+  ros::shutdown();  // waits for the thread that has begun to
+}
 
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
     : handle_(handle), private_handle_(private_handle) {
@@ -40,7 +114,8 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 }
 
 void SimulateNode::start() {
-  loggers_ = LoggerService::get();  // first, as whoever calls roscpp's own ends the process
+  const io::Cancellable cancellable(isEnding);
+  loggers_ = roscpp_fixes::takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
   prepareLog();
   settings_ = readNodeSettings(private_handle_);
   makeChannels();
@@ -50,8 +125,10 @@ void SimulateNode::start() {
   advertiseServices();
 }
 
+void SimulateNode::registerNoMore() { registration_.reset(); }
+
 SimulateNode::~SimulateNode() {
-  registration_.reset();
+  registerNoMore();
   if (live_) {
     live_->stop();  // services and diagnostics may ask it until they end
   }
@@ -68,6 +145,7 @@ void SimulateNode::makeChannels() {
   const std::size_t kept =
       settings_.diagnose ? static_cast<std::size_t>(settings_.live.memory) : node::GapMonitor::kCapacity;
   for (const io::ComponentDescription& description : readComponents(private_handle_)) {
+    claimed_.claim(handle_.resolveName(description.name), private_handle_.getNamespace());
     channels_.push_back(
         std::make_unique<node::ComponentChannel>(description, settings_.max_gap, settings_.promotion, kept));
   }
@@ -83,7 +161,7 @@ void SimulateNode::makeChannels() {
 }
 
 void SimulateNode::keepToLoopback() {
-  const std::string refusal = keepSlaveApiToLoopback();
+  const std::string refusal = roscpp_fixes::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
     ROS_WARN("%s", refusal.c_str());
   }
@@ -106,6 +184,7 @@ void SimulateNode::startServing() {
     threads_.push_back(std::make_unique<ServingThread>());
   }
   for (std::size_t i = 0; i < channels_.size(); ++i) {
+    io::checkCancelled();
     ros::NodeHandle group(handle_);
     group.setCallbackQueue(&threads_[i % count]->queue());
     servers_.push_back(std::make_unique<SampleServer>(group, *channels_[i], settings_.queue_size));
@@ -142,7 +221,7 @@ void SimulateNode::advertiseServices() {
     diagnostics_->watch(*channels_[i], *servers_[i]);
   }
   if (settings_.diagnose) {
-    live_ = std::make_unique<LiveDiagnoser>(handle_, group_->channels(), settings_.live);
+    live_ = loadLiveDiagnoser(handle_, group_->channels(), settings_.live);
     for (const auto& channel : channels_) {
       diagnostics_->watch(*live_, channel->name());
     }
@@ -153,11 +232,14 @@ void SimulateNode::advertiseServices() {
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_,
                                              [this](const std::string& component) { return foundModel(component); });
-  std::vector<std::string> services = LoggerService::names();
-  for (const std::string& name : services_->names()) {
-    services.push_back(name);
-  }
-  registration_ = std::make_unique<RegistrationKeeper>(services);
+  const auto services = [this] {
+    std::vector<std::string> names = services_->names();
+    for (const std::string& name : roscpp_fixes::loggerServices()) {
+      names.push_back(name);
+    }
+    return names;
+  };
+  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>(services, isEnding);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -6,10 +6,13 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// From its construction on this process ends in order at SIGINT, SIGTERM and SIGHUP: ROS is shut down, the node takes
-/// itself off the master, and the exit status is 0. Where that is held up - the master hangs, a file does not open -
-/// the process ends all the same: at once if the master does not answer, else after some seconds. Make it before any
-/// thread is started, as threads inherit which signals they get; give ROS no handler of its own.
+/// True once this process is to end: by a signal, or because ROS is being shut down. Long work ends early then.
+bool isEnding();
+
+/// From its construction on SIGINT, SIGTERM and SIGHUP make isEnding() true, and nothing else: the main thread ends
+/// what it has begun, takes the node off the master and returns. Where that is held up for 5 s - a file does not open,
+/// the master answers once and then hangs - the process ends with status 1. Make it before any thread is started, as
+/// threads inherit which signals they get; give ROS no handler of its own.
 class Termination {
  public:
   Termination();

@@ -16,7 +16,7 @@ namespace rubber_suspension::vehicle {
 namespace {
 
 using Complex = std::complex<double>;
-using Matrix = Eigen::Matrix3cd;
+using ComplexMatrix = Eigen::Matrix3cd;
 using Roots = Eigen::Vector3cd;
 
 // The vehicle for small motion, in the coordinates of HalfBogie.
@@ -32,7 +32,7 @@ struct LinearVehicle {
 
   // What exp(-i w T) has to be for the vehicle to oscillate on at w.
   Roots factors(double omega) const {
-    Matrix stiffness = Matrix::Zero();
+    ComplexMatrix stiffness = ComplexMatrix::Zero();
     for (std::size_t i = 0; i < kStruts; ++i) {
       const auto dynamic = components[i].complexStiffness(omega / (2.0 * element::kPi));
       if (!dynamic) {
@@ -42,8 +42,8 @@ struct LinearVehicle {
       const auto column = direction.col(static_cast<int>(i));
       stiffness += *dynamic * (column * column.transpose()).cast<Complex>();
     }
-    const Matrix rest = (omega * omega * mass).cast<Complex>() - Complex(0.0, omega) * damping.cast<Complex>();
-    const Matrix quotient = stiffness.inverse() * rest;
+    const ComplexMatrix rest = (omega * omega * mass).cast<Complex>() - Complex(0.0, omega) * damping.cast<Complex>();
+    const ComplexMatrix quotient = stiffness.inverse() * rest;
     return quotient.eigenvalues();
   }
 

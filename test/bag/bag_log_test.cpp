@@ -55,6 +55,21 @@ TEST_F(BagLog, ReadsBackBitByBit) {
   EXPECT_EQ(bag::readAnyLog(path("a.bag")).displacement, log().displacement);
 }
 
+// Where the disk is full, closing fails a second time, in a destructor.
+TEST_F(BagLog, AFullDiskIsAnErrorAndLeavesNothing) {
+  EXPECT_THROW(bag::writeBagLog("/dev/full", "bush", log()), log::LogError);
+}
+
+// What is whole can be saved.
+TEST_F(BagLog, ABagThatIsCutSaysWhereAndWhatSavesIt) {
+  const std::string file = path("a.bag");
+  bag::writeBagLog(file, "bush", log());
+  const auto size = std::filesystem::file_size(file);
+  std::filesystem::resize_file(file, size - 5);
+  EXPECT_THAT(refusal(file), HasSubstr("the bag is cut at byte " + std::to_string(size - 5)));
+  EXPECT_THAT(refusal(file), HasSubstr("rosbag reindex saves what is whole"));
+}
+
 TEST_F(BagLog, TemperatureHoldsUntilTheNext) {
   log::Log warming = log();
   warming.temperature = {20.0, 20.0, 20.25, 20.25};

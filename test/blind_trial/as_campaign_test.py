@@ -65,23 +65,22 @@ class TrialTest(unittest.TestCase):
 
     def test_the_banks_alone_are_calibrated_on(self):
         page = self.read("calibration.md")
-        counted = re.search(r"^(\d+) cases, (\d+) of (\d+) right", page)
+        counted = re.search(r"^(\d+) cases, (\d+) of them without evidence", page)
         self.assertIsNotNone(counted, page)
-        self.assertEqual(int(counted[1]), SIZE["bank"] + SIZE["bench"])
-        self.assertEqual(counted[1], counted[3])
-        stated = re.findall(r"^\| \S+ to \S+ \| (\d+) \|", page, re.MULTILINE)
-        self.assertEqual(sum(map(int, stated)), int(counted[1]))
-        for criterion in ("floor_margin", "sharpness", "set_probability"):
-            self.assertIn(f"| `{criterion}` |", page)
-        self.assertIn("Mean logarithm of the probability of the truth", page)
+        self.assertEqual((int(counted[1]), int(counted[2])), (SIZE["bank"] + SIZE["bench"], 0))
+        self.assertRegex(page, rf"(?m)^\| all \| {counted[1]} \|")
+        for judge in ("criteria", "the posterior"):
+            table = re.search(rf"stated by {judge} (.*?)(\n\n|$)", page, re.DOTALL)[1]
+            stated = re.findall(r"^\| \S+ to \S+ \| (\d+) \|", table, re.MULTILINE)
+            self.assertEqual(sum(map(int, stated)), int(counted[1]))
 
     def test_the_evidence_gives_the_verdicts_again(self):
         said = subprocess.run([os.path.join(self.programs, "judge_again"), "--verdicts", "--campaign", self.campaign,
                                "--labels", os.path.join(self.folder, "bank_labels"), "--labels",
                                os.path.join(self.folder, "test_labels")], check=True, capture_output=True, text=True)
-        again = dict(re.findall(r"/(\w\w/\w+)/evidence.json: (\w+)", said.stdout))
-        rows = [row for name, row in self.rows.items() if not name.startswith("bench")]
-        self.assertEqual(again, {f"{row['id'][:2]}/{row['id'][2:]}": row["values"]["verdict"] for row in rows})
+        again = dict(re.findall(r"^(\w+): (\w+) \[.*\] by criteria", said.stdout, re.MULTILINE))
+        self.assertEqual(again, {name: row["values"]["verdict"] for name, row in self.rows.items()
+                                 if not name.startswith("bench")})
 
     def test_nothing_is_done_twice(self):
         before = self.read("score.json")

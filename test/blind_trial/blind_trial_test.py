@@ -16,7 +16,7 @@ import numpy as np  # noqa: E402
 
 import generate  # noqa: E402
 import score  # noqa: E402
-from virtual_rig import base, case, effect, excitation, laws, rig, sealed  # noqa: E402
+from virtual_rig import base, case, effect, excitation, form_error, laws, rig, sealed  # noqa: E402
 
 EXAMPLE = {"static_stiffness": 3.0, "dynamic_stiffness": 4.2, "nominal_frequency": 4.0}
 
@@ -139,6 +139,55 @@ class LawTest(unittest.TestCase):
         self.assertFalse(names[False] & held_back)
         self.assertTrue(names[True] & held_back)
         self.assertGreater(len(laws.available(laws.UNKNOWN, True)), len(laws.available(laws.UNKNOWN, False)))
+
+
+class FormErrorTest(unittest.TestCase):
+    """Laws that are nobody's, on a base off its ladder."""
+
+    def test_a_law_is_off_by_about_the_size_and_grows_with_its_strength(self):
+        _, z, rate, scale = small_rig()
+        plain = laws.draw(np.random.default_rng(5), scale, "friction", False)
+        off = form_error.inexact(np.random.default_rng(6), scale, plain, None, 0.2)
+        shares = [f.function(z, rate) for f in (plain, off)]
+        difference = form_error.rms([a - b for a, b in zip(*shares)]) / form_error.rms(shares[0])
+        # RMS of the drawn function over the path of these logs, which see a part of it, and of a drift of 6 % at most.
+        self.assertTrue(0.08 < difference < 0.4, difference)
+        again = off.function(z, rate)
+        for a, b in zip(shares[1], again):
+            np.testing.assert_array_equal(a, b)
+
+    def test_what_has_one_form_stays_exact(self):
+        _, _, _, scale = small_rig()
+        for name in form_error.ONE_FORM:
+            if name in laws.LAWS:
+                plain = laws.draw(np.random.default_rng(7), scale, name, False)
+                self.assertIs(form_error.inexact(np.random.default_rng(8), scale, plain, None, 0.3), plain)
+
+    def test_two_laws_are_mixed(self):
+        _, z, rate, scale = small_rig()
+        rng = np.random.default_rng(9)
+        one, other = (laws.draw(rng, scale, "friction", False) for _ in range(2))
+        both = form_error.inexact(np.random.default_rng(10), scale, one, other, 0.0)
+        self.assertIn("+", both.law)
+        size = [form_error.rms(f.function(z, rate)) for f in (one, both)]
+        self.assertGreater(abs(size[1] / size[0] - 1.0), 0.05)
+
+    def test_the_base_is_off_its_ladder_and_the_file_is_not(self):
+        rng = np.random.default_rng(11)
+        component, z, rate, _ = small_rig()
+        off = form_error.off_ladder(rng, component, 0.1, 10.0, 0.005)
+        self.assertAlmostEqual(sum(off.extra_k), 0.1 * component.k0)
+        gap = rig.gap([a - b for a, b in zip(off.force(z, rate), component.force(z, rate))], component.force(z, rate))
+        self.assertTrue(0.005 < gap < 0.1, gap)
+        self.assertEqual(case.element_entries(off, 0.0), case.element_entries(component, 0.0))
+
+    def test_a_case_has_it_only_where_it_is_asked_for(self):
+        layout = case.Layout(duration=0.2)
+        exact, inexact = (case.build("bank", 12, 0, "single", ("friction",), False, layout, which)
+                          for which in (False, True))
+        self.assertNotIn("inexact", exact["label"]["laws"]["friction"])
+        self.assertIn("inexact", inexact["label"]["laws"]["friction"])
+        self.assertTrue(inexact["label"]["base_error"] and not exact["label"]["base_error"])
 
 
 class CaseTest(unittest.TestCase):

@@ -1,58 +1,37 @@
-// Judges the evidence of many diagnoses again, with each criterion moved: which verdicts hang on which number.
+// Judges the evidence of many diagnoses again: both judges side by side, the fit of the numbers of the judgement by
+// posterior, and which verdicts of the judgement by criteria hang on which number.
 //
-// judge_again [--verdicts | --change SHARE | --calibrate] EVIDENCE [LABEL] ...: files evidence.json of
-// `diagnose --evidence`, each followed by the label of its case where there is one; or, in their place,
-// --campaign FOLDER --labels FOLDER ...: all cases of these folders of labels, SET_labels, in a campaign over a jobs
-// file of as_campaign.py. Prints a table in Markdown, a row for each criterion; with --verdicts, the verdict of each
-// case as it is; with --calibrate, also whether stated probabilities are true, and the weights of the probabilities at
-// which the truth would have been most probable.
+// Cases are folders FOLDER with FOLDER_labels and FOLDER_reports beside them, as `generate.py` and `run.py --evidence`
+// leave them, or those of a campaign that folders of labels have labels of.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <ctime>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "campaign/manifest.h"
-#include "diagnosis/judge/evidence_json.h"
-#include "diagnosis/judge/judge.h"
+#include "calibration.h"
+#include "diagnosis/judge/answer.h"
+#include "judged_case.h"
 
+namespace rubber_suspension::blind_trial {
 namespace {
 
-using namespace rubber_suspension::diagnosis;
-
-struct Label {
-  std::string kind;
-  std::vector<std::string> effects;
-};
-
-struct Case {
-  std::string path;
-  NamedEvidence named;
-  std::optional<Label> label;
-};
-
-struct Answer {
-  std::string verdict;
-  std::vector<std::string> effects;
-  double stated = 0.0;    // probability of the first effect, or of a verdict without one
-  double of_truth = 0.0;  // probability of what the label says
-
-  bool operator!=(const Answer& other) const { return verdict != other.verdict || effects != other.effects; }
-};
+using diagnosis::Criteria;
+using diagnosis::JudgeNumbers;
+using diagnosis::NamedEvidence;
 
 struct Criterion {
   const char* name;
@@ -80,98 +59,59 @@ const std::vector<Criterion> kCriteria = {
     {"beyond_noise_of_floor", &Criteria::beyond_noise_of_floor},
 };
 
-std::string textOf(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(path + ": cannot be read");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+std::vector<std::string> namesOf(const std::vector<int>& effects, const NamedEvidence& named) {
+  std::vector<std::string> names;
+  std::transform(effects.begin(), effects.end(), std::back_inserter(names),
+                 [&](int effect) { return named.effects.at(static_cast<std::size_t>(effect)); });
+  return names;
 }
 
-std::vector<Case> readCases(const std::vector<std::string>& paths) {
-  std::vector<Case> cases;
-  for (const std::string& path : paths) {
-    const std::string text = textOf(path);
-    const auto value = nlohmann::json::parse(text);
-    if (value.contains("schema")) {
-      cases.push_back({path, parseEvidence(text), std::nullopt});
-    } else if (!cases.empty()) {
-      cases.back().label = {value.at("kind").get<std::string>(), value.at("effects").get<std::vector<std::string>>()};
-    } else {
-      throw std::invalid_argument(path + ": a label without evidence before it");
-    }
-  }
-  return cases;
-}
-
-// The first true effect among the candidates, or the answer that needs none.
-double probabilityOf(const Label& label, const Case& known, const Judgement& judgement) {
-  if (label.kind == "unknown") {
-    return judgement.posterior.none_of_these;
-  }
-  if (label.effects.empty()) {
-    return label.kind == "none" ? judgement.posterior.none : judgement.posterior.parameter_error;
-  }
-  const auto& names = known.named.effects;
-  const auto found = std::find(names.begin(), names.end(), label.effects.front());
-  return found == names.end()
-             ? 0.0
-             : judgement.probabilities.at(static_cast<std::size_t>(std::distance(names.begin(), found)));
-}
-
-double probabilityOfVerdict(const Judgement& judgement) {
+double probabilityOfVerdict(const diagnosis::Judgement& judgement) {
   switch (judgement.verdict) {
-    case Verdict::none:
+    case diagnosis::Verdict::none:
       return judgement.posterior.none;
-    case Verdict::parameter_error:
+    case diagnosis::Verdict::parameter_error:
       return judgement.posterior.parameter_error;
     default:
       return judgement.posterior.none_of_these;
   }
 }
 
-Answer answer(const Case& known, const Criteria& criteria) {
-  const Judgement judgement = judge(known.named.evidence, criteria);
-  Answer result;
-  result.verdict = toString(judgement.verdict);
-  for (const int effect : judgement.effects) {
-    result.effects.push_back(known.named.effects.at(static_cast<std::size_t>(effect)));
+const Said kNothing = {"check_bench", {}, 0.0};  // the diagnosis refused the logs, or failed
+
+Said byCriteria(const TrialCase& known, const Criteria& criteria) {
+  if (!known.named) {
+    return kNothing;
   }
-  result.stated = judgement.effects.empty()
-                      ? probabilityOfVerdict(judgement)
-                      : judgement.probabilities.at(static_cast<std::size_t>(judgement.effects.front()));
-  if (known.label) {
-    result.of_truth = probabilityOf(*known.label, known, judgement);
-  }
-  return result;
+  const diagnosis::Judgement judgement = judge(known.named->evidence, criteria);
+  const double stated = judgement.effects.empty()
+                            ? probabilityOfVerdict(judgement)
+                            : judgement.probabilities.at(static_cast<std::size_t>(judgement.effects.front()));
+  return {toString(judgement.verdict), namesOf(judgement.effects, *known.named), stated};
 }
 
-bool isRight(const Label& label, const Answer& given) {
-  if (label.kind == "single") {
-    return !given.effects.empty() && given.effects.front() == label.effects.front();
+Said byPosterior(const TrialCase& known, const JudgeNumbers& numbers) {
+  if (!known.named) {
+    return kNothing;
   }
-  if (label.kind == "unknown") {
-    return given.verdict == "unknown" || given.verdict == "partly";
-  }
-  if (label.effects.empty()) {
-    return given.verdict == label.kind;
-  }
-  return std::is_permutation(label.effects.begin(), label.effects.end(), given.effects.begin(), given.effects.end());
+  const diagnosis::Answer answer = diagnosis::answer(*known.named, numbers);
+  return {toString(answer.verdict), namesOf(answer.effects, *known.named), answer.probability};
 }
+
+// ---- criteria moved
+// --------------------------------------------------------------------------------------------------
 
 // "3 (+1 -2)": verdicts that change, of which so many become right and so many wrong.
-std::string changes(const std::vector<Case>& cases, const std::vector<Answer>& before, const Criteria& criteria) {
+std::string changes(const std::vector<TrialCase>& cases, const std::vector<Said>& before, const Criteria& criteria) {
   int changed = 0;
   int better = 0;
   int worse = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Answer after = answer(cases[i], criteria);
-    if (after != before[i]) {
+    const Said after = byCriteria(cases[i], criteria);
+    if (after.verdict != before[i].verdict || after.effects != before[i].effects) {
+      const bool was = cases[i].isRight(before[i]);
+      const bool is = cases[i].isRight(after);
       ++changed;
-      const bool was = cases[i].label && isRight(*cases[i].label, before[i]);
-      const bool is = cases[i].label && isRight(*cases[i].label, after);
       better += !was && is ? 1 : 0;
       worse += was && !is ? 1 : 0;
     }
@@ -179,192 +119,14 @@ std::string changes(const std::vector<Case>& cases, const std::vector<Answer>& b
   return changed == 0 ? "0" : fmt::format("{} (+{} -{})", changed, better, worse);
 }
 
-// An effect that is named counts as right if it is one of those of the rig.
-bool isTrue(const Label& label, const Answer& given) {
-  if (given.effects.empty()) {
-    return isRight(label, given);
+void printCriteria(const std::vector<TrialCase>& cases, double change) {
+  std::vector<Said> before;
+  long right = 0;
+  for (const TrialCase& known : cases) {
+    before.push_back(byCriteria(known, {}));
+    right += known.isRight(before.back()) ? 1 : 0;
   }
-  return std::find(label.effects.begin(), label.effects.end(), given.effects.front()) != label.effects.end();
-}
-
-void printReliability(const std::vector<Case>& cases, const std::vector<Answer>& answers) {
-  constexpr std::array kLimits = {0.0, 0.5, 0.8, 0.95, 0.99, 1.0 + 1e-9};
-  std::cout << "\n| stated | cases | mean stated | right |\n|---|---|---|---|\n";
-  for (std::size_t bin = 0; bin + 1 < kLimits.size(); ++bin) {
-    int count = 0;
-    int right = 0;
-    double stated = 0.0;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (cases[i].label && answers[i].stated >= kLimits[bin] && answers[i].stated < kLimits[bin + 1]) {
-        ++count;
-        right += isTrue(*cases[i].label, answers[i]) ? 1 : 0;
-        stated += answers[i].stated;
-      }
-    }
-    if (count > 0) {
-      std::cout << fmt::format("| {} to {:.2g} | {} | {:.2f} | {:.2f} |\n", kLimits[bin], kLimits[bin + 1], count,
-                               stated / count, static_cast<double>(right) / count);
-    }
-  }
-}
-
-// Logarithms of the probability of the truth. One that a test refuted is far below; it must not outweigh all others.
-std::vector<double> scores(const std::vector<Case>& cases, const Criteria& criteria) {
-  constexpr double kLeast = 1e-3;
-  std::vector<double> result;
-  for (const Case& known : cases) {
-    if (known.label) {
-      result.push_back(std::log(std::max(answer(known, criteria).of_truth, kLeast)));
-    }
-  }
-  return result;
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
-struct Gain {
-  double mean = 0.0;
-  double error = 0.0;  // standard error, by cases
-};
-
-Gain gainOf(const std::vector<double>& before, const std::vector<double>& after) {
-  std::vector<double> differences;
-  std::transform(after.begin(), after.end(), before.begin(), std::back_inserter(differences), std::minus<>());
-  const double middle = mean(differences);
-  double squares = 0.0;
-  for (const double difference : differences) {
-    squares += (difference - middle) * (difference - middle);
-  }
-  const auto count = static_cast<double>(differences.size());
-  return {middle, count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0};
-}
-
-// Step by step to the weights at which the truth is most probable, each step one weight by a factor.
-Criteria mostLikely(const std::vector<Case>& cases, const std::vector<double Criteria::*>& weights) {
-  Criteria best;
-  double score = mean(scores(cases, best));
-  for (double factor = 2.0; factor > 1.05; factor = std::sqrt(factor)) {
-    for (bool found = true; found;) {
-      found = false;
-      for (const auto weight : weights) {
-        for (const double step : {factor, 1.0 / factor}) {
-          Criteria moved = best;
-          moved.*weight *= step;
-          const bool within = moved.*weight > 0.05 * Criteria().*weight && moved.*weight < 20.0 * Criteria().*weight;
-          const double moved_score = within ? mean(scores(cases, moved)) : score;
-          if (moved_score > score) {
-            best = moved;
-            score = moved_score;
-            found = true;
-          }
-        }
-      }
-    }
-  }
-  return best;
-}
-
-void printWeights(const std::vector<Case>& cases) {
-  const std::vector<double Criteria::*> weights = {&Criteria::sharpness, &Criteria::noise_blur, &Criteria::gap_blur};
-  const std::vector<double> before = scores(cases, {});
-  const Criteria best = mostLikely(cases, weights);
-  const Gain gain = gainOf(before, scores(cases, best));
-  std::cout << "\n| weight | value | most likely here |\n|---|---|---|\n";
-  for (const Criterion& criterion : kCriteria) {
-    if (std::find(weights.begin(), weights.end(), criterion.value) != weights.end()) {
-      std::cout << fmt::format("| `{}` | {:g} | {:.3g} |\n", criterion.name, Criteria().*criterion.value,
-                               best.*criterion.value);
-    }
-  }
-  std::cout << fmt::format(
-      "\nMean logarithm of the probability of the truth: {:.3f}; with the most likely weights {:+.3f} "
-      "(standard error {:.3f}), on the cases that they were fitted to.\n",
-      mean(before), gain.mean, gain.error);
-}
-
-// Evidence and labels of a campaign, in the order that readCases() takes. SET_labels/CASE.json goes with the job
-// SET_CASE.
-std::vector<std::string> pathsOfCampaign(const std::string& folder, const std::vector<std::string>& label_folders) {
-  namespace fs = std::filesystem;
-  namespace campaign = rubber_suspension::campaign;
-  const campaign::Manifest manifest = campaign::readManifest(folder);
-  std::vector<std::string> paths;
-  for (const std::string& labels : label_folders) {
-    const std::string name = fs::path(labels + "/").lexically_normal().parent_path().filename().string();
-    const std::string prefix = name.substr(0, name.rfind("_labels")) + "_";
-    for (const campaign::Job& job : manifest.jobs) {
-      const std::string label = labels + "/" + job.group.substr(std::min(prefix.size(), job.group.size())) + ".json";
-      if (job.group.compare(0, prefix.size(), prefix) == 0 && fs::exists(label)) {
-        paths.push_back(folder + "/" + campaign::reportFolder(job.id) + "/evidence.json");
-        paths.push_back(label);
-        if (!fs::exists(paths[paths.size() - 2])) {  // failed, or logs that cannot be what they say
-          std::cerr << "judge_again: " << job.group << " left no evidence\n";
-          paths.resize(paths.size() - 2);
-        }
-      }
-    }
-  }
-  return paths;
-}
-
-// --campaign and --labels, replaced by the files that they stand for.
-std::vector<std::string> expanded(const std::vector<std::string>& arguments) {
-  std::vector<std::string> rest;
-  std::vector<std::string> labels;
-  std::string folder;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool has_value = i + 1 < arguments.size();
-    if (arguments[i] == "--campaign" && has_value) {
-      folder = arguments[++i];
-    } else if (arguments[i] == "--labels" && has_value) {
-      labels.push_back(arguments[++i]);
-    } else {
-      rest.push_back(arguments[i]);
-    }
-  }
-  if (!folder.empty()) {
-    const std::vector<std::string> paths = pathsOfCampaign(folder, labels);
-    rest.insert(rest.end(), paths.begin(), paths.end());
-  }
-  return rest;
-}
-
-int run(std::vector<std::string> arguments) {
-  arguments = expanded(arguments);
-  double change = 0.3;
-  const bool calibrate = !arguments.empty() && arguments.front() == "--calibrate";
-  if (calibrate) {
-    arguments.erase(arguments.begin());
-  }
-  const bool verdicts = !arguments.empty() && arguments.front() == "--verdicts";
-  if (verdicts) {
-    arguments.erase(arguments.begin());
-  } else if (arguments.size() > 1 && arguments.front() == "--change") {
-    change = std::stod(arguments[1]);
-    arguments.erase(arguments.begin(), arguments.begin() + 2);
-  }
-  const std::vector<Case> cases = readCases(arguments);
-  std::vector<Answer> before;
-  int right = 0;
-  int labelled = 0;
-  for (const Case& known : cases) {
-    before.push_back(answer(known, {}));
-    labelled += known.label ? 1 : 0;
-    right += known.label && isRight(*known.label, before.back()) ? 1 : 0;
-  }
-  if (verdicts) {
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      std::cout << fmt::format("{}: {} {}\n", cases[i].path, before[i].verdict, fmt::join(before[i].effects, ", "));
-    }
-    return 0;
-  }
-  std::cout << fmt::format("{} cases, {} of {} right\n\n", cases.size(), right, labelled);
+  std::cout << fmt::format("{} cases, {} right by criteria\n\n", cases.size(), right);
   std::cout << fmt::format("| criterion | value | times {:.2g} | times {:.2g} |\n|---|---|---|---|\n", 1.0 - change,
                            1.0 + change);
   for (const Criterion& criterion : kCriteria) {
@@ -378,18 +140,288 @@ int run(std::vector<std::string> arguments) {
     std::cout << fmt::format("| `{}` | {:g} | {} | {} |\n", criterion.name, Criteria().*criterion.value,
                              changes(cases, before, less), changes(cases, before, more));
   }
-  if (calibrate) {
-    printReliability(cases, before);
-    printWeights(cases);
+}
+
+// ---- judges side by side
+// ---------------------------------------------------------------------------------------------
+
+// A case under both judges.
+struct Judged {
+  const TrialCase* known;
+  Said criteria;
+  Said posterior;
+};
+
+using SaidOf = const Said Judged::*;
+
+struct Counts {
+  long cases = 0;
+  long right = 0;
+  long too_many = 0;
+
+  std::string text() const {
+    return fmt::format("{:.1f} % | {:.1f} %", 100.0 * static_cast<double>(right) / static_cast<double>(cases),
+                       100.0 * static_cast<double>(too_many) / static_cast<double>(cases));
+  }
+};
+
+Counts count(const std::vector<Judged>& judged, SaidOf of, const std::string& group) {
+  Counts counts;
+  for (const Judged& one : judged) {
+    if (group.empty() || one.known->group() == group) {
+      ++counts.cases;
+      counts.right += one.known->isRight(one.*of) ? 1 : 0;
+      counts.too_many += one.known->namesTooMuch(one.*of) ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
+// 95 % interval of a share by Wilson's method, in percent.
+std::string interval(const Counts& counts) {
+  using Binomial = boost::math::binomial;
+  constexpr double kTail = 0.025;
+  const auto n = static_cast<double>(counts.cases);
+  const auto k = static_cast<double>(counts.right);
+  return fmt::format("{:.0f} to {:.0f} %", 100.0 * Binomial::find_lower_bound_on_p(n, k, kTail),
+                     100.0 * Binomial::find_upper_bound_on_p(n, k, kTail));
+}
+
+void printGroups(const std::vector<Judged>& judged) {
+  std::map<std::string, bool> groups;
+  for (const Judged& one : judged) {
+    groups[one.known->group()] = true;
+  }
+  std::cout << "| cases | number | criteria: right | an effect too many | posterior: right | an effect too many |\n"
+               "|---|---|---|---|---|---|\n";
+  const auto row = [&](const std::string& name, const std::string& group) {
+    const Counts criteria = count(judged, &Judged::criteria, group);
+    const Counts posterior = count(judged, &Judged::posterior, group);
+    std::cout << fmt::format("| {} | {} | {} | {} |\n", name, criteria.cases, criteria.text(), posterior.text());
+  };
+  for (const auto& [group, present] : groups) {
+    row(group, group);
+  }
+  row("all", "");
+  std::cout << fmt::format("\nRight, 95 % interval: {} by criteria, {} by the posterior.\n",
+                           interval(count(judged, &Judged::criteria, "")),
+                           interval(count(judged, &Judged::posterior, "")));
+}
+
+// How probable so uneven a split of the cases that differ would be if neither judge were better.
+double signTest(long to_right, long to_wrong) {
+  const long differ = to_right + to_wrong;
+  if (differ == 0) {
+    return 1.0;
+  }
+  const boost::math::binomial even(static_cast<double>(differ), 0.5);
+  return std::min(1.0, 2.0 * cdf(even, static_cast<double>(std::min(to_right, to_wrong))));
+}
+
+std::string inWords(const Truth& truth) {
+  const std::string effects = fmt::format("{}", fmt::join(truth.effects, ", "));
+  return truth.unlisted ? effects + (effects.empty() ? "unlisted" : " beside an unlisted one")
+                        : (effects.empty() ? truth.kind : effects);
+}
+
+// The cases that a judge is wrong about.
+void printDifferences(const std::vector<Judged>& judged) {
+  long to_right = 0;
+  long to_wrong = 0;
+  for (const Judged& one : judged) {
+    const bool before = one.known->isRight(one.criteria);
+    const bool after = one.known->isRight(one.posterior);
+    to_right += !before && after ? 1 : 0;
+    to_wrong += before && !after ? 1 : 0;
+    if (!before || !after) {
+      const char* change = before ? "to wrong" : after ? "to right" : "wrong in both";
+      std::cout << fmt::format("{}: {} ({}): {} [{}] -> {} [{}] ({:.2f})\n", change, one.known->name,
+                               inWords(one.known->truth), one.criteria.verdict, fmt::join(one.criteria.effects, ", "),
+                               one.posterior.verdict, fmt::join(one.posterior.effects, ", "), one.posterior.stated);
+    }
+  }
+  std::cout << fmt::format("{} to right, {} to wrong; by chance as uneven with probability {:.2g}\n\n", to_right,
+                           to_wrong, signTest(to_right, to_wrong));
+}
+
+void printStated(const std::vector<Judged>& judged, const char* judge, SaidOf of) {
+  constexpr std::array kLimits = {0.0, 0.5, 0.8, 0.95, 1.0 + 1e-9};
+  std::cout << fmt::format("\n| stated by {} | cases | mean | right |\n|---|---|---|---|\n", judge);
+  for (std::size_t bin = 0; bin + 1 < kLimits.size(); ++bin) {
+    double cases = 0.0;
+    double right = 0.0;
+    double stated = 0.0;
+    for (const Judged& one : judged) {
+      const Said& said = one.*of;
+      if (one.known->named && said.stated >= kLimits[bin] && said.stated < kLimits[bin + 1]) {
+        cases += 1.0;
+        right += one.known->isRight(said) ? 1.0 : 0.0;
+        stated += said.stated;
+      }
+    }
+    if (cases > 0.0) {
+      std::cout << fmt::format("| {} to {:.2g} | {} | {:.2f} | {:.2f} |\n", kLimits[bin], kLimits[bin + 1], cases,
+                               stated / cases, right / cases);
+    }
+  }
+}
+
+// Of what labels say, by the posterior; of cases with evidence.
+double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vector<JudgeNumbers>& numbers) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const FittedCase& known : fittedCases({cases[i]})) {
+      sum += std::log(probabilityOfTruth(known, numbers[i]) + kLeastProbability);
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+// Numbers of each case: as fitted last, or fitted without the fold that the case is in.
+std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int folds) {
+  if (folds == 0) {
+    return {cases.size(), diagnosis::fittedNumbers()};
+  }
+  std::vector<JudgeNumbers> numbers(cases.size());
+  for (int fold = 0; fold < folds; ++fold) {
+    const auto isIn = [&](std::size_t i) { return static_cast<int>(i) % folds == fold; };
+    std::vector<TrialCase> others;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!isIn(i)) {
+        others.push_back(cases[i]);
+      }
+    }
+    std::cerr << fmt::format("judge_again: fitting without part {} of {}\n", fold + 1, folds);
+    const JudgeNumbers fitted = calibrate(fittedCases(others));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      numbers[i] = isIn(i) ? fitted : numbers[i];
+    }
+  }
+  return numbers;
+}
+
+void printComparison(const std::vector<TrialCase>& cases, int folds) {
+  const std::vector<JudgeNumbers> numbers = numbersOf(cases, folds);
+  std::vector<Judged> judged;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    judged.push_back({&cases[i], byCriteria(cases[i], {}), byPosterior(cases[i], numbers[i])});
+  }
+  const auto refused = std::count_if(cases.begin(), cases.end(), [](const TrialCase& one) { return !one.named; });
+  std::cout << fmt::format("{} cases, {} of them without evidence, which count as wrong\n\n", cases.size(), refused);
+  printDifferences(judged);
+  printGroups(judged);
+  printStated(judged, "criteria", &Judged::criteria);
+  printStated(judged, "the posterior", &Judged::posterior);
+  std::cout << fmt::format("\nMean logarithm of the probability of the truth by the posterior: {:.3f}\n",
+                           meanLogarithmOfTruth(cases, numbers));
+}
+
+// ---- the fit
+// ---------------------------------------------------------------------------------------------------------
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now));
+  return text.data();
+}
+
+// "2026-11-26, on 60 cases (12 machine, 48 single)".
+std::string fitInWords(const std::vector<TrialCase>& cases) {
+  std::map<std::string, int> kinds;
+  int number = 0;
+  for (const TrialCase& known : cases) {
+    kinds[known.truth.kind] += known.named ? 1 : 0;
+    number += known.named ? 1 : 0;
+  }
+  std::vector<std::string> words;
+  for (const auto& [kind, count] : kinds) {
+    words.push_back(fmt::format("{} {}", count, kind));
+  }
+  return fmt::format("{}, on {} cases ({})", today(), number, fmt::join(words, ", "));
+}
+
+void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) {
+  const JudgeNumbers numbers = calibrate(fittedCases(cases));
+  std::ofstream file(path);
+  file << fittedNumbersSource(numbers, fitInWords(cases));
+  if (!file.flush()) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
+  std::cout << "| number | fitted | before | unit | meaning |\n|---|---|---|---|---|\n";
+  for (const diagnosis::NumberInfo& info : diagnosis::numberTable()) {
+    std::cout << fmt::format("| `{}` | {:.3g} | {:.3g} | {} | {} |\n", info.name, numbers.*info.value, info.mean,
+                             info.unit, info.meaning);
+  }
+}
+
+void printVerdicts(const std::vector<TrialCase>& cases) {
+  for (const TrialCase& known : cases) {
+    const Said criteria = byCriteria(known, {});
+    const Said posterior = byPosterior(known, diagnosis::fittedNumbers());
+    std::cout << fmt::format("{}: {} [{}] by criteria, {} [{}] by the posterior\n", known.name, criteria.verdict,
+                             fmt::join(criteria.effects, ", "), posterior.verdict, fmt::join(posterior.effects, ", "));
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Judges the evidence of many diagnoses again");
+  std::vector<std::string> folders;
+  std::vector<std::string> labels;
+  std::string campaign;
+  std::string numbers;
+  double change = 0.3;
+  int folds = 0;
+  app.add_option("folders", folders, "folders of cases, with FOLDER_labels and FOLDER_reports beside each")
+      ->type_name("FOLDER");
+  CLI::Option* in_campaign =
+      app.add_option("--campaign", campaign, "campaign whose jobs are the cases")->type_name("FOLDER");
+  app.add_option("--labels", labels, "folders of the labels of its cases (may be repeated)")
+      ->type_name("FOLDER")
+      ->needs(in_campaign)
+      ->take_all();
+  CLI::Option* fit = app.add_option("--calibrate", numbers, "fit the numbers of the posterior and write this source")
+                         ->type_name("FILE");
+  CLI::Option* compare = app.add_flag("--compare", "both judges side by side")->excludes(fit);
+  app.add_option("--folds", folds, "with --compare: numbers fitted without each of so many parts, and judged on it")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(2, 100))
+      ->needs(compare);
+  CLI::Option* verdicts = app.add_flag("--verdicts", "the verdicts of each case")->excludes(fit)->excludes(compare);
+  app.add_option("--change", change, "share by which each criterion is moved; default 0.3")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.01, 0.99));
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<TrialCase> cases = campaign.empty() ? std::vector<TrialCase>{} : casesOfCampaign(campaign, labels);
+  for (const std::string& folder : folders) {
+    const std::vector<TrialCase> more = casesOfFolder(folder);
+    cases.insert(cases.end(), more.begin(), more.end());
+  }
+  if (cases.empty()) {
+    throw std::invalid_argument(
+        "no cases; accepted: folders of cases with labels and reports, or --campaign and --labels");
+  }
+  if (*fit) {
+    writeNumbers(cases, numbers);
+  } else if (*compare) {
+    printComparison(cases, folds);
+  } else if (*verdicts) {
+    printVerdicts(cases);
+  } else {
+    printCriteria(cases, change);
   }
   return 0;
 }
 
 }  // namespace
+}  // namespace rubber_suspension::blind_trial
 
 int main(int argc, char** argv) {
   try {
-    return run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    return rubber_suspension::blind_trial::run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "judge_again: " << error.what() << "\n";
     return 1;

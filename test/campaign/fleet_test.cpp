@@ -7,10 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
+#include "campaign/record.h"
 
 namespace rubber_suspension {
 namespace {

@@ -71,6 +71,25 @@ TEST_F(MakeCampaign, AJobForEachFolder) {
   EXPECT_EQ(manifest.inputs[manifest.jobs[1].logs[1]].path, folder_.path("fleet/truck_2/log_2.csv"));
 }
 
+// The campaign's own folders are no test pieces, where it lies among these.
+TEST_F(MakeCampaign, IsTheSameWhereItIsMadeAgainAmongItsInputs) {
+  writeFleet();
+  const std::string path = folder_.write("jobs.yaml", kFleet);
+  for (const std::string made : {"results", "reports", "running", "slurm"}) {
+    std::filesystem::create_directories(folder_.path("fleet/" + made + "/ab"));
+  }
+  EXPECT_EQ(campaign::makeManifest(path, folder_.path("fleet"), "1.0", 2, readTestLog).manifest.jobs.size(), 2U);
+}
+
+TEST_F(MakeCampaign, TellsCopiesAndWhatIsNoFile) {
+  writeFleet();
+  std::filesystem::copy_file(folder_.path("fleet/truck_1/log_1.csv"), folder_.path("fleet/truck_1/log_3.csv"));
+  EXPECT_THAT(problems(kFleet), ElementsAre(HasSubstr("log_3.csv is the same to the last byte as log")));
+  std::filesystem::remove(folder_.path("fleet/truck_1/log_3.csv"));
+  std::filesystem::create_symlink("/dev/zero", folder_.path("fleet/truck_1/log_3.csv"));
+  EXPECT_THAT(problems(kFleet), ::testing::Contains(HasSubstr("log_3.csv: neither a file nor a folder")));
+}
+
 TEST_F(MakeCampaign, AJobForEachLogWhereWanted) {
   writeFleet();
   EXPECT_EQ(make(std::string(kFleet) + "    one_job_per_log: true\n").jobs.size(), 4U);
@@ -112,7 +131,7 @@ TEST_F(MakeCampaign, TheManifestReadsBack) {
   const campaign::Manifest manifest =
       make(std::string(kFleet) +
            "    hold_out: last.csv\n    rig: {gain: 1 %}\n    reports: none\n    sampling_rate: 200\n"
-           "    columns: [time=time_s]\n    unit: mm,kN\n");
+           "    columns: [time=time_s]\n    unit: displacement=mm force=kN\n");
   std::filesystem::create_directories(folder_.path("out"));
   campaign::writeManifest(manifest, folder_.path("out"));
   const campaign::Manifest again = campaign::readManifest(folder_.path("out"));

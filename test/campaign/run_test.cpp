@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "campaign/heartbeat.h"
 #include "campaign/record.h"
@@ -124,6 +125,35 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
                                  HasSubstr("the record of another job"), HasSubstr("cut off"),
                                  AllOf(HasSubstr("force.csv has 10 bytes, not"), HasSubstr("done again"))));
   EXPECT_THAT(campaign::statusOf(manifest, folder_.path("out")).broken, IsEmpty());
+}
+
+// Whatever stands in place of a record is told with its file and done again; none ends the program.
+TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
+  const campaign::Manifest manifest = make();
+  run();
+  const std::string id = manifest.jobs[0].id;
+  const std::string path = campaign::recordPath(folder_.path("out"), id);
+  const std::string good = folder_.read("out/" + path.substr(folder_.path("out").size() + 1));
+  const std::string values = "\"values\":";
+  const std::size_t at = good.find(values) + values.size();
+  const std::size_t end = good.find(",\"evidence\"", at);
+  ASSERT_NE(end, std::string::npos) << good;
+  for (const std::string& other : {std::string("5"), std::string("[1]"), std::string("{\"x\":[[1]]}"),
+                                   "{\"x\":" + std::string(200000, '[') + std::string(200000, ']') + "}"}) {
+    std::ofstream(path, std::ios::binary) << good.substr(0, at) << other << good.substr(end);
+    const campaign::FoundRecord found = campaign::findRecord(folder_.path("out"), id, kVersion);
+    EXPECT_EQ(found.state, campaign::FoundRecord::State::broken) << other.substr(0, 20);
+    EXPECT_THAT(found.problem, HasSubstr(path));
+  }
+  EXPECT_EQ(campaign::statusOf(manifest, folder_.path("out")).all.broken, 1U);
+}
+
+// A spreadsheet would work out what begins like a formula.
+TEST_F(RunCampaign, ATableHasNoFormulas) {
+  folder_.write("jobs.yaml",
+                "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
+  campaign::writeTables(make(), folder_.path("out"), [](const campaign::Job&, const campaign::Record*) {});
+  EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr(",'=cmd(),"));
 }
 
 TEST_F(RunCampaign, AFailedJobIsARecordAndTheOthersGoOn) {

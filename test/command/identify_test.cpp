@@ -56,6 +56,24 @@ TEST(IdentifyFromLogs, FindsTheStiffnessesAndKeepsTheBreakFrequencies) {
   }
 }
 
+// A reversed channel and a force in tonnes would be fitted all the same.
+TEST(IdentifyFromLogs, RefusesAReversedChannelAndAUnitThatIsOffByThousands) {
+  for (const auto& [factor, reason] :
+       {std::pair(-1.0, "the sign of one is reversed"), {1.0 / 9806.65, "tonnes taken for N"}}) {
+    log::Log log = measuredLog();
+    for (double& force : log.force) {
+      force *= factor;
+    }
+    try {
+      command::identifyFromLogs(description(), {log}, {});
+      FAIL() << "accepted " << factor;
+    } catch (const log::LogError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::string("sweep: ")));
+      EXPECT_THAT(error.what(), HasSubstr(reason));
+    }
+  }
+}
+
 TEST(IdentifyFromLogs, ComponentWithTheValuesFoundReproducesTheLog) {
   const log::Log log = measuredLog();
   const auto component =

@@ -1,8 +1,13 @@
 // Reading of measured tables.
 #include "command/measured_table.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "command/characteristic_table.h"
 #include "rubber_suspension/element/constants.h"
@@ -26,6 +31,40 @@ TEST(MeasuredTable, ReadsUnitsSeparatorsAndComments) {
   EXPECT_LT(table.points[1].loss_angle, 0.0);
   ASSERT_EQ(table.notes.size(), 1U);
   EXPECT_THAT(table.notes[0], HasSubstr("Operator"));
+}
+
+// One point in the words of many laboratories: 2 Hz, 0.5 mm, 3 kN/mm, 0.1 rad.
+TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
+  const double storage = 3000.0 * std::cos(0.1);
+  const double loss = 3000.0 * std::sin(0.1);
+  const auto row = [](auto... values) { return fmt::format("{}\n", fmt::join(std::vector<double>{values...}, ";")); };
+  const std::vector<std::string> tables = {
+      "Freq (Hz);Disp Amp (mm);Dynamic Stiffness (N/mm);Phase (rad)\n" + row(2.0, 0.5, 3000.0, 0.1),
+      "omega [rad/s];amplitude [mm];stiffness [N/mm];tan delta\n" + row(4.0 * element::kPi, 0.5, 3000.0, std::tan(0.1)),
+      "Frequenz [Hz];Doppelamplitude [mm];Steifigkeit [N/mm];Verlustwinkel [\u00b0]\n" +
+          row(2.0, 1.0, 3000.0, 18.0 / element::kPi),
+      "Frequency [Hz];Peak to peak [mm];K' [N/mm];K'' [N/mm]\n" + row(2.0, 1.0, storage, loss),
+      "Frequency [Hz];Amplitude [mm];Stiffness [N/mm];Damping [N s/mm]\n" +
+          row(2.0, 0.5, storage, loss / (4.0 * element::kPi)),
+      "Frequency [Hz];Amplitude [mm];K' [N/mm];loss angle [mrad]\n" + row(2.0, 0.5, storage, 100.0)};
+  for (const std::string& text : tables) {
+    SCOPED_TRACE(text);
+    const fit::MeasuredTable table = parseTable(text, "lab.csv");
+    ASSERT_EQ(table.points.size(), 1U);
+    EXPECT_NEAR(table.points[0].frequency, 2.0, 1e-12);
+    EXPECT_NEAR(table.points[0].amplitude, 5e-4, 1e-15);
+    EXPECT_NEAR(table.points[0].stiffness, 3e6, 1e-5);
+    EXPECT_NEAR(table.points[0].loss_angle, 0.1, 1e-12);
+  }
+  const fit::MeasuredTable comma =
+      parseTable("frequency [Hz];amplitude [mm];stiffness [N/mm];loss angle [deg]\n0,5;0,1;1.352,75;3,79\n", "lab.csv");
+  EXPECT_DOUBLE_EQ(comma.points.at(0).stiffness, 1352.75e3);
+}
+
+TEST(MeasuredTable, NamesWhatAMaterialLacks) {
+  EXPECT_THAT([] { parseTable("Frequency [Hz],Strain [%],E* [MPa],delta [deg]\n1,0.1,3.5,4\n", "lab.csv"); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::AllOf(HasSubstr("'Strain [%]', 'E* [MPa]': of a material"), HasSubstr("shape"))));
 }
 
 TEST(MeasuredTable, ReadsWhatExportTableWrites) {

@@ -436,18 +436,38 @@ TEST(State, SavedNumbersContinueBitByBit) {
   const std::vector<double> memory = state.memory();
   const std::vector<double> forces = walk(component, state, 5, 100);
   component::ComponentState other = component::Component(component.elements()).makeState();
-  other.deserialise(displacement, memory);
+  component.restore(other, displacement, memory);
   EXPECT_EQ(walk(component, other, 5, 100), forces);
 }
 
 TEST(State, RefusesNumbersThatAreNotItsOwn) {
   const component::Component component({kSpring, kMaxwell});
   component::ComponentState state = component.makeState();
-  EXPECT_THROW(state.deserialise(0.0, {}), std::invalid_argument);
-  EXPECT_THROW(state.deserialise(0.0, {1.0, 2.0}), std::invalid_argument);
-  EXPECT_THROW(state.deserialise(NAN, {1.0}), std::invalid_argument);
-  EXPECT_THROW(state.deserialise(0.0, {INFINITY}), std::invalid_argument);
-  EXPECT_NO_THROW(state.deserialise(0.0, {1.0}));
+  EXPECT_THROW(component.restore(state, 0.0, {}), std::invalid_argument);
+  EXPECT_THROW(component.restore(state, 0.0, {1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(component.restore(state, NAN, {1.0}), std::invalid_argument);
+  EXPECT_THROW(component.restore(state, 0.0, {INFINITY}), std::invalid_argument);
+  EXPECT_NO_THROW(component.restore(state, 0.0, {1.0}));
+}
+
+TEST(State, RefusesPlacesAndCountsThatNoDelayHasLeft) {
+  const component::Component component({kSpring, {"time_delay", {{"delay", {0.01}}}}});
+  component::ComponentState state = component.makeState();
+  const std::vector<double> own = state.memory();
+  const auto refused = [&](std::size_t slot, double number) {
+    std::vector<double> memory = own;
+    memory[slot] = number;
+    EXPECT_THROW(component.restore(state, 0.0, memory), std::invalid_argument) << slot << ": " << number;
+  };
+  constexpr std::size_t kNewest = 1;
+  constexpr std::size_t kCount = 2;
+  for (const double number : {-1.0, 0.5, 256.0, 2e9, -2e9, 1e300}) {
+    refused(kNewest, number);
+  }
+  for (const double number : {-1.0, 0.0, 1.5, 257.0, 2e9}) {
+    refused(kCount, number);
+  }
+  component.restore(state, 0.0, own);
 }
 
 TEST(State, ServesOneComponentInSeveralThreads) {
@@ -473,7 +493,7 @@ TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
   component::ComponentState state = component.makeState();
   walk(component, state, 7, 20);
   component::ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
-  fresh.deserialise(state.displacement(), state.memory());
+  component.restore(fresh, state.displacement(), state.memory());
   component.step(state, 0.5, 1e-3);
   component.step(fresh, 0.5, 1e-3);
   EXPECT_EQ(component.step(state, 1e-3, 2e-3).total, component.step(fresh, 1e-3, 2e-3).total);

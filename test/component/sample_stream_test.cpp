@@ -190,7 +190,7 @@ void expectNoTraceOfOverflows(const component::Component& component) {
   for (int i = 0; i < 3000; ++i) {
     stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
     if (random() % 50 == 0) {
-      EXPECT_EQ(stream.push(stamp, kTooFar).acceptance, component::Acceptance::not_finite);
+      EXPECT_EQ(stream.push(stamp, kTooFar).acceptance, component::Acceptance::force_not_finite);
     }
     std::array<double, 1> force{};
     const double displacement = 1e-3 * std::sin(0.1 * i);

@@ -133,7 +133,7 @@ class Pairing {
   }
 
   void restoreNumbers(const std::vector<double>& memory) {
-    state_.deserialise(position_, memory);
+    component_.restore(state_, position_, memory);
     laws_.deserialise(position_, memory);
   }
 

@@ -4,17 +4,15 @@
 #include <gmock/gmock.h>
 
 #include "diagnosis/report/report_figures.h"
-#include "rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "shared_runs.h"
 
 namespace rubber_suspension {
 namespace {
 
 using ::testing::HasSubstr;
 
-log::Log goodLog() {
-  return runRig("good", 1, [](double, double, double) { return 0.0; });
-}
+log::Log goodLog() { return runRig("good", 1, nothing); }
 
 diagnosis::Diagnosis diagnose(const log::Log& log) { return diagnosis::diagnose(rigComponent(), {log}, {}); }
 
@@ -71,7 +69,7 @@ TEST(BenchEvidence, ProposesNothingForAnotherComponent) {
   ASSERT_EQ(figures.at(0).figure.axes.size(), 1U);
 }
 
-TEST(BenchEvidence, IsNotForLogsThatAreWhatTheySay) { EXPECT_FALSE(diagnose(goodLog()).bench_evidence); }
+TEST(BenchEvidence, IsNotForLogsThatAreWhatTheySay) { EXPECT_FALSE(ofOneLog().bench_evidence); }
 
 }  // namespace
 }  // namespace rubber_suspension

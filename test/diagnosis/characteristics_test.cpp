@@ -10,7 +10,7 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr Eigen::Index kSize = 20000;
+constexpr Eigen::Index kSineSamples = 20000;
 constexpr double kStiffness = 1e6;
 
 // Sines of four frequencies one after the other on a spring and a dashpot.
@@ -21,14 +21,14 @@ struct Measured {
   explicit Measured(double dt) {
     record.name = "sines";
     record.dt = dt;
-    record.displacement.resize(kSize);
-    record.force.resize(kSize);
+    record.displacement.resize(kSineSamples);
+    record.force.resize(kSineSamples);
     double phase = 0.0;
     double mean = 0.0;
-    for (Eigen::Index i = 0; i < kSize; ++i) {
-      const double step = 2.0 * element::kPi * 1e-3 * static_cast<double>(1 + 4 * i / kSize);  // per sample
+    for (Eigen::Index i = 0; i < kSineSamples; ++i) {
+      const double step = 2.0 * element::kPi * 1e-3 * static_cast<double>(1 + 4 * i / kSineSamples);  // per sample
       phase += step;
-      mean += step / static_cast<double>(kSize);
+      mean += step / static_cast<double>(kSineSamples);
       record.displacement[i] = 1e-3 * std::sin(phase);
       record.force[i] = 1e-3 * kStiffness * (std::sin(phase) + 0.1 * std::cos(phase));
     }

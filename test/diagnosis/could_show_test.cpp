@@ -47,6 +47,12 @@ diagnosis::Plan planOf(const std::vector<log::Log>& logs, double size = 0.1) {
   return diagnosis::plan(rigComponent(), logs, options);
 }
 
+/// Of all that is asserted of one plan.
+const diagnosis::Plan& planOfASweep() {
+  static const diagnosis::Plan plan = planOf({sweep()});
+  return plan;
+}
+
 const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effect) {
   const auto& rows = plan.could_show.implanted;
   const auto found =
@@ -73,13 +79,13 @@ TEST(Plan, OneSineHidesWhatASweepFinds) {
 
 // A zero that is new in each log is the rig's.
 TEST(Plan, NeverFindsAZeroThatTheRigMayHave) {
-  const diagnosis::Plan plan = planOf({sweep()});
+  const diagnosis::Plan& plan = planOfASweep();
   EXPECT_EQ(row(plan, "force_offset").outcome, "out_of_reach");
   EXPECT_TRUE(std::isinf(row(plan, "force_offset").least_size));
 }
 
 TEST(Plan, LeastSizesAreWhereFindingBegins) {
-  const diagnosis::Plan plan = planOf({sweep()});
+  const diagnosis::Plan& plan = planOfASweep();
   for (const char* effect : {"friction", "bump_stop", "viscous_damping"}) {
     const double least = row(plan, effect).least_size;
     ASSERT_TRUE(std::isfinite(least)) << effect;
@@ -91,7 +97,7 @@ TEST(Plan, LeastSizesAreWhereFindingBegins) {
 }
 
 TEST(Plan, SharesOfShapesAddUp) {
-  const diagnosis::Plan plan = planOf({sweep()});
+  const diagnosis::Plan& plan = planOfASweep();
   for (const ImplantedEffect& effect : plan.could_show.implanted) {
     double sum = effect.nothing_named;
     for (const double share : effect.named_as) {
@@ -104,7 +110,7 @@ TEST(Plan, SharesOfShapesAddUp) {
 TEST(Plan, DoesNotLookAtAMeasuredForce) {
   log::Log with = sweep();
   with.force.assign(with.size(), 1.0);
-  EXPECT_EQ(diagnosis::toJson(planOf({with})), diagnosis::toJson(planOf({sweep()})));
+  EXPECT_EQ(diagnosis::toJson(planOf({with})), diagnosis::toJson(planOfASweep()));
 }
 
 TEST(Plan, RefusesWhatCannotBePlayed) {
@@ -119,7 +125,7 @@ TEST(Plan, RefusesWhatCannotBePlayed) {
 }
 
 TEST(Plan, WritesWhatItSays) {
-  const diagnosis::Plan plan = planOf({sweep()});
+  const diagnosis::Plan& plan = planOfASweep();
   const auto json = nlohmann::json::parse(diagnosis::toJson(plan));
   EXPECT_EQ(json["schema"], "rubber_suspension/experiment_plan/1");
   const std::string page = diagnosis::toHtml(plan);

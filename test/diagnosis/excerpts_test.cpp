@@ -9,18 +9,18 @@
 #include <string>
 
 #include "gap/simulate.h"
-#include "rig.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "shared_runs.h"
 
 namespace rubber_suspension {
 namespace {
 
 using diagnosis::Excerpts;
 
-constexpr std::int64_t kStep = 10000000;  // [ns]
+constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
 
 // A sine of 1 Hz at 100 Hz whose amplitude [mm] changes every so many seconds.
 log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
@@ -28,7 +28,7 @@ log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
   log.name = "stairs";
   const auto each = static_cast<std::size_t>(seconds * 100.0);
   for (std::size_t i = 0; i < each * amplitudes.size(); ++i) {
-    log.stamp.push_back(static_cast<std::int64_t>(i) * kStep);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * kNanoseconds);
     log.displacement.push_back(1e-3 * amplitudes[i / each] *
                                std::sin(2.0 * element::kPi * 0.01 * static_cast<double>(i)));
     log.force.push_back(1e6 * log.displacement.back());
@@ -162,12 +162,52 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
   EXPECT_GT(rested, 0.2) << "the test would not see it";
 }
 
+// A pause of 1e6 s is one step for the force, as in `replay` and the node, and nothing to spectra.
+TEST(Excerpts, BeginAnewBehindATimeGap) {
+  const std::vector<element::ElementDescription> elements = {
+      {"spring", {{"stiffness", {1e6}}}},
+      {"maxwell", {{"stiffness", {3e5}}, {"break_frequency", {0.01}}}},
+      {"friction", {{"maximum_force", {300.0}}, {"displacement", {3e-4}}}},
+      {"stress_softening", {{"reduction", {0.3}}}}};
+  log::Log log = stairs({1.0, 2.0, 0.5}, 20.0);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // behind the first and a short stretch
+  }
+  log.force = gap::simulateLog(component::Component(elements), log);
+  const Excerpts excerpts = makeExcerpts({log}, {}, log.size());
+  ASSERT_EQ(excerpts.logs.size(), 3U);
+  EXPECT_EQ(excerpts.samples, log.size());
+  std::vector<log::Record> records;
+  for (const log::Log& stretch : excerpts.logs) {
+    records.push_back(log::evenRecord(stretch));
+  }
+  diagnosis::addLeadIns(excerpts.lead_in, records);
+  const gap::Forces forces = gap::simulate(elements, records);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    // Two steps that make up one in a straight line: to the rounding of the forces, for all but a Maxwell element that
+    // takes the mean over each of them.
+    EXPECT_LT((records[r].force - forces[r]).cwiseAbs().maxCoeff(), 1e-9 * 3e3) << r;
+  }
+}
+
+TEST(Excerpts, LeaveOutStretchesBetweenTimeGapsThatAreTooShort) {
+  log::Log log = stairs({1.0, 2.0}, 20.0);
+  for (std::size_t i = 2000; i < log.size(); ++i) {
+    log.stamp[i] += i < 2050 ? 70000000000 : 700000000000;
+  }
+  const Excerpts excerpts = makeExcerpts({log}, {log}, 2 * log.size());
+  ASSERT_EQ(excerpts.logs.size(), 2U);
+  EXPECT_EQ(excerpts.hold_out.size(), 2U);
+  EXPECT_EQ(samplesOf(excerpts.logs), log.size() - 50);
+  EXPECT_THAT(excerpts.logs.front().notes, testing::Contains(testing::HasSubstr("50 samples between them left out")));
+}
+
 TEST(Excerpts, ALongLogIsDiagnosedByThem) {
-  const log::Log log = runRig("long", 1, [](double, double, double) { return 0.0; });
-  diagnosis::DiagnosisOptions options;
-  const diagnosis::Diagnosis whole = diagnosis::diagnose(rigComponent(), {log}, {}, options);
+  const diagnosis::Diagnosis& whole = ofOneLog();
+  const log::Log log = runRigs({1}, nothing).front();
   EXPECT_EQ(whole.samples, log.size());
   EXPECT_EQ(whole.recorded_samples, log.size());
+  diagnosis::DiagnosisOptions options;
   options.most_samples = log.size() / 2;
   const diagnosis::Diagnosis part = diagnosis::diagnose(rigComponent(), {log}, {}, options);
   EXPECT_LE(part.samples, options.most_samples);

@@ -78,7 +78,7 @@ TEST(MotionSurvey, KeepsShortMotionsSampleBySample) {
 }
 
 LeadIn leadIn(std::size_t samples, double per_cycle, std::size_t coarse, double standstill = 0.0) {
-  LeadInBuilder builder(10, 10 + samples, coarse, standstill);
+  LeadInBuilder builder(10, 10 + samples, coarse, standstill, 1000000000);
   const std::vector<double> z = motion(samples + 20, per_cycle);
   for (std::size_t i = 0; i < z.size(); ++i) {
     builder.add(i, static_cast<std::int64_t>(i) * 1000000, z[i]);

@@ -9,11 +9,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "checked_diagnosis.h"
 #include "diagnosis/report/missing_force.h"
-#include "rig.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
+#include "shared_runs.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -111,14 +110,6 @@ class Oscillator {
   double velocity_ = 0.0;
 };
 
-double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
-
-Diagnosis diagnoseRig(const RigEffect& effect) {
-  return checkedDiagnosis(rigComponent(),
-                          {runRig("one", 1, effect), runRig("two", 2, effect), runRig("four", 4, effect)},
-                          {runRig("unseen", 3, effect)});
-}
-
 double replayedGap(const io::ComponentDescription& component, const log::Log& log) {
   return gap::relativeGap(log.force, gap::replay(component.makeComponent(), log).force);
 }
@@ -184,7 +175,7 @@ TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
 }
 
 TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
-  const Diagnosis result = diagnoseRig(hum);
+  const Diagnosis& result = ofHum();
   ASSERT_EQ(result.verdict, "unknown");
   ASSERT_TRUE(result.surrogate);
   EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
@@ -193,10 +184,7 @@ TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
   EXPECT_LT(result.surrogate->gap, 1.01 * result.gap_as_recorded.augmented);
 }
 
-TEST(SurrogateOfNothing, IsNotWritten) {
-  const Diagnosis result = diagnoseRig([](double, double, double) { return 0.0; });
-  EXPECT_FALSE(result.surrogate);
-}
+TEST(SurrogateOfNothing, IsNotWritten) { EXPECT_FALSE(ofNothing().surrogate); }
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -213,11 +213,32 @@ TEST_P(StillContract, StaysAtRestWhereItRests) {
   }
 }
 
+// Numbers that a file or a simulator hands back may be any: what an element takes for a place or a count is checked,
+// and no element goes beyond its memory.
+TEST_P(Contract, RestoredNumbersAreRefusedOrServed) {
+  walk(component_, state_, 6);
+  const std::vector<double> own = state_.memory();
+  for (const double number : {-1.0, 0.0, 0.5, 1.0, 255.0, 256.0, 2e9, -2e9, 1e300}) {
+    for (std::size_t place = 0; place < std::min<std::size_t>(own.size(), 8); ++place) {
+      std::vector<double> memory = own;
+      memory[place] = number;
+      component::ComponentState restored = component_.makeState();
+      try {
+        component_.restore(restored, state_.displacement(), memory);
+      } catch (const std::invalid_argument&) {
+        EXPECT_EQ(restored.memory(), component_.makeState().memory()) << "what is refused leaves no trace";
+        continue;
+      }
+      walk(component_, restored, 7);
+    }
+  }
+}
+
 TEST_P(Contract, CopyContinuesAsTheOriginal) {
   walk(component_, state_, 3);
   component::ComponentState copy = state_;
   component::ComponentState restored = component_.makeState();
-  restored.deserialise(state_.displacement(), state_.memory());
+  component_.restore(restored, state_.displacement(), state_.memory());
   const std::vector<double> forces = forcesOfWalk(component_, state_, 4);
   EXPECT_EQ(forcesOfWalk(component_, copy, 4), forces);
   EXPECT_EQ(forcesOfWalk(component_, restored, 4), forces);

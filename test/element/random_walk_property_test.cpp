@@ -57,7 +57,7 @@ RC_GTEST_PROP(AnyPath, CanBeContinuedFromSavedNumbers, ()) {
       component.step(state, move.dt, move.displacement);
     }
     component::ComponentState restored = component.makeState();
-    restored.deserialise(state.displacement(), state.memory());
+    component.restore(restored, state.displacement(), state.memory());
     for (const Move& move : after) {
       RC_ASSERT(component.step(restored, move.dt, move.displacement).total ==
                 component.step(state, move.dt, move.displacement).total);

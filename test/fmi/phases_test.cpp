@@ -9,6 +9,7 @@
 #include "fmi/importer.h"
 #include "fmi/runtime/fmi2.h"
 #include "fmi/runtime/fmi3.h"
+#include "fmi/runtime/saved_state.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
@@ -276,6 +277,29 @@ TEST_P(Phases, BytesThatAreNoStateAreRefused) {
   }
   EXPECT_EQ(importer->deserialise(nullptr, size, &read), kError);
   EXPECT_EQ(importer->deserialise(bytes.data(), size, nullptr), kError);
+}
+
+// The checksum keeps nobody out who means it: what the elements take for places in lists is checked besides.
+TEST_P(Phases, AStateWithAPlaceBeyondAListIsRefused) {
+  const LoadedFmu fmu({"late", {{"spring", {{"stiffness", {3e6}}}}, {"time_delay", {{"delay", {0.01}}}}}}, GetParam());
+  const auto importer = Importer::make(fmu, fmu.guid());
+  importer->start(0.0);
+  double time = 0.0;
+  someSteps(*importer, time, 40);
+  void* state = nullptr;
+  ASSERT_EQ(importer->save(&state), kOk);
+  std::size_t size = 0;
+  ASSERT_EQ(importer->serialisedSize(state, &size), kOk);
+  std::vector<char> bytes(size);
+  ASSERT_EQ(importer->serialise(state, bytes.data(), size), kOk);
+  importer->free(&state);
+  SavedState changed = deserialise(bytes.data(), size);
+  changed.memory.at(1) = 2e9;
+  serialise(changed, bytes.data());
+  ASSERT_EQ(importer->deserialise(bytes.data(), size, &state), kOk);
+  EXPECT_EQ(importer->restore(state), kError);
+  importer->free(&state);
+  someSteps(*importer, time, 40);
 }
 
 TEST_P(Phases, LoggingOfEventsIsSwitched) {

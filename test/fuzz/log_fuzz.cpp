@@ -14,13 +14,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::MemoryFile file(data, size);
   const std::string head(reinterpret_cast<const char*>(data), std::min(size, log::kFormatHead));
   if (log::formatOf(head) == log::FileFormat::hdf5) {
-    fuzz::requireValidLogOrError([&] { return log::readHdf5Log(file.path()); });
+    fuzz::requireValidLogOrError([&] { return log::readLog(file.path()); });
     return 0;
   }
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path()); });
-  static const log::LogFormat kByNumber = log::makeLogFormat({"time", "displacement", "force"}, "mm,kN,ms", 0.0);
+  static const log::LogFormat kByNumber =
+      log::makeLogFormat({"time", "displacement", "force"}, "displacement=mm force=kN time=ms", 0.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kByNumber); });
-  static const log::LogFormat kAtRate = log::makeLogFormat({"displacement=1"}, "mm", 1000.0);
+  static const log::LogFormat kSecond = log::makeLogFormat({}, "", 0.0, ",", "2", 1.0);
+  fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kSecond); });
+  static const log::LogFormat kAtRate = log::makeLogFormat({"displacement=1"}, "displacement=mm", 1000.0);
   fuzz::requireValidLogOrError([&] { return log::readCsvLog(file.path(), kAtRate); });
   return 0;
 }

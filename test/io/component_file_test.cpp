@@ -103,7 +103,7 @@ TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
     text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + ", *a" +
             std::to_string(i - 1) + "]\n";
   }
-  EXPECT_THAT(errorOf(text), HasSubstr("unknown key"));
+  EXPECT_THAT(errorOf(text), HasSubstr("each alias"));
   EXPECT_THAT(errorOf("components: &c\n  a: *c\n"), HasSubstr("file.yaml:"));
 }
 
@@ -241,6 +241,46 @@ const char* const kWithTemperature = R"(components:
 )";
 
 // Absolute temperatures convert with their zero, differences without; b_T = T/T_0 is a coefficient of 1/T_0.
+TEST(ComponentFile, ValidDisplacement) {
+  const auto loaded = [](const std::string& value) {
+    return io::parseComponentFile(
+               "components: {a: {model: elements, elements: [{type: spring, stiffness: 1e6}], "
+               "valid_displacement: " +
+                   value + "}}",
+               "")
+        .front();
+  };
+  const auto one = loaded("12 mm").validDisplacement();
+  ASSERT_TRUE(one);
+  EXPECT_DOUBLE_EQ(one->lower, -0.012);
+  EXPECT_DOUBLE_EQ(one->upper, 0.012);
+  const io::ComponentDescription two = loaded("[-0.01, 8 mm]");
+  EXPECT_DOUBLE_EQ(two.validDisplacement()->lower, -0.01);
+  EXPECT_DOUBLE_EQ(two.validDisplacement()->upper, 0.008);
+  const auto again = io::parseComponentFile(io::toYaml({two}), "").front().validDisplacement();
+  EXPECT_EQ(again->lower, two.validDisplacement()->lower);
+  EXPECT_EQ(again->upper, two.validDisplacement()->upper);
+  for (const char* bad : {"0", "-1 mm", "[8 mm, -1 mm]", "[1 mm]", "[1, 2, 3]", "12 N", "{}"}) {
+    EXPECT_THROW(loaded(bad), io::ComponentFileError) << bad;
+  }
+}
+
+TEST(ComponentDescription, IsValidWhereItSaysNothingByAmplitudeOrTable) {
+  const io::ComponentDescription spring("a", {{"spring", {{"stiffness", {1e6}}}}});
+  EXPECT_FALSE(spring.validDisplacement());
+  io::ComponentDescription table = spring;
+  table.add = {{"spring_table", {{"displacement", {-4e-3, 0.0, 3e-3}}, {"force", {-2e4, 0.0, 1e4}}}}};
+  ASSERT_TRUE(table.validDisplacement());
+  EXPECT_EQ(table.validDisplacement()->lower, -4e-3);
+  EXPECT_EQ(table.validDisplacement()->upper, 3e-3);
+  const auto friction = io::loadComponentFile(TEST_DIR "/../config/example.yaml");
+  for (const io::ComponentDescription& component : friction) {
+    if (const auto nominal = component.specification().find("nominal_amplitude")) {
+      EXPECT_DOUBLE_EQ(component.validDisplacement()->upper, 3.0 * *nominal);
+    }
+  }
+}
+
 TEST(ComponentFile, TemperatureWithUnits) {
   const io::ComponentDescription bush = parse(kWithTemperature).at(0);
   ASSERT_TRUE(bush.temperature);

@@ -39,6 +39,20 @@ class CheckOutputs : public ::testing::Test {
   TemporaryFile folder_{"log.csv", "time_s,displacement_m,force_N\n0,0,0\n"};
 };
 
+TEST_F(CheckOutputs, ALogCountsOnceByWhateverName) {
+  const std::string log = file("a.csv", "time_s,displacement_m\n0,0\n1,1\n");
+  const std::string copy = file("copy.csv", "time_s,displacement_m\n0,0\n1,1\n");
+  const std::string other = file("other.csv", "time_s,displacement_m\n0,0\n1,2\n");
+  fs::create_hard_link(log, path("link.csv"));
+  fs::create_symlink(log, path("symbolic.csv"));
+  for (const std::string& twin : {log, copy, path("link.csv"), path("symbolic.csv")}) {
+    EXPECT_THROW(io::refuseEqualLogs({{"--log", log}, {"--log", other}, {"--hold-out", twin}}), io::OutputRefused)
+        << twin;
+  }
+  EXPECT_NO_THROW(io::refuseEqualLogs({{"--log", log}, {"--hold-out", other}}));
+  EXPECT_NO_THROW(io::refuseEqualLogs({{"--log", "/dev/null"}, {"--log", log}}));
+}
+
 TEST_F(CheckOutputs, RefusesAnInputByAnyName) {
   const std::string log = path("log.csv");
   fs::create_hard_link(log, path("hard.csv"));

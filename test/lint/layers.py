@@ -16,30 +16,35 @@ BELOW = {
     "component": {"element", "kernel"},
     "response": {"element", "component"},
     "estimation": {"element", "component", "response"},
-    "log": {"element", "kernel"},
+    "numerics": set(),
+    "log": {"element", "kernel", "numerics"},
     "io": {"element", "component", "response", "estimation", "log"},
-    "gap": {"element", "component", "response", "estimation", "log", "io"},
-    "measurement": {"element", "kernel", "component", "response", "estimation", "log", "io", "gap"},
+    "gap": {"element", "component", "response", "estimation", "numerics", "log", "io"},
+    "measurement": {"element", "kernel", "component", "response", "estimation", "numerics", "log", "io", "gap"},
     "fit": {
-        "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement"},
+        "processor", "element", "kernel", "component", "response", "estimation", "numerics", "log", "io", "gap",
+        "measurement"},
     "command": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
-    "diagnosis": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit"},
+    "diagnosis": {
+        "element", "component", "response", "estimation", "numerics", "log", "io", "gap", "measurement", "fit"},
     "campaign": {
-        "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "command", "diagnosis"},
+        "element", "component", "response", "estimation", "numerics", "log", "io", "gap", "measurement", "fit", "command",
+        "diagnosis"},
     "fmi": {"element", "kernel", "component", "response", "estimation", "log", "io"},
     "python": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis"},
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},
+    "roscpp_fixes": set(),
     "command_line": {"element", "component", "response", "estimation", "log", "io", "gap", "bag"},
     "ros_interface": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
-        "bag"},
+        "bag", "roscpp_fixes"},
     "benchmark": {
         "processor", "element", "kernel", "component", "response", "estimation", "log", "io", "gap", "measurement",
-        "fit", "diagnosis", "node", "ros_interface", "fmi"},
+        "fit", "diagnosis", "node", "roscpp_fixes", "ros_interface", "fmi"},
 }
-KNOW_ROS = {"bag", "ros_interface", "benchmark", "apps"}
+KNOW_ROS = {"bag", "roscpp_fixes", "ros_interface", "benchmark", "apps"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(
     r"^(ros|rosbag|roscpp|rosgraph_msgs|nodelet|pluginlib|class_loader|diagnostic_updater|xmlrpcpp|tf2?|actionlib"

@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+#include "io/cancellation.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -197,7 +198,7 @@ TEST(LiveDiagnosis, ALookCanBeCancelledAndOneThatCannotBeSaysWhy) {
   while (!live.lookIsDue()) {
     live.add(bench.next());
   }
-  EXPECT_THROW(live.look([] { return true; }), diagnosis::LookCancelled);
+  EXPECT_THROW(live.look([] { return true; }), io::Cancelled);
   LiveDiagnosis still(configured());
   for (int i = 0; i < 6000; ++i) {
     feed(still, {kStart + i * 5000000LL, 1e-3, 3e3});

@@ -101,7 +101,8 @@ TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
     }
     H5Fclose(hdf5);
     const log::LogFormat format =
-        wide ? log::makeLogFormat({"displacement=1", "force=2"}, "mm,N", 1000.0) : log::makeLogFormat({}, "", 1000.0);
+        wide ? log::makeLogFormat({"displacement=1", "force=2"}, "displacement=mm force=N", 1000.0)
+             : log::makeLogFormat({}, "", 1000.0);
     const auto source = log::openLog(file.path(), format);
     expectEqual(collected(*source), log::readLog(file.path(), format));
     expectEqual(collected(*source), log::readLog(file.path(), format));
@@ -123,7 +124,7 @@ TEST(LogSource, GivesALongForeignFileAsReadLogDoes) {
 TEST(LogSource, RefusesABadRowOfALongFileByItsLine) {
   const TemporaryFile file("log.csv", "");
   log::writeLogCsv(file.path(), sine(kLong));
-  std::ofstream(file.path(), std::ios::app) << "1e6,nan,1\n";
+  std::ofstream(file.path(), std::ios::app) << "1e6,1x,1\n";
   const auto source = log::openLog(file.path());
   try {
     collected(*source);
@@ -138,6 +139,65 @@ TEST(LogSource, IsReadNoFurtherThanAskedFor) {
   std::size_t blocks = 0;
   log::sourceOf(log)->read([&](const Log&, std::size_t) { return ++blocks < 2; });
   EXPECT_EQ(blocks, 2U);
+}
+
+// A sine whose samples lie a millisecond apart, but for a pause.
+Log withPause(std::size_t before, std::size_t after, std::int64_t pause) {
+  Log log = sine(before + after);
+  for (std::size_t i = before; i < log.size(); ++i) {
+    log.stamp[i] += pause;
+  }
+  return log;
+}
+
+TEST(GapBetweenStamps, BeginsAnewAndIsNotFilled) {
+  const Log log = withPause(5000, 3000, 1000000LL * 1000000000);  // 1e6 s
+  EXPECT_EQ(log::stretchesOf(log), (std::vector<std::size_t>{0, 5000}));
+  EXPECT_THROW(log::evenRecord(log), log::LogError);
+  log::TimeSteps steps;
+  steps.add(log);
+  const log::EvenSteps even = steps.evenSteps();
+  EXPECT_EQ(even.gaps, 1U);
+  std::size_t samples = 0;
+  std::vector<double> gaps;
+  log::EvenBlocks blocks(even);
+  const auto take = [&](const log::EvenBlocks::Piece& piece) {
+    samples += piece.samples;
+    gaps.push_back(piece.gap);
+    EXPECT_EQ(piece.displacement[0], log.displacement[gaps.size() == 1 ? 0 : 5000]);
+  };
+  blocks.add(log, take);
+  blocks.finish(take);
+  EXPECT_EQ(samples, log.size());
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_EQ(gaps[0], 0.0);
+  // To the samples that the even steps end and begin with, which lie on those of the log up to the jitter.
+  EXPECT_NEAR(gaps[1], 1e-9 * static_cast<double>(log.stamp[5000] - log.stamp[4999]), 0.02 * even.dt);
+}
+
+TEST(GapBetweenStamps, ShortDropoutsAreNone) {
+  EXPECT_EQ(log::stretchesOf(withPause(5000, 3000, 400000000)).size(), 1U);
+  EXPECT_EQ(log::stretchesOf(sine(2)).size(), 1U);
+}
+
+// 20,000 samples 10 ns apart and 11,000 that are 2 ms apart: at even steps of 10 ns these would be 2.2e9.
+TEST(GapBetweenStamps, DenseSamplesAmongOthersTakeNoMemory) {
+  Log log = sine(31000);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const auto place = static_cast<std::int64_t>(i);
+    log.stamp[i] = i < 20000 ? 10 * place : 200000 + 2000000 * (place - 20000 + 1);
+  }
+  EXPECT_LE(log::evenRecord(log).size(), 2 * 31000 + 1);
+}
+
+// Samples at even steps of the logarithm of time, as of creep tests: the steps grow to hours, and none is a gap.
+TEST(GapBetweenStamps, StepsThatGrowAreNone) {
+  Log log = sine(400);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    log.stamp[i] = std::llround(1e9 * std::pow(10.0, 5.0 * static_cast<double>(i) / 399.0));
+  }
+  EXPECT_EQ(log::stretchesOf(log).size(), 1U);
+  EXPECT_LE(log::evenRecord(log).size(), 20001);
 }
 
 TEST(EvenBlocks, AreThoseOfARecord) {
@@ -162,10 +222,10 @@ TEST(EvenBlocks, AreThoseOfARecord) {
       force.insert(force.end(), piece.force, piece.force + piece.samples);
     };
     source->read([&](const Log& block, std::size_t) {
-      keep(blocks.add(block));
+      blocks.add(block, keep);
       return true;
     });
-    keep(blocks.finish());
+    blocks.finish(keep);
     ASSERT_EQ(displacement.size(), even.samples);
     if (even.as_recorded) {
       EXPECT_EQ(displacement, log.displacement);

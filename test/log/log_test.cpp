@@ -93,7 +93,8 @@ TEST(ReadCsvLog, DoesNotDependOnTheLocale) {
 }
 
 TEST(ReadCsvLog, MappedColumnsAndUnits) {
-  const log::LogFormat format = log::makeLogFormat({"displacement=Weg", "force=Kraft", "time=t"}, "cm,tonf", 0.0);
+  const log::LogFormat format =
+      log::makeLogFormat({"displacement=Weg", "force=Kraft", "time=t"}, "displacement=cm force=tonf", 0.0);
   const log::Log log = readText("t,Weg,Kraft\n0,1,1\n0.5,2,2\n", format);
   EXPECT_THAT(log.displacement, ElementsAre(0.01, 0.02));
   // 1 tonf is 1000 kgf = 9806.65 N by definition; a few units of rounding in the chain of conversions.
@@ -115,7 +116,11 @@ TEST(ReadCsvLog, ALogWithoutTimeTakesItsRate) {
 TEST(ReadCsvLog, ARateOverridesATimeColumnAndSaysSo) {
   const log::Log log = readText("time_s,displacement_m\n5,0\n5,1\n", log::makeLogFormat({}, "", 100.0));
   EXPECT_THAT(log.stamp, ElementsAre(0, 10000000));
-  EXPECT_THAT(log.notes, ElementsAre("column 'time_s' is ignored"));
+  EXPECT_THAT(
+      log.notes,
+      ElementsAre(
+          "the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one "
+          "before"));
 }
 
 TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
@@ -123,12 +128,13 @@ TEST(ReadCsvLog, AMappedTimeKeepsTheUnitInItsName) {
   EXPECT_THAT(log.stamp, ElementsAre(100000, 3000000));
 }
 
-TEST(ReadCsvLog, AUnitServesColumnsWithoutOneAndIsNotedWhereUnused) {
-  const log::Log bare = readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "mm,N", 0));
+TEST(ReadCsvLog, AUnitGoesBeforeThatOfTheHeaderAndSaysSo) {
+  const log::Log bare =
+      readText("time_s,displacement,force_kN\n0,1,1\n1,2,2\n", log::makeLogFormat({}, "displacement=mm force=N", 0));
   EXPECT_THAT(bare.displacement, ElementsAre(0.001, 0.002));
-  EXPECT_THAT(bare.force, ElementsAre(1000.0, 2000.0));
+  EXPECT_THAT(bare.force, ElementsAre(1.0, 2.0));
   EXPECT_THAT(bare.notes, ElementsAre(HasSubstr("displacement from 'displacement', force from 'force_kN', 1 Hz"),
-                                      "unit 'N' is not used: column 'force_kN' names its own"));
+                                      "column 'force_kN' is taken to be in 'N', by --unit"));
 }
 
 TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
@@ -141,8 +147,10 @@ TEST(LogFormat, TakesUnitsFromBracketsAndFromTheThirdPlace) {
               ElementsAre("time from 'T [ms]', displacement from 'D (mm)', force from 'F [kN]', 222.222 "
                           "Hz; header in line 1, separator comma"));
   const std::vector<std::string> bare = {"time=T", "displacement=D"};
-  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "mm,kN,ms", 0)).stamp[1], 4500000);
-  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "mm,,min", 0)).stamp[1], 90000000000);
+  EXPECT_EQ(readText("T,D\n0,1\n4.5,2\n", log::makeLogFormat(bare, "displacement=mm force=kN time=ms", 0)).stamp[1],
+            4500000);
+  EXPECT_EQ(readText("T,D\n0,1\n1.5,2\n", log::makeLogFormat(bare, "displacement=mm time=min", 0)).stamp[1],
+            90000000000);
 }
 
 TEST(LogFormat, SaysWhichUnitsItAssumes) {
@@ -156,19 +164,19 @@ TEST(LogFormat, SaysWhichUnitsItAssumes) {
 
 TEST(MakeLogFormat, WordsAloneAreTheColumnsInTheirOrder) {
   const log::LogFormat format = log::makeLogFormat({"force", "time", "displacement=D"}, "", 0);
-  EXPECT_EQ(format.force_column, "1");
-  EXPECT_EQ(format.time_column, "2");
-  EXPECT_EQ(format.displacement_column, "D");
+  EXPECT_EQ(format.of[2].column, "1");
+  EXPECT_EQ(format.of[0].column, "2");
+  EXPECT_EQ(format.of[1].column, "D");
 }
 
 TEST(MakeLogFormat, RefusesWhatItCannotUse) {
   EXPECT_THROW(log::makeLogFormat({"displacement="}, "", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({"time", "time"}, "", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({"speed=v"}, "", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "mm,mm", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "mm,kN,Hz", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "mm,kN,s,s", 0), std::invalid_argument);
-  EXPECT_THROW(log::makeLogFormat({}, "furlongs per fortnight,kN", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({}, "displacement=mm force=mm", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({}, "time=Hz", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({}, "mm,kN,s", 0), std::invalid_argument);
+  EXPECT_THROW(log::makeLogFormat({}, "displacement=furlongs per fortnight", 0), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({}, "", -1), std::invalid_argument);
   EXPECT_THROW(log::makeLogFormat({}, "", std::nan("")), std::invalid_argument);
 }

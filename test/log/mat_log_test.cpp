@@ -41,7 +41,8 @@ TEST(MatLog, NotesWhatItIgnores) {
 
 // Single precision displacement [cm] and time [s] as whole numbers in the fields of the file's only struct.
 TEST(MatLog, FieldsOfAStructWithMapping) {
-  const log::LogFormat format = log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "cm,N", 0.0);
+  const log::LogFormat format =
+      log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "displacement=cm force=N", 0.0);
   const log::Log log = read("struct", format);
   EXPECT_THAT(log.stamp, ElementsAre(0, 1000000000, 2000000000, 3000000000, 4000000000));
   EXPECT_THAT(log.displacement, ElementsAre(0.0, 0.01, 0.02, 0.01, 0.0));
@@ -54,15 +55,15 @@ TEST(MatLog, ARateStandsForTime) {
 }
 
 TEST(MatLog, RefusesWhatCannotBeUsed) {
-  EXPECT_THAT(errorOf("not_finite"), HasSubstr("displacement_mm: element 2: nan is not finite"));
+  EXPECT_THAT(errorOf("not_finite"), HasSubstr("element 2: displacement_mm: nan is not finite"));
   EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
   EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: 1.000000000 after 1.000000000"));
   EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: as many"));
   EXPECT_THAT(errorOf("matrix"), HasSubstr("no column of displacement, the header has 'time_s'"));
   EXPECT_THAT(errorOf("no_time"), HasSubstr("no column of time, the header has"));
   EXPECT_THAT(errorOf("cut_off"), HasSubstr("cut_off.mat: "));
-  EXPECT_THAT(errorOf("text"), HasSubstr("cannot be read as a MATLAB file"));
-  EXPECT_THAT(errorOf("not_there"), HasSubstr("cannot be read as a MATLAB file"));
+  EXPECT_THAT(errorOf("text"), HasSubstr("damaged at byte 0: no header of a matrix; accepted: a complete MATLAB file"));
+  EXPECT_THAT(errorOf("not_there"), HasSubstr("cannot be read: No such file or directory"));
 }
 
 }  // namespace

@@ -44,6 +44,21 @@ TEST(UnitHints, WriteTheNumberWithADecimalPoint) {
   EXPECT_EQ(log::parseQuantity("2e-4 1/J", "1/J"), 2e-4);
 }
 
+// What stands behind the number is one unit: the library of units would take more for origins and factors.
+TEST(Quantity, IsOneNumberAndOneUnit) {
+  for (const char* text :
+       {"3..4 kN/mm", "3 kN/mm +10 %", "3 kN/mm @ 20", "3 kN/mm 5", "3 N/m since 1970", "3 kN/mm - 1", "3 N/m from 2",
+        "3 lg(re 1 mW)", "3 (N/m)", "3 N//m", "3 N/m/", "3 N/%", "1 2 N/m"}) {
+    EXPECT_THROW(log::parseQuantity(text, "N/m"), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(log::parseQuantity("3 kN/mm", "N/m"), 3e6);
+  EXPECT_EQ(log::parseQuantity("3kg*s^-2", "N/m"), 3.0);
+  EXPECT_EQ(log::parseQuantity("3 kg s-2", "N/m"), 3.0);
+  EXPECT_EQ(log::parseQuantity("5 %", "1"), 0.05);
+  EXPECT_NEAR(log::parseQuantity("20 degC", "K"), 293.15, 1e-12);
+  EXPECT_EQ(log::parseQuantity("2 1/s", "1/s"), 2.0);
+}
+
 TEST(UnitOfQuantity, IsWhatStandsBehindTheNumber) {
   EXPECT_EQ(log::unitOfQuantity("3 kN/mm"), "kN/mm");
   EXPECT_EQ(log::unitOfQuantity(" 5.7deg "), "deg");

@@ -51,6 +51,28 @@ TEST(ComponentChannel, CountsWhatItDrops) {
   EXPECT_EQ(report.lost, 3U);
 }
 
+TEST(ComponentChannel, ServesAndCountsWhatLiesBeyondItsValidRange) {
+  io::ComponentDescription described = describe();
+  described.valid_displacement = element::Range::closed(-1e-3, 2e-3);
+  node::ComponentChannel channel(described, 0.5);
+  node::ComponentChannel everywhere(describe(), 0.5);
+  int i = 0;
+  for (const double displacement : {0.0, 2e-3, 2.1e-3, -1.1e-3, 1.5}) {
+    element::ComponentForce force;
+    element::ComponentForce same;
+    EXPECT_TRUE(channel.push(++i * kMillisecond, displacement, force));
+    EXPECT_TRUE(everywhere.push(i * kMillisecond, displacement, same));
+    EXPECT_EQ(force.total, same.total);
+  }
+  EXPECT_EQ(channel.report().beyond_valid, 3U);
+  EXPECT_EQ(everywhere.report().beyond_valid, 0U);
+  element::ComponentForce none;
+  EXPECT_FALSE(channel.push(++i * kMillisecond, std::numeric_limits<double>::max(), none));
+  EXPECT_EQ(channel.report().beyond_valid, 3U) << "no force was served";
+  EXPECT_EQ(channel.report().counters.force_not_finite, 1U);
+  EXPECT_EQ(channel.report().counters.not_finite, 0U);
+}
+
 TEST(ComponentChannel, ReportStartsANewIntervalOfTheLatency) {
   node::ComponentChannel channel(describe(), 0.5);
   channel.countLatency(1000);

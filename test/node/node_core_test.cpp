@@ -158,6 +158,7 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
   EXPECT_EQ(report.counters.accepted + report.counters.dropped(), static_cast<std::uint64_t>(kSamples) + 64U);
   EXPECT_GT(report.lost, 0U);
   EXPECT_GT(report.counters.not_finite, 0U);
+  EXPECT_GT(report.counters.force_not_finite, 0U);
   EXPECT_GT(report.counters.repeated, 0U);
   EXPECT_GT(report.counters.stepped_back, 0U);
   for (const double value : channels_[0]->save().memory) {

@@ -30,6 +30,26 @@ class Components(unittest.TestCase):
             file.flush()
             self.assertEqual(rs.load(file.name).elements, component.elements)
 
+    def test_takes_real_numbers_alone(self):
+        component = rs.load(EXAMPLE, "left_secondary")
+        masked = numpy.ma.array([0.0, 1e-3], mask=[False, True])
+        dates = numpy.array(["2025-03-12", "2025-03-13"], dtype="datetime64[D]")
+        structured = numpy.zeros(2, dtype=[("z", float)])
+        for values in (masked, dates, structured, numpy.array([0.0, 1e-3j]), ["a", "b"], [0.0, numpy.nan], [[0.0], [1.0]]):
+            with self.assertRaises(ValueError, msg=repr(values)):
+                component.simulate(values, dt=1e-3)
+        self.assertEqual(component.simulate([0, 1], dt=1e-3).shape, (2,))
+        with self.assertRaises(ValueError):
+            component.simulate([0.0, 1e304], dt=1e-3)
+        with self.assertRaises(ValueError):
+            component.start().step(1e-3, 1e304)
+
+    def test_is_made_whole(self):
+        with self.assertRaises(TypeError):
+            rs.Motion.__new__(rs.Motion)
+        with self.assertRaises(ValueError):
+            rs.Component([{"type": "spring", "stiffness": 1e6}], name="a: b\n  c: {")
+
     def test_steps_are_the_simulation(self):
         component = rs.load(EXAMPLE, "left_secondary")
         displacement = sine()

@@ -1,12 +1,18 @@
 // The nodelet: the forces of the node, without copies in one process; a bad configuration is not loaded.
+#include <net/if.h>
+#include <netinet/in.h>
 #include <nodelet/loader.h>
+#include <ros/network.h>
 #include <ros/xmlrpc_manager.h>
+#include <sys/socket.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "bench.h"
-#include "ros_interface/loopback.h"
+#include "roscpp_fixes/loopback.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -14,6 +20,27 @@ namespace rubber_suspension {
 namespace {
 
 constexpr const char* kType = "rubber_suspension/simulate";
+
+// The interface that this process listens on for a TCP port; empty for all of them.
+std::string interfaceOf(std::uint32_t port) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int file = std::stoi(entry.path().filename().string());
+    int listens = 0;
+    sockaddr_in address{};
+    std::array<char, IFNAMSIZ> name{};
+    socklen_t size = sizeof(listens);
+    socklen_t address_size = sizeof(address);
+    socklen_t name_size = name.size();
+    if (getsockopt(file, SOL_SOCKET, SO_ACCEPTCONN, &listens, &size) == 0 && listens != 0 &&
+        getsockname(file, reinterpret_cast<sockaddr*>(&address), &address_size) == 0 &&
+        ntohs(address.sin_port) == port &&
+        getsockopt(file, SOL_SOCKET, SO_BINDTODEVICE, name.data(), &name_size) == 0) {
+      return name.data();
+    }
+  }
+  ADD_FAILURE() << "nothing listens on " << port;
+  return {};
+}
 
 TEST(Nodelet, AnswersWithoutCopies) {
   nodelet::Loader loader;
@@ -52,9 +79,21 @@ TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
   nodelet::Loader loader;
   ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
   // Where this kernel does not permit it, the node says so and goes on.
-  const bool expected = ros_interface::isKeptToLoopback() && ros_interface::keepSlaveApiToLoopback().empty();
-  EXPECT_EQ(ros_interface::interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
+  const std::string& host = ros::network::getHost();
+  const bool expected =
+      (host == "localhost" || host.compare(0, 4, "127.") == 0) && roscpp_fixes::keepSlaveApiToLoopback().empty();
+  EXPECT_EQ(interfaceOf(ros::XMLRPCManager::instance()->getServerPort()), expected ? "lo" : "");
   EXPECT_TRUE(loader.unload("/simulate"));
+}
+
+TEST(Nodelet, ASecondOneDoesNotServeTheSameComponent) {
+  nodelet::Loader loader;
+  ros::param::set("/second/config_file", std::string(TEST_DIR) + "/rostest/config/two_components.yaml");
+  ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
+  EXPECT_FALSE(loader.load("/second", kType, {}, {}));
+  EXPECT_TRUE(loader.unload("/simulate"));
+  EXPECT_TRUE(loader.load("/second", kType, {}, {})) << "once the first has gone";
+  EXPECT_TRUE(loader.unload("/second"));
 }
 
 TEST(Nodelet, ABadConfigurationIsNotLoaded) {

@@ -69,9 +69,9 @@ class Fault : public testing::Test {
 
   // Diagnostics come once per second and hold all counters: those named must be so, all drops zero but those named.
   void expectCounts(std::map<std::string, long> expected) {
-    for (const char* key :
-         {"dropped", "dropped, not finite", "dropped, repeated stamp", "dropped, stepped back", "dropped, disabled",
-          "dropped, undecodable", "forces not delivered", "lost before arrival", "restarts", "time gaps bridged"}) {
+    for (const char* key : {"dropped", "dropped, not finite", "dropped, force not finite", "dropped, repeated stamp",
+                            "dropped, stepped back", "dropped, disabled", "dropped, undecodable",
+                            "forces not delivered", "lost before arrival", "restarts", "time gaps bridged"}) {
       expected.emplace(key, 0);
     }
     const long accepted = expected.at("accepted");

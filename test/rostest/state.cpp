@@ -1,4 +1,6 @@
 // The services that touch state and parameters: reset, save and load, enable, reload.
+#include <rubber_suspension/EnableComponent.h>
+#include <rubber_suspension/ResetComponent.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -27,6 +29,25 @@ void enable(const std::string& service, bool enabled) {
   EXPECT_TRUE(ros::service::call(service, call)) << service;
   EXPECT_TRUE(call.response.success);
 }
+
+template <class Service>
+void callFor(const std::string& service, const std::string& component, Service call) {
+  call.request.component = component;
+  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_TRUE(call.response.success) << call.response.message;
+  call.request.component = component + "s";
+  EXPECT_TRUE(ros::service::call(service, call)) << service;
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message.find("did you mean"), std::string::npos) << call.response.message;
+}
+
+void enableComponent(const std::string& component, bool enabled) {
+  EnableComponent call;
+  call.request.data = enabled ? 1 : 0;
+  callFor("/simulate/enable_component", component, call);
+}
+
+void resetComponent(const std::string& component) { callFor("/simulate/reset_component", component, ResetComponent()); }
 
 class State : public testing::Test {
  protected:
@@ -86,7 +107,7 @@ TEST_F(State, NeedsTheParameterThatNamesTheFile) {
 TEST_F(State, DisabledDropsAndKeepsItsState) {
   DiagnosticsWatch diagnostics;
   const std::vector<double> before = forces(0, 100);
-  enable("/right_secondary/set_enabled", false);
+  enableComponent("right_secondary", false);
   const std::size_t answered = bench_.forces.size();
   for (int i = 100; i < 110; ++i) {
     bench_.send(kStart + i * kMillisecond, 0.5);
@@ -96,7 +117,7 @@ TEST_F(State, DisabledDropsAndKeepsItsState) {
   const std::vector<double> after = forces(110, 150);
   EXPECT_EQ(bench_.forces.size(), answered + 40);
   // The samples while disabled never happened.
-  trigger("/right_secondary/reset");
+  resetComponent("right_secondary");
   forces(0, 100);
   EXPECT_EQ(forces(110, 150), after);
 }

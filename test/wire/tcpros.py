@@ -17,6 +17,8 @@ import xmlrpc.server
 HOST = "127.0.0.1"
 CALLER = "/wire_driver"
 PATIENCE = 60.0  # only bounds how long a failure takes [s]
+FRAME = b"x"
+FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # of a Force with its length
 
 
 class WireError(RuntimeError):
@@ -50,6 +52,13 @@ def is_closed(connection):
 def text(value):
     data = value.encode() if isinstance(value, str) else value
     return struct.pack("<I", len(data)) + data
+
+
+def sample(number, displacement=1e-3, frame=FRAME):
+    """A Displacement with its length, one a millisecond from 1000 s on."""
+    stamp = 1000 * 1000 + number  # [ms]
+    return text(struct.pack("<III", number, stamp // 1000, stamp % 1000 * 1000000) + text(frame) +
+                struct.pack("<d", displacement))
 
 
 def receive(sock, size):

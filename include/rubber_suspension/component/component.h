@@ -20,10 +20,6 @@ class ComponentState {
   double displacement() const { return displacement_; }  ///< at the last sample [m]
   const std::vector<double>& memory() const { return memory_; }
 
-  /// Continue from numbers that memory() and displacement() gave. Throws std::invalid_argument on another size or on
-  /// numbers that are not finite.
-  void deserialise(double displacement, const std::vector<double>& memory);
-
   /// Take what another state of the same component remembers, and keep the coefficients of the step length last used;
   /// faster than copying all.
   void copyFrom(const ComponentState& other) {
@@ -69,6 +65,11 @@ class Component {
 
   /// A state of the right size, at rest at zero displacement.
   ComponentState makeState() const;
+
+  /// Continue from numbers that displacement() [m] and memory() of a state gave. Throws std::invalid_argument, and
+  /// leaves the state as it was, on another size, on numbers that are not finite and on those that an element cannot
+  /// have left.
+  void restore(ComponentState& state, double displacement, const std::vector<double>& memory) const;
 
   /// Initialise the component at rest at a displacement [m], relaxed since long and never loaded before.
   element::ComponentForce initialise(ComponentState& state, double displacement) const;
@@ -144,6 +145,7 @@ class Component {
   enum TemperatureSlot { kTemperature, kRate /* 1/a_T */, kForce /* b_T */, kTemperatureSlots };
   static constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
 
+  bool acceptsMemory(const double* memory) const;
   void place(const std::shared_ptr<const element::ParallelElement>& law, element::BasicLaws& basic_laws);
   template <class Law>
   void placeMemory(std::vector<Placed<Law>>& placed);

@@ -13,9 +13,10 @@ enum class Acceptance {
   accepted,
   restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
   bridged,       ///< accepted after a time gap longer than max_gap, bridged exactly with displacement linear in between
-  not_finite,    ///< dropped: the displacement is not finite, or the force that it would give is not
+  not_finite,    ///< dropped: the displacement is not finite
   repeated,      ///< dropped: same stamp as the sample before
   stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
+  force_not_finite,  ///< dropped: the displacement is so large that its force is not finite
 };
 
 inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
@@ -28,8 +29,9 @@ struct StreamCounters {
   std::uint64_t not_finite = 0;
   std::uint64_t repeated = 0;
   std::uint64_t stepped_back = 0;
+  std::uint64_t force_not_finite = 0;
 
-  std::uint64_t dropped() const { return not_finite + repeated + stepped_back; }
+  std::uint64_t dropped() const { return not_finite + repeated + stepped_back + force_not_finite; }
 };
 
 struct StreamForce {
@@ -72,7 +74,7 @@ class SampleStream {
   bool started() const { return started_; }
   std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
 
-  /// Continue where another stream of the same component stopped. Throws as ComponentState::deserialise does.
+  /// Continue where another stream of the same component stopped. Throws as Component::restore() does.
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:

@@ -47,6 +47,10 @@ class Element {
   /// Number of doubles of memory.
   virtual std::size_t memorySize() const { return 0; }
 
+  /// True where the law can go on from these numbers, all of them finite, that something else than itself has written:
+  /// what it takes for a place in a list or for a count has to be one.
+  virtual bool acceptsMemory(const double* /*memory*/) const { return true; }
+
   virtual Action action() const = 0;
 
   /// True for what belongs to the rig (fixture mass, load cell): it sees the actuator's displacement, and effects on

@@ -26,6 +26,7 @@ class TimeDelay final : public DisplacementEffect {
   explicit TimeDelay(double delay /* T [s] */) : delay_(delay) {}
 
   std::size_t memorySize() const override;
+  bool acceptsMemory(const double* memory) const override;
   double initialise(double displacement, double* memory) const override;
   double step(const Motion& motion, double* memory) const override;
 

@@ -33,6 +33,7 @@ class ComponentDescription {
   std::optional<RigTolerances> rig;              ///< tolerances of the rig that measures it, where given
   /// A wlf_shift or arrhenius_shift: how it follows a temperature, where given.
   std::optional<element::ElementDescription> temperature;
+  std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
 
   estimation::Model model() const { return model_; }
 
@@ -48,6 +49,11 @@ class ComponentDescription {
 
   /// The elements of the model, those added, and the shift with temperature.
   std::vector<element::ElementDescription> allElements() const;
+
+  /// Displacements [m] beyond which its forces are no more than an extrapolation: `valid_displacement`, else three
+  /// times the specification's nominal amplitude to both sides, else what its tables of springs have in common, else
+  /// nothing.
+  std::optional<element::Range> validDisplacement() const;
 
   component::Component makeComponent() const { return component::Component(allElements()); }
 

@@ -1,6 +1,7 @@
 // A recorded log: displacement and force over time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -33,23 +34,36 @@ class LogError : public std::runtime_error {
   explicit LogError(const std::string& message);
 };
 
-/// How to find time, displacement and force in a file whose columns do not tell it themselves. A column goes by its
-/// name in the file, with its unit or without, or by its number from 1.
+/// All segments of a file, each as a log of its own.
+constexpr std::size_t kAllSegments = static_cast<std::size_t>(-1);
+
+/// How to read a file that does not tell it itself. A column goes by its name in the file, with its unit or without, or
+/// by its number from 1.
 struct LogFormat {
-  std::string time_column;          ///< empty: by name or unit
-  std::string displacement_column;  ///< likewise
-  std::string force_column;         ///< likewise
-  std::string temperature_column;   ///< likewise
-  std::string displacement_unit;    ///< of a column whose unit the file does not tell, or that is given above
-  std::string force_unit;           ///< likewise
-  std::string time_unit;            ///< likewise
-  std::optional<double> rate;       ///< sampling rate [Hz] of a log without time column; the first sample is at 0 s
+  struct Channel {
+    std::string column;   ///< empty: by name or unit
+    std::string unit;     ///< empty: that of the file
+    double factor = 1.0;  ///< times what the file has
+  };
+
+  std::array<Channel, 4> of;     ///< time, displacement, force, temperature
+  std::optional<double> rate;    ///< sampling rate [Hz], in place of stamps; the first sample is at 0 s
+  char decimal = '\0';           ///< decimal mark of text, '.' or ','; '\0': as the numbers tell
+  std::size_t segment = 0;       ///< which, from 1, where a file holds several logs, or kAllSegments; 0: it holds one
+  std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
+                                 ///< where 99 of 100 rows have their numbers
 };
 
-/// The format that options of a command describe: `--columns displacement=D force=F`, or the quantities in the order of
-/// the columns, `--columns time displacement force`; `--unit mm,kN,ms`; `--sampling-rate 1000` (rate 0: not given).
-/// Throws std::invalid_argument that names option, value and what is accepted.
+/// The format that options of a command describe: `--columns displacement=D force=-0.001*F`, or the quantities in the
+/// order of the columns, `--columns time displacement force`; `--unit force=kN displacement=mm`, separated by blanks;
+/// `--sampling-rate 1000` (rate 0: not given). Throws std::invalid_argument that names option, value and what is
+/// accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
+
+/// The same with `--decimal ,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty, or less than 0: not
+/// given.
+LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
+                        const std::string& decimal, const std::string& segment, double bridge);
 
 /// Bounds on a CSV log; a file beyond them is refused.
 constexpr std::size_t kMaximumLogRows = 20000000;   // 5.5 hours at 1 kHz
@@ -57,31 +71,23 @@ constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 
 /// Read a log from text. Canonical, and read fastest, is what this package writes: a header with columns time_s,
 /// displacement_<m|mm|um>, force_<N|kN|MN> (optional), temperature_degC (optional), then one row per sample, separated
-/// by commas. Read as well, with a note of what was taken for what: the plain names in English and German (time, Zeit;
-/// displacement, deflection, Weg, Federweg, Auslenkung, Verschiebung, Einfederung; force, Kraft; temperature,
-/// Temperatur) with a unit behind them or in a row of units; columns of other names where exactly one has a unit of
-/// length, of force, of time; any unit of UDUNITS-2; separators semicolon, tab, blanks; decimal commas where the comma
-/// separates nothing; quotes; comments and a preamble before the header, comments among the rows (with a note); UTF-8,
-/// UTF-16, Latin-1, byte order marks; LF, CRLF, CR; gzip. Further columns are ignored with a note. Refused, with file,
-/// line and reason: columns that are ambiguous, with the option that settles it; a field that is no finite number, a
-/// row of another length, a blank line between rows, time that does not increase from row to row, less than two rows.
-/// Time becomes the nearest integer nanosecond. Throws LogError.
+/// by commas. Read as well, with a note of what was taken for what: plain names in English and German with a unit
+/// behind them or in a row of units, columns of other names where exactly one has a unit of length, of force, of time;
+/// any unit of UDUNITS-2; times as a clock or a calendar shows them; separators semicolon, tab, blanks; decimal commas;
+/// marks between thousands; quotes; comments and a preamble; UTF-8, UTF-16, Latin-1; LF, CRLF, CR; gzip (docs/logs.md).
+/// Further columns are ignored with a note; rows without a number are left out where little is lost, and rows that
+/// repeat the one before, with a note. Refused, with file, line and reason: columns and marks that are ambiguous, with
+/// the option that settles it; a field that is no number; a row of another length; time that does not increase; several
+/// logs in one file unless the format says which; less than two rows. Time becomes the nearest integer nanosecond.
+/// Throws LogError.
 Log readCsvLog(const std::string& path, const LogFormat& format = {});
 
-/// Read a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME, and fields
-/// of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left out. A
-/// matrix has a column for each of its columns (rows where it is wider than long), named NAME(:,1), or 1 where the file
-/// holds nothing else. Which columns are read follows the rules of readCsvLog. Throws LogError.
-Log readMatLog(const std::string& path, const LogFormat& format = {});
-
-/// Read an HDF5 file. Its columns are one-dimensional datasets of numbers, named by their path without the first slash,
-/// or by their own name where all lie in one group; those of a matrix are named NAME[:,1] and so on. An attribute
-/// `unit`, `units`, `Unit` or `Units` tells the unit. Which columns are read follows the rules of readCsvLog. Throws
-/// LogError.
-Log readHdf5Log(const std::string& path, const LogFormat& format = {});
-
-/// Read a log by its content: MATLAB (level 4 by the extension .mat), HDF5, otherwise text. Throws LogError.
+/// Read a log by its content: MATLAB (level 4 by the extension .mat), HDF5, otherwise text. Throws LogError, also where
+/// the format asks for all segments and there is more than one.
 Log readLog(const std::string& path, const LogFormat& format = {});
+
+/// The logs of a file: one, or each segment where the format asks for all. Throws LogError.
+std::vector<Log> readLogs(const std::string& path, const LogFormat& format = {});
 
 /// Check a log from any source: lengths agree, time increases, all is finite, at least two samples.
 /// Throws LogError that names log, sample and value.

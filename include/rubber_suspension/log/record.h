@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "rubber_suspension/log/log.h"
 
 namespace rubber_suspension::log {
+
+constexpr std::size_t kFewestSamples = 100;  ///< of a record
 
 /// One log, evenly sampled. All vectors have the same length.
 struct Record {
@@ -51,8 +54,9 @@ struct Record {
   Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 
-/// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, with a note.
-/// Throws LogError where the log has no force, is shorter than 100 samples, or does not move.
+/// Check and prepare a log for diagnosis. An uneven time base is resampled at its median step, or in so many samples as
+/// twice those of the log, with a note. Throws LogError where the log has no force, is shorter than 100 samples, does
+/// not move, or has a time gap: a step longer than half a second and than 20 times that of nine in ten samples.
 Record makeRecord(const Log& log);
 
 /// Throws LogError where a log has no measured force.

@@ -10,8 +10,12 @@ namespace rubber_suspension::log {
 /// or YAML's leading dot) are numbers; hexadecimal ones are not.
 std::optional<double> parseNumber(const std::string& text);
 
-/// True for text that names a unit: "kN", "mm/s", "1".
+/// True for text that names a unit as the library of units spells it: "kN", "mm/s".
 bool isUnit(const std::string& text);
+
+/// A unit of a log's header as the library of units spells it: "kN" for "KN", "degC" for "deg C", "lbf" for "lbs". The
+/// text itself where it converts to the unit `wanted`, or where none of the spellings known here does.
+std::string spelledUnit(const std::string& text, const std::string& wanted);
 
 /// Linear conversion between two units.
 class UnitConversion {
@@ -29,7 +33,8 @@ class UnitConversion {
   bool inverse_ = false;  // scale is the whole number to divide by, so that 38 mm is 0.038 m to the last bit
 };
 
-/// A quantity as text, in `unit`: "3 kN/mm" for unit "N/m" is 3e6. A number without unit is taken as in `unit`.
+/// A quantity as text, in `unit`: "3 kN/mm" for unit "N/m" is 3e6. It is one number and one unit: words between blanks,
+/// `*` and `/`, each with an integer exponent or none, `1/` at the start. A number without unit is taken as in `unit`.
 /// Throws std::invalid_argument with what is wrong with the text; the value may be out of any range, or not finite.
 double parseQuantity(const std::string& text, const std::string& unit);
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,8 +24,10 @@ class BundleError : public std::runtime_error {
 /// Sends and receives in the calling thread, with a callback queue of its own. Several messages may be under way.
 class BundleClient {
  public:
+  static constexpr double kPatience = 30.0;  ///< [s]
+
   /// `timeout` [s] bounds every wait.
-  BundleClient(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = 30.0);
+  BundleClient(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
 
   /// Wait until nothing that is sent or answered can be lost. Throws BundleError.
   void connect();

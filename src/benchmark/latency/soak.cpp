@@ -15,7 +15,7 @@ namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr int kPieces = 100;
-constexpr std::size_t kUnderWay = 100;  // samples of each component
+constexpr std::size_t kSamplesUnderWay = 100;  // samples of each component
 
 double mebibytes(long bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
@@ -45,7 +45,7 @@ SoakResult soak(const SoakOptions& options, const std::function<void(const std::
   const auto per_piece =
       std::max<std::uint64_t>(1, options.samples / (kPieces * static_cast<std::uint64_t>(options.components)));
   for (int piece = 0; piece < kPieces; ++piece) {
-    add(node.meter().flood(std::numeric_limits<int>::max(), kUnderWay, per_piece), result);
+    add(node.meter().flood(std::numeric_limits<int>::max(), kSamplesUnderWay, per_piece), result);
     result.memory.push_back(residentMemory(node.process()));
     if (piece % 10 == 9) {
       progress(fmt::format("{} samples, {} forces, {:.1f} MiB", result.sent, result.answered,

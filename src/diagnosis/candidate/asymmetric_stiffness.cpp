@@ -28,7 +28,7 @@ fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(60, asymmetricStiffness);
+const CandidateEntry kAsymmetricStiffnessEntry(60, asymmetricStiffness);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

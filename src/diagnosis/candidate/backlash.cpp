@@ -42,7 +42,7 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(85, backlash);
+const CandidateEntry kBacklashEntry(85, backlash);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -18,7 +18,7 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(70, bumpStop);
+const CandidateEntry kBumpStopEntry(70, bumpStop);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

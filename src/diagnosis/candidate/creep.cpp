@@ -26,7 +26,7 @@ fit::Candidate creep(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(30, creep);
+const CandidateEntry kCreepEntry(30, creep);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

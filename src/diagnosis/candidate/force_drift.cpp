@@ -16,7 +16,7 @@ fit::Candidate forceDrift(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(150, forceDrift);
+const CandidateEntry kForceDriftEntry(150, forceDrift);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -13,7 +13,7 @@ fit::Candidate forceOffset(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(140, forceOffset);
+const CandidateEntry kForceOffsetEntry(140, forceOffset);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -17,7 +17,7 @@ fit::Candidate freePlay(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(80, freePlay);
+const CandidateEntry kFreePlayEntry(80, freePlay);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -47,7 +47,7 @@ fit::Candidate friction(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(10, friction);
+const CandidateEntry kFrictionEntry(10, friction);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

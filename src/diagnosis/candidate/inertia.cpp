@@ -15,7 +15,7 @@ fit::Candidate inertia(const fit::Excitation& excitation) {
   return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
 }
 
-const CandidateEntry kEntry(120, inertia);
+const CandidateEntry kInertiaEntry(120, inertia);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -23,7 +23,7 @@ fit::Candidate progressiveStiffness(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(50, progressiveStiffness);
+const CandidateEntry kProgressiveStiffnessEntry(50, progressiveStiffness);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -66,7 +66,7 @@ fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(160, rateAmplitudeCoupling);
+const CandidateEntry kRateAmplitudeCouplingEntry(160, rateAmplitudeCoupling);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

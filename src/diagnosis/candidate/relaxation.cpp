@@ -26,7 +26,7 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(20, relaxation);
+const CandidateEntry kRelaxationEntry(20, relaxation);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

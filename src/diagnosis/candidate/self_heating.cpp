@@ -17,7 +17,7 @@ fit::Candidate selfHeating(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(100, selfHeating);
+const CandidateEntry kSelfHeatingEntry(100, selfHeating);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -24,7 +24,7 @@ fit::Candidate sensorGain(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(145, sensorGain);
+const CandidateEntry kSensorGainEntry(145, sensorGain);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

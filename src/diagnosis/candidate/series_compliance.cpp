@@ -34,7 +34,7 @@ fit::Candidate seriesCompliance(const fit::Excitation& excitation) {
            complianceTerm(excitation, closing_force, 0.0)}};
 }
 
-const CandidateEntry kEntry(110, seriesCompliance);
+const CandidateEntry kSeriesComplianceEntry(110, seriesCompliance);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -86,7 +86,7 @@ fit::Candidate stressSoftening(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(90, stressSoftening);
+const CandidateEntry kStressSofteningEntry(90, stressSoftening);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

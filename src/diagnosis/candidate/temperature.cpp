@@ -53,7 +53,7 @@ fit::Candidate temperature(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(105, temperature);
+const CandidateEntry kTemperatureEntry(105, temperature);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

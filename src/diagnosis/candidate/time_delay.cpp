@@ -15,7 +15,7 @@ fit::Candidate timeDelay(const fit::Excitation& excitation) {
   return {"time_delay", "displacement or force recorded late: error of phase grows with frequency", true, {term}};
 }
 
-const CandidateEntry kEntry(130, timeDelay);
+const CandidateEntry kTimeDelayEntry(130, timeDelay);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

@@ -30,7 +30,7 @@ fit::Candidate viscousDamping(const fit::Excitation& excitation) {
   return candidate;
 }
 
-const CandidateEntry kEntry(40, viscousDamping);
+const CandidateEntry kViscousDampingEntry(40, viscousDamping);
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis

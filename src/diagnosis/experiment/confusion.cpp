@@ -18,7 +18,7 @@ constexpr int kHalvings = 10;        // of the logarithm between that and all of
 
 enum class Outcome { found, confounded, taken_for, unexplained, out_of_reach };
 
-const char* nameOf(Outcome outcome) {
+const char* outcomeName(Outcome outcome) {
   static const char* const names[] = {"found", "confounded", "taken_for", "unexplained", "out_of_reach"};
   return names[static_cast<int>(outcome)];
 }
@@ -61,7 +61,7 @@ class EffectRow {
     row.effect = name(effect_);
     row.named_as.assign(search_.candidates.size(), 0.0);
     if (implants_.empty()) {  // the logs lack what it needs
-      row.outcome = nameOf(Outcome::out_of_reach);
+      row.outcome = outcomeName(Outcome::out_of_reach);
       row.nothing_named = 1.0;
       row.least_size = std::numeric_limits<double>::infinity();
       return row;
@@ -82,9 +82,9 @@ class EffectRow {
         in_its_place[kWrongValues] += share;
       }
     }
-    row.outcome = nameOf(std::max_element(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) {
-                           return a.second < b.second;
-                         })->first);
+    row.outcome = outcomeName(std::max_element(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) {
+                                return a.second < b.second;
+                              })->first);
     row.taken_for = byShare(in_its_place);
     row.least_size = leastSize();
     return row;

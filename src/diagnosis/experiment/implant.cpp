@@ -1,7 +1,6 @@
 // Implanted effects by projection.
 #include "diagnosis/experiment/implant.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 #include "diagnosis/screening.h"
 #include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
+#include "numerics/symmetric.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -28,7 +28,7 @@ class Projected {
     Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
     base.diagonal().array() *= 1.0 + 1e-9;  // parameters of which the logs tell nothing
     base.diagonal().array() += std::numeric_limits<double>::min();
-    taken_ = base.ldlt().solve(gram.topRows(model_).rightCols(size_ - model_));
+    taken_ = numerics::solveSymmetric(base, Eigen::MatrixXd(gram.topRows(model_).rightCols(size_ - model_)));
     projected_ =
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }

@@ -15,10 +15,11 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
-constexpr double kWithin = 1.0 - 1e-6;  // of a bound, so that rounding does not exceed it
-constexpr double kMostSamples = 5e5;    // of one motion
-constexpr double kCycles = 40.0;        // of a motion, where there is room: a fit to part of it has to predict the rest
-constexpr double kPerPeriod = 40.0;     // samples of the highest frequency by which models are compared
+constexpr double kWithin = 1.0 - 1e-6;        // of a bound, so that rounding does not exceed it
+constexpr double kMostSamplesOfMotion = 5e5;  // of one motion
+constexpr double kCyclesOfMotion =
+    40.0;                            // of a motion, where there is room: a fit to part of it has to predict the rest
+constexpr double kPerPeriod = 40.0;  // samples of the highest frequency by which models are compared
 
 using Law = std::function<double(double)>;
 using Words = std::function<std::string(double millimetres)>;
@@ -56,7 +57,7 @@ class Menu {
   void add(const Shape& shape) {
     const double dt = std::max(bounds_.dt, 1.0 / (200.0 * shape.frequency));
     const double whole = shape.length + 2.0 * travel_;
-    if (!(shape.length > 0.0) || whole > bounds_.duration - 2.0 * dt || whole / dt > kMostSamples) {
+    if (!(shape.length > 0.0) || whole > bounds_.duration - 2.0 * dt || whole / dt > kMostSamplesOfMotion) {
       return;
     }
     const auto size = static_cast<Eigen::Index>(whole / dt) + 2;
@@ -122,7 +123,7 @@ void addSines(const Frequencies& f, double room, Menu& menu) {
   for (const double part : {0.03, 0.1, 0.3, 1.0}) {
     for (const double share : {0.1, 0.3, 1.0}) {
       const double frequency = part * f.highest;
-      menu.add({"sine", cyclesWithin(room, frequency, kCycles) / frequency, 1.0 / frequency, frequency, share,
+      menu.add({"sine", cyclesWithin(room, frequency, kCyclesOfMotion) / frequency, 1.0 / frequency, frequency, share,
                 [=](double t) { return std::sin(kTwoPi * frequency * t); },
                 [=](double peak) {
                   return fmt::format("sine at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, peak);
@@ -166,7 +167,7 @@ void addMultisines(const Frequencies& f, double room, Menu& menu) {
   for (const int first : {1, 2}) {
     const double base = f.highest / (first + 2.0 * (kLines - 1));
     for (const double share : {0.2, 1.0}) {
-      menu.add({"multisine", cyclesWithin(room, base, 0.5 * kCycles) / base, 1.0 / base, f.highest, share,
+      menu.add({"multisine", cyclesWithin(room, base, 0.5 * kCyclesOfMotion) / base, 1.0 / base, f.highest, share,
                 [=](double t) {
                   double sum = 0.0;
                   for (int i = 0; i < kLines; ++i) {
@@ -212,7 +213,7 @@ void addTriangles(const Frequencies& f, double room, Menu& menu) {
   for (const double part : {0.1, 1.0}) {
     for (const double share : {0.2, 1.0}) {
       const double frequency = part * std::min(f.full, f.corner);
-      menu.add({"triangle", cyclesWithin(room, frequency, kCycles) / frequency, 1.0 / frequency, f.full, share,
+      menu.add({"triangle", cyclesWithin(room, frequency, kCyclesOfMotion) / frequency, 1.0 / frequency, f.full, share,
                 [=](double t) { return triangle(frequency * t); },
                 [=](double peak) {
                   return fmt::format("triangle at {:.3g} Hz with an amplitude of {:.3g} mm", frequency, peak);
@@ -224,7 +225,7 @@ void addTriangles(const Frequencies& f, double room, Menu& menu) {
 void addPreloads(const Frequencies& f, double room, Menu& menu) {
   const double cycle = 1.0 / f.full;
   const double omega = kTwoPi * f.full;
-  const double cycles = cyclesWithin(room, f.full, kCycles);
+  const double cycles = cyclesWithin(room, f.full, kCyclesOfMotion);
   for (const double side : {1.0, -1.0}) {
     menu.add({"preload", cycles * cycle, cycle, f.full, 0.8,
               [=](double t) {
@@ -241,7 +242,7 @@ void addPreloads(const Frequencies& f, double room, Menu& menu) {
 // Amplitudes one after the other, at the fastest sine of full stroke.
 void addAmplitudes(const Frequencies& f, double room, Menu& menu) {
   const double omega = kTwoPi * f.full;
-  const double cycles = std::floor(cyclesWithin(room, f.full, kCycles) / 3.0);  // of each amplitude
+  const double cycles = std::floor(cyclesWithin(room, f.full, kCyclesOfMotion) / 3.0);  // of each amplitude
   const double phase = cycles / f.full;
   const auto add = [&](const std::string& kind, const std::array<double, 3>& part) {
     menu.add({kind, 3.0 * phase, 1.0 / f.full, f.full, 1.0,

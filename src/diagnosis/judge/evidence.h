@@ -34,10 +34,21 @@ struct HypothesisEvidence {
   bool does_no_better = false;       ///< than with a simpler law that one of its laws contains (settleFamilies())
   double largest_change = 0.0;       ///< largest |ln(value/configured)| of a model parameter
   std::vector<double> block_errors;  ///< mean square error of each of those blocks; may be empty
+  std::vector<double> log_errors;    ///< mean square error on each log (Evidence::logs); may be empty
+  /// Of each member, mean square of the force that it adds to each log, in units of the force's variance; may be empty.
+  std::vector<std::vector<double>> sizes;
   std::optional<UnseenErrors> unseen;
 
   /// Whether each log frees something of its own.
   bool freesInLogs() const { return free_trends || free_gains; }
+};
+
+/// A log that hypotheses are judged on.
+struct LogEvidence {
+  double floor = 0.0;              ///< noise, as a gap
+  double floor_uncertainty = 0.0;  ///< standard error of its logarithm
+  double weight = 1.0;             ///< of the log (Record::weight)
+  bool unseen = false;             ///< took no part in the fit
 };
 
 /// All of it. The first two hypotheses add no effect; then follow the single effects in their order, then pairs and
@@ -48,6 +59,7 @@ struct Evidence {
   static constexpr int kFirstSingle = 2;
 
   std::vector<HypothesisEvidence> hypotheses;
+  std::vector<LogEvidence> logs;           ///< those of the fit, then unseen ones; may be empty
   std::vector<int> block_logs;             ///< the log that each block is of
   std::vector<double> block_weights;       ///< of each block
   std::vector<bool> testable;              ///< per effect: a typical size of it would show in these logs

@@ -1,6 +1,8 @@
 // Evidence to JSON and back.
 #include "diagnosis/judge/evidence_json.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kSchema = "rubber_suspension/evidence/2";
+constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/3";
 
 // JSON has no infinity: what a hypothesis leaves that no model run follows is null.
 double numberOf(const ordered_json& value) {
@@ -39,6 +41,24 @@ UnseenErrors unseenOf(const ordered_json& value) {
   return unseen;
 }
 
+ordered_json logJson(const LogEvidence& log) {
+  return {{"floor", log.floor},
+          {"floor_uncertainty", log.floor_uncertainty},
+          {"weight", log.weight},
+          {"unseen", log.unseen}};
+}
+
+LogEvidence logOf(const ordered_json& value) {
+  return {numberOf(value.at("floor")), numberOf(value.at("floor_uncertainty")), numberOf(value.at("weight")),
+          value.at("unseen").get<bool>()};
+}
+
+std::vector<double> numbersOf(const ordered_json& list) {
+  std::vector<double> numbers;
+  std::transform(list.begin(), list.end(), std::back_inserter(numbers), numberOf);
+  return numbers;
+}
+
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
   ordered_json value = {{"members", hypothesis.members},
                         {"terms", hypothesis.terms},
@@ -52,7 +72,9 @@ ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
                         {"held_out", hypothesis.held_out},
                         {"penalty", hypothesis.penalty},
                         {"largest_change", hypothesis.largest_change},
-                        {"block_errors", hypothesis.block_errors}};
+                        {"block_errors", hypothesis.block_errors},
+                        {"log_errors", hypothesis.log_errors},
+                        {"sizes", hypothesis.sizes}};
   if (hypothesis.unseen) {
     value["unseen"] = unseenJson(*hypothesis.unseen);
   }
@@ -73,8 +95,10 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
   hypothesis.held_out = numberOf(value.at("held_out"));
   hypothesis.penalty = numberOf(value.at("penalty"));
   hypothesis.largest_change = numberOf(value.at("largest_change"));
-  for (const ordered_json& error : value.at("block_errors")) {
-    hypothesis.block_errors.push_back(numberOf(error));
+  hypothesis.block_errors = numbersOf(value.at("block_errors"));
+  hypothesis.log_errors = numbersOf(value.at("log_errors"));
+  for (const ordered_json& member : value.at("sizes")) {
+    hypothesis.sizes.push_back(numbersOf(member));
   }
   if (value.contains("unseen")) {
     hypothesis.unseen = unseenOf(value.at("unseen"));
@@ -83,14 +107,18 @@ HypothesisEvidence hypothesisOf(const ordered_json& value) {
 }
 
 NamedEvidence evidenceOf(const ordered_json& value) {
-  if (value.at("schema") != kSchema) {
-    throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kSchema);
+  if (value.at("schema") != kEvidenceSchema) {
+    throw std::invalid_argument(std::string("not evidence of a diagnosis: its schema is not ") + kEvidenceSchema);
   }
   NamedEvidence named;
   Evidence& evidence = named.evidence;
   value.at("effects").get_to(named.effects);
+  value.at("on_rig").get_to(named.on_rig);
   for (const ordered_json& hypothesis : value.at("hypotheses")) {
     evidence.hypotheses.push_back(hypothesisOf(hypothesis));
+  }
+  for (const ordered_json& log : value.at("logs")) {
+    evidence.logs.push_back(logOf(log));
   }
   value.at("block_logs").get_to(evidence.block_logs);
   value.at("block_weights").get_to(evidence.block_weights);
@@ -115,8 +143,13 @@ std::string toJson(const NamedEvidence& named) {
   for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
     hypotheses.push_back(hypothesisJson(hypothesis));
   }
-  const ordered_json value = {{"schema", kSchema},
+  ordered_json logs = ordered_json::array();
+  for (const LogEvidence& log : evidence.logs) {
+    logs.push_back(logJson(log));
+  }
+  const ordered_json value = {{"schema", kEvidenceSchema},
                               {"effects", named.effects},
+                              {"on_rig", named.on_rig},
                               {"noise_floor", evidence.noise_floor},
                               {"slow_noise", evidence.slow_noise},
                               {"discretisation", evidence.discretisation},
@@ -127,6 +160,7 @@ std::string toJson(const NamedEvidence& named) {
                               {"seed", evidence.seed},
                               {"testable", evidence.testable},
                               {"contains", evidence.contains},
+                              {"logs", logs},
                               {"block_logs", evidence.block_logs},
                               {"block_weights", evidence.block_weights},
                               {"hypotheses", hypotheses}};

@@ -9,41 +9,26 @@
 #include <limits>
 #include <utility>
 
+#include "io/cancellation.h"
+#include "log/even_blocks.h"
+#include "log/samples.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSettling = 5.0;        // [s] after a start, until what was left from before has gone
 constexpr double kShortestPause = 10.0;  // [s] between two looks
 constexpr double kLogLength = 30.0;      // [s] of the logs that a window is cut into, at least
-constexpr std::size_t kMostLogs = 4;
+constexpr std::size_t kMostPieces = 4;
 constexpr double kFewestInBlock = 20;
 constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion that is left in a log that is thinned
 constexpr int kResamplings = 100;
 
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 std::int64_t nanoseconds(double time) { return static_cast<std::int64_t>(std::llround(1e9 * time)); }
-
-/// Mean square about the mean of a stretch.
-class Spread {
- public:
-  void add(double value) {
-    sum_ += value;
-    square_ += value * value;
-  }
-
-  double root(double count) const {
-    const double mean = sum_ / count;
-    return std::sqrt(std::max(0.0, square_ / count - mean * mean));
-  }
-
- private:
-  double sum_ = 0.0;
-  double square_ = 0.0;
-};
 
 std::string placeOf(const std::vector<gap::GapCell>& cells) {
   if (cells.empty()) {
@@ -74,16 +59,26 @@ log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::si
   return log;
 }
 
+log::Log longestStretch(const log::Log& log) {
+  std::vector<std::size_t> first = log::stretchesOf(log);
+  first.push_back(log.size());
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    longest = first[i + 1] - first[i] > first[longest + 1] - first[longest] ? i : longest;
+  }
+  return log::samplesOf(log, first[longest], first[longest + 1] - first[longest]);
+}
+
 // Of how many samples one is enough for the motion: at least so many to a period of the fastest that is no noise.
 std::size_t largestStep(const log::Log& log) {
-  const log::Record record = log::makeRecord(log);
+  const log::Record record = log::makeRecord(longestStretch(log));
   const double rate = kSamplesPerPeriod * std::max(record.highest_frequency, record.mean_frequency);
   return rate > 0.0 ? static_cast<std::size_t>(std::max(1.0, std::floor(1.0 / (rate * record.dt)))) : 1;
 }
 
 std::vector<log::Log> cut(const log::Log& whole) {
   const double duration = whole.time(whole.size() - 1) - whole.time(0);
-  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(duration / kLogLength), 1, kMostLogs);
+  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(duration / kLogLength), 1, kMostPieces);
   std::vector<log::Log> logs(count);
   for (std::size_t i = 0; i < whole.size(); ++i) {
     log::Log& log = logs[i * count / whole.size()];
@@ -110,7 +105,7 @@ class LiveDiagnosis::Model {
   // Not a number where there is no force.
   double force(const LiveSample& sample) {
     const component::StreamForce answer = stream_.push(sample.stamp, sample.displacement);
-    return component::isAccepted(answer.acceptance) ? answer.force.total : kNone;
+    return component::isAccepted(answer.acceptance) ? answer.force.total : kNoForce;
   }
 
  private:
@@ -120,6 +115,24 @@ class LiveDiagnosis::Model {
 
 /// What a block comes to so far.
 struct LiveDiagnosis::Block {
+  /// Mean square about the mean of a stretch.
+  class Spread {
+   public:
+    void add(double value) {
+      sum_ += value;
+      square_ += value * value;
+    }
+
+    double root(double count) const {
+      const double mean = sum_ / count;
+      return std::sqrt(std::max(0.0, square_ / count - mean * mean));
+    }
+
+   private:
+    double sum_ = 0.0;
+    double square_ = 0.0;
+  };
+
   std::int64_t begin = 0;  // [ns]
   std::int64_t last = 0;
   double samples = 0.0;
@@ -192,16 +205,16 @@ void LiveDiagnosis::simulate(const LiveSample& sample) {
   block.samples += 1.0;
   block.force.add(sample.force);
   block.configured.add(sample.force - configured_model_->force(sample));
-  block.re_estimated.add(re_estimated_model_ ? sample.force - re_estimated_model_->force(sample) : kNone);
-  block.augmented.add(augmented_model_ ? sample.force - augmented_model_->force(sample) : kNone);
+  block.re_estimated.add(re_estimated_model_ ? sample.force - re_estimated_model_->force(sample) : kNoForce);
+  block.augmented.add(augmented_model_ ? sample.force - augmented_model_->force(sample) : kNoForce);
 }
 
 void LiveDiagnosis::finishBlock() {
   const Block& block = *block_;
   if (block.whole && block.samples >= kFewestInBlock && seconds(block.begin - first_) >= kSettling) {
     judgement_.addBlock({block.begin, block.force.root(block.samples), block.configured.root(block.samples),
-                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNone,
-                         augmented_model_ ? block.augmented.root(block.samples) : kNone});
+                         re_estimated_model_ ? block.re_estimated.root(block.samples) : kNoForce,
+                         augmented_model_ ? block.augmented.root(block.samples) : kNoForce});
     regime_begin_ = judgement_.regimeBegin().value_or(first_);
   }
   block_.reset();
@@ -240,11 +253,7 @@ void LiveDiagnosis::look(const std::function<bool()>& stop) {
   DiagnosisOptions options;
   options.threads = 1;
   options.resamplings = kResamplings;
-  options.progress = [&](const std::string&, double) {
-    if (stop && stop()) {
-      throw LookCancelled("cancelled");
-    }
-  };
+  const io::Cancellable cancellable(stop);
   try {
     const std::vector<log::Log> logs = windowLogs(begin);
     const Diagnosis diagnosis = diagnose(configured_, logs, {}, options);

@@ -8,7 +8,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,12 +47,6 @@ struct LiveFindings {
   std::size_t looks = 0;    ///< so far
 };
 
-/// look() was told to end.
-class LookCancelled : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// The configured model is simulated along with the samples, and its error kept block by block. A look is a diagnosis
 /// (see diagnose()) of the last minutes, but of nothing before the error changed its level; where they are long they
 /// are cut into logs. What the look would add is then simulated along as well, and judged on the blocks that follow:
@@ -73,8 +66,8 @@ class LiveDiagnosis {
 
   bool lookIsDue() const;
 
-  /// Diagnose the window. Takes seconds; `stop` is asked now and then. Throws LookCancelled; a window that cannot be
-  /// diagnosed is no failure, and findings() say why.
+  /// Diagnose the window. Takes seconds; `stop` is asked many times a second. Throws io::Cancelled; a window that
+  /// cannot be diagnosed is no failure, and findings() say why.
   void look(const std::function<bool()>& stop = {});
 
   /// As of the newest sample.

@@ -3,14 +3,15 @@
 
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
+
+#include "numerics/fourier.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 // Of the mean frequency in a window: a window does not end where a cycle does, which a dozen make little of, and
 // amplitude and frequency do not change much meanwhile in most tests.
-constexpr double kCycles = 12.0;
+constexpr double kCyclesOfWindow = 12.0;
 
 struct Loop {
   std::complex<double> stiffness;
@@ -30,14 +31,12 @@ std::vector<double> padded(const Eigen::VectorXd& values) {
 }
 
 Loop loopOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> z;
-  std::vector<std::complex<double>> f;
-  fft.fwd(z, padded(displacement));
-  fft.fwd(f, padded(force));
+  numerics::Fourier fourier;
+  const std::vector<std::complex<double>> z = fourier.halfSpectrum(padded(displacement));
+  const std::vector<std::complex<double>> f = fourier.halfSpectrum(padded(force));
   std::complex<double> cross = 0.0;
   double power = 0.0;
-  for (std::size_t i = 1; i < z.size() / 2; ++i) {
+  for (std::size_t i = 1; i < z.size() - 1; ++i) {
     cross += f[i] * std::conj(z[i]);
     power += std::norm(z[i]);
   }
@@ -59,8 +58,8 @@ CharacteristicErrors characteristicErrors(const std::vector<log::Record>& record
   double energy_reference = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const log::Record& record = records[r];
-    const auto count =
-        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(record.duration() * record.mean_frequency / kCycles));
+    const auto count = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(record.duration() * record.mean_frequency / kCyclesOfWindow));
     for (Eigen::Index w = 0; w < count; ++w) {
       const Eigen::Index first = record.size() * w / count;
       const Eigen::Index length = record.size() * (w + 1) / count - first;

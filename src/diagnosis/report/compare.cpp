@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kSchema = "rubber_suspension/gap_report/1";
+constexpr const char* kReportSchema = "rubber_suspension/gap_report/1";
 constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; one about six logs has some 0.1 MB
 
 // A value with the interval that its report gives it.
@@ -189,8 +189,8 @@ class Comparer {
 };
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
-  throw std::runtime_error(
-      log::oneLine(fmt::format("{}: {}; accepted: a report.json of `diagnose`, schema {}", path, reason, kSchema)));
+  throw std::runtime_error(log::oneLine(
+      fmt::format("{}: {}; accepted: a report.json of `diagnose`, schema {}", path, reason, kReportSchema)));
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ EarlierReport::EarlierReport(const std::string& path) : content_(std::make_uniqu
     refuse(path, "is no JSON object");
   }
   const json& report = content_->report;
-  if (!report.contains("schema") || report["schema"] != kSchema) {
+  if (!report.contains("schema") || report["schema"] != kReportSchema) {
     refuse(path, "schema is " + (report.contains("schema") ? report["schema"].dump() : "missing"));
   }
   try {

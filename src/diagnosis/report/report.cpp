@@ -89,9 +89,10 @@ std::string evidenceJson(const Diagnosis& diagnosis) {
   if (!diagnosis.workings || !diagnosis.workings->evidence) {
     return "";
   }
-  NamedEvidence named{*diagnosis.workings->evidence, {}};
+  NamedEvidence named{*diagnosis.workings->evidence, {}, {}};
   for (const fit::Candidate& candidate : diagnosis.workings->search.candidates) {
     named.effects.push_back(candidate.effect);
+    named.on_rig.push_back(candidate.on_rig);
   }
   return toJson(named);
 }

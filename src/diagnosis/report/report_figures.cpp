@@ -19,9 +19,9 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kCycles = 3.0;             // of a loop: more run into one area
+constexpr double kCyclesOfLoop = 3.0;       // of a loop: more run into one area
 constexpr Eigen::Index kMostPoints = 1500;  // of a curve
-constexpr const char* kLoops = "loops";
+constexpr const char* kLoopsFigure = "loops";
 constexpr const char* kWhere = "where";
 constexpr const char* kResidual = "residual_over_displacement";
 constexpr const char* kTime = "gap_over_time";
@@ -97,7 +97,7 @@ io::Figure loops(const Diagnosis& diagnosis) {
   figure.title = "Force over displacement";
   for (const std::size_t r : worstRecords(diagnosis)) {
     const log::Record& record = w.records[r];
-    const Eigen::Index count = cyclesOf(record, kCycles);
+    const Eigen::Index count = cyclesOf(record, kCyclesOfLoop);
     const Eigen::Index first = widestStretch(record, count);
     io::Axes axes;
     axes.title = fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.training ? " (held out)" : "",
@@ -112,7 +112,7 @@ io::Figure loops(const Diagnosis& diagnosis) {
 }
 
 io::Axes comparedAxes(const ComparedLog& log, const std::string& as) {
-  const Eigen::Index count = cyclesOf(log.record, kCycles);
+  const Eigen::Index count = cyclesOf(log.record, kCyclesOfLoop);
   const Eigen::Index first = widestStretch(log.record, count);
   io::Axes axes;
   axes.title = log.record.name + ", " + as;
@@ -314,7 +314,7 @@ std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis) {
     return tableFigures(diagnosis);
   }
   std::vector<ReportFigure> figures = {
-      {kLoops, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
+      {kLoopsFigure, "Force over displacement: about three cycles where the stroke is largest.", loops(diagnosis)},
       {kWhere, "Where the squared gap lies, over the frequencies that the logs excite.", gapMapFigure(diagnosis)},
       {kResidual, "Mean of measured less simulated force, apart for rising and falling displacement.",
        residualOverDisplacement(diagnosis)},
@@ -331,7 +331,7 @@ std::string figureDataFile(const std::string& name) { return "figure_" + name + 
 
 std::vector<std::string> figureDataFiles() {
   std::vector<std::string> files;
-  for (const char* name : {kLoops, kWhere, kResidual, kTime, kMissing, kBench}) {
+  for (const char* name : {kLoopsFigure, kWhere, kResidual, kTime, kMissing, kBench}) {
     files.push_back(figureDataFile(name));
   }
   for (const std::string& name : tableFigureNames()) {

@@ -60,10 +60,11 @@ RunRecord makeRunRecord(const std::string& version, const std::vector<std::strin
   record.version = version;
   record.date = isoDate(secondsSince1970());
   for (const std::string& argument : arguments) {
-    record.command_line += (record.command_line.empty() ? "" : " ") + shellQuoted(argument);
+    record.command_line += (record.command_line.empty() ? "" : " ") + shellQuoted(log::toUtf8(argument));
   }
   for (const auto& [option, path] : files) {
-    record.files.push_back({option, std::filesystem::path(path).filename().string(), io::hashFile(path).sha256});
+    record.files.push_back(
+        {option, log::oneLine(std::filesystem::path(path).filename().string()), io::hashFile(path).sha256});
   }
   return record;
 }

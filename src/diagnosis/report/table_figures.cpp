@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kStiffness = "stiffness";
 constexpr const char* kLossAngle = "loss_angle";
-constexpr const char* kWhere = "where";
+constexpr const char* kWhereInTable = "where";
 constexpr std::size_t kMostPanels = 6;
 
 using Rows = std::vector<DiagnosedRow>;
@@ -68,9 +68,9 @@ std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
   return panels;
 }
 
-using Value = double (*)(std::complex<double>);
+using PartOfStiffness = double (*)(std::complex<double>);
 
-io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, Value value) {
+io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, PartOfStiffness value) {
   io::Axes axes;
   axes.title = panel.title;
   axes.x_label = along_frequency ? "frequency [Hz]" : "amplitude [mm]";
@@ -93,7 +93,7 @@ io::Axes axesOf(const Panel& panel, bool along_frequency, const char* label, Val
   return axes;
 }
 
-io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char* label, Value value) {
+io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char* label, PartOfStiffness value) {
   const Rows& rows = diagnosis.table->rows;
   io::Figure figure;
   figure.title = title;
@@ -164,7 +164,7 @@ std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis) {
   return {{kStiffness, "Stiffness of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Stiffness", "stiffness [kN/mm]",
                        [](std::complex<double> stiffness) { return 1e-6 * std::abs(stiffness); })},
-          {kWhere, "Where the squared gap lies, over the rows of the table.", mapFigure(diagnosis)},
+          {kWhereInTable, "Where the squared gap lies, over the rows of the table.", mapFigure(diagnosis)},
           {kLossAngle, "Loss angle of the settled loops, measured and simulated.",
            panelFigure(diagnosis, "Loss angle", "loss angle [deg]",
                        [](std::complex<double> stiffness) { return std::arg(stiffness) * 180.0 / element::kPi; })}};

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
@@ -11,6 +10,8 @@
 #include <map>
 #include <set>
 #include <tuple>
+
+#include "numerics/least_squares.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -99,8 +100,8 @@ Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
     values(r, 0) = std::log(point.stiffness / points.front().stiffness);
     values(r, 1) = point.loss_angle;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(basis);
-  return {(values - basis * solver.solve(values)).squaredNorm(), static_cast<int>(rows - solver.rank())};
+  const numerics::Remainder left = numerics::remainder(basis, values);
+  return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
 }
 
 // Of one preload and temperature, the surface that leaves least for each number that is free.

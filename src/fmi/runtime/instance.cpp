@@ -355,10 +355,10 @@ Status Instance::restore(const SavedState& state) {
   const bool other = state.parameters != parameters_;
   if (state.settled && (other || !component_)) {
     Build rebuilt = build(state.parameters);
-    rebuilt.state->deserialise(state.component_displacement, state.memory);
+    rebuilt.component->restore(*rebuilt.state, state.component_displacement, state.memory);
     take(std::move(rebuilt));
   } else if (state.settled) {
-    state_->deserialise(state.component_displacement, state.memory);
+    component_->restore(*state_, state.component_displacement, state.memory);
   } else if (other) {
     component_.reset();
   }

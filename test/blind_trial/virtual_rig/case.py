@@ -10,7 +10,7 @@ from typing import Callable
 import numpy as np
 
 from . import base as bases
-from . import excitation, laws
+from . import excitation, form_error, laws
 from .effect import Scale
 from .rig import Rig, Ruler, gap
 
@@ -18,6 +18,8 @@ RATE = 500.0          # of the logs [Hz]
 FINE = 4              # samples of the rig's own grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
 SETS = {"bank": 11, "test": 23}
+# With form error: of each law, in RMS; how often two laws are mixed; stiffness of the base that its model lacks.
+FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.02, 0.10)
 
 
 @dataclasses.dataclass
@@ -181,13 +183,30 @@ def draw_logs(rng, amplitude, layout):
 # ---- the whole case --------------------------------------------------------------------------------------------------
 
 
-def build(case_set, seed, number, kind, effect_names, small, layout=Layout()):
+def inexact_recipe(recipe, rng):
+    """The same rig with form error: laws of no textbook, and a base off the ladder of its model."""
+    def draw_component(component_rng, effects, pace):
+        model, specification, base, amplitude = recipe.draw_component(component_rng, effects, pace)
+        return model, specification, form_error.off_ladder(rng, base, rng.uniform(*BASE_ERROR), 10.0 / pace,
+                                                           0.005 / pace), amplitude
+
+    def draw_effect(effect_rng, scale, name):
+        effect = recipe.draw_effect(effect_rng, scale, name)
+        other = recipe.draw_effect(rng, scale, name) if rng.random() < MIXED else None
+        return form_error.inexact(rng, scale, effect, other, rng.uniform(*FORM_ERROR))
+
+    return dataclasses.replace(recipe, draw_component=draw_component, draw_effect=draw_effect)
+
+
+def build(case_set, seed, number, kind, effect_names, small, layout=Layout(), inexact=False):
     """Everything about a case in memory: a dict with logs, component file and label."""
     rng = np.random.default_rng(np.random.SeedSequence([SETS[case_set], seed, number]))
     test_set = case_set == "test"
     wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
     recipe = Recipe(draw_specification, lambda rng, scale, name: laws.draw(rng, scale, name, test_set), wanted,
                     bool(rng.random() < 0.7))
+    if inexact:
+        recipe = inexact_recipe(recipe, np.random.default_rng([SETS[case_set], seed, number, 1]))
     case = dict(best_of(rng, effect_names, recipe, layout), kind=kind)
     # One component in eight is described by its elements, one with friction more often.
     share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
@@ -261,7 +280,7 @@ def apply_parameter_error(case):
     """The values of the file become wrong: the point of the case, or in three of ten cases in passing."""
     rng, kind = case["rng"], case["kind"]
     case["file_specification"], case["parameter_error"] = case["specification"], None
-    case["file_base"] = case["base"]
+    case["file_base"] = bases.Base(**{f.name: getattr(case["base"], f.name) for f in dataclasses.fields(bases.Base)})
     if kind == "parameter_error" and rng.random() < 0.5:
         worn, factors = case["base"].scaled(rng, rng.uniform(0.05, 0.30))
         case["parameter_error"] = {"level": "element", "factors": factors}
@@ -278,7 +297,7 @@ def wrong_file(case, spread):
         s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
         case["file_specification"], case["file_base"] = s, base
     else:
-        case["file_base"], factors = case["base"].scaled(case["rng"], spread)
+        case["file_base"], factors = case["file_base"].scaled(case["rng"], spread)
     case["parameter_error"] = {"level": "specification" if case["specification"] else "element", "factors": factors}
 
 
@@ -355,7 +374,7 @@ def finish(case, case_set, seed, number):
                 "single": {k: {"full": v[0], "visible": v[1]} for k, v in case["single"].items()}},
         "noise": dict(case["noise"], floor=noise_floor(case, everything), floor_hold_out=noise_floor(case, held)),
         "parameter_error": case["parameter_error"], "model": case["model"], "as_elements": case["as_elements"],
-        "programme": case["programme"],
+        "programme": case["programme"], "base_error": list(getattr(case["base"], "extra_k", [])),
         "kinds": case["kinds"], "repeat": case["repeat"],
     }
     logs = list(zip(case["kinds"], case["displacement"], case["force"]))

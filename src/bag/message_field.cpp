@@ -1,0 +1,317 @@
+// One number of every message on a topic. How messages are laid out: wiki.ros.org/ROS/Technical%20Overview and
+// wiki.ros.org/msg, version 1.
+#include "bag/message_field.h"
+
+#include <fmt/format.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "log/text.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::bag {
+namespace {
+
+constexpr int kSingle = -1;
+constexpr int kAnyNumber = -2;
+
+struct MessageField {
+  std::string type;
+  std::string name;
+  int count = kSingle;
+};
+
+using MessageType = std::vector<MessageField>;
+
+std::size_t builtinSize(const std::string& type) {
+  static const std::map<std::string, std::size_t> sizes = {
+      {"bool", 1},  {"int8", 1},   {"uint8", 1},   {"byte", 1},   {"char", 1},
+      {"int16", 2}, {"uint16", 2}, {"int32", 4},   {"uint32", 4}, {"float32", 4},
+      {"int64", 8}, {"uint64", 8}, {"float64", 8}, {"time", 8},   {"duration", 8}};
+  const auto found = sizes.find(type);
+  return found == sizes.end() ? 0 : found->second;
+}
+
+// The types of a bag's definition of a message, the first under "".
+class Definition {
+ public:
+  explicit Definition(const std::string& text) {
+    std::istringstream lines(text);
+    MessageType* type = &types_[""];
+    for (std::string line; std::getline(lines, line);) {
+      line = line.substr(0, line.find('#'));
+      std::istringstream words(line);
+      std::string first;
+      std::string second;
+      words >> first >> second;
+      if (first == "MSG:") {
+        type = &types_[second];
+      } else if (!second.empty() && line.find('=') == std::string::npos) {
+        type->push_back(fieldOf(first, second));
+      }
+    }
+  }
+
+  const MessageType& root() const { return types_.at(""); }
+
+  /// Nothing for a builtin type. A type without its package is of the same one as the message, or Header.
+  const MessageType* find(const std::string& type) const {
+    for (const auto& [name, fields] : types_) {
+      if (!name.empty() && (name == type || name.substr(name.find('/') + 1) == type)) {
+        return &fields;
+      }
+    }
+    return nullptr;
+  }
+
+ private:
+  static MessageField fieldOf(std::string type, const std::string& name) {
+    const std::size_t bracket = type.find('[');
+    int count = kSingle;
+    if (bracket != std::string::npos) {
+      const int told = std::atoi(type.c_str() + bracket + 1);
+      count = told > 0 ? told : kAnyNumber;
+      type.resize(bracket);
+    }
+    return {type, name, count};
+  }
+
+  std::map<std::string, MessageType> types_;
+};
+
+// A field, or an element of one, on the way to a number.
+struct PathStep {
+  std::string name;
+  std::string element;  // number from 0, or a name; empty: no array
+};
+
+std::vector<PathStep> stepsOf(const std::string& text) {
+  std::vector<PathStep> steps;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("./[", at), text.size());
+    if (end > at) {
+      steps.push_back({text.substr(at, end - at), ""});
+    }
+    at = end + 1;
+    if (end < text.size() && text[end] == '[' && !steps.empty()) {
+      const std::size_t close = std::min(text.find(']', end), text.size());
+      steps.back().element = text.substr(end + 1, close - end - 1);
+      at = close + 1;
+    }
+  }
+  return steps;
+}
+
+// Goes through the bytes of one message.
+class MessageWalk {
+ public:
+  MessageWalk(const Definition& definition, const std::vector<std::uint8_t>& bytes)
+      : definition_(definition), bytes_(bytes) {}
+
+  /// Nothing where an array has no such element.
+  std::optional<double> number(const std::vector<PathStep>& steps) {
+    at_ = 0;
+    return within(definition_.root(), steps, 0);
+  }
+
+  std::int64_t headerStamp() {
+    at_ = 4;  // behind the sequence number
+    const auto seconds = take<std::uint32_t>();
+    return std::int64_t{1000000000} * seconds + take<std::uint32_t>();
+  }
+
+ private:
+  template <class Number>
+  Number take() {
+    Number value{};
+    std::memcpy(&value, bytes_.data() + advance(sizeof value), sizeof value);
+    return value;
+  }
+
+  std::size_t advance(std::size_t size) {
+    if (size > bytes_.size() - at_) {
+      throw std::runtime_error("a message is shorter than its definition");
+    }
+    at_ += size;
+    return at_ - size;
+  }
+
+  std::optional<double> within(const MessageType& type, const std::vector<PathStep>& steps, std::size_t step) {
+    for (const MessageField& field : type) {
+      if (field.name != steps[step].name) {
+        skip(field, field.name == "name" && field.type == "string" ? &names_ : nullptr);
+        continue;
+      }
+      if (field.count != kSingle && !skipToElement(field, steps[step].element)) {
+        return std::nullopt;
+      }
+      if (const MessageType* inner = definition_.find(field.type)) {
+        return step + 1 < steps.size() ? within(*inner, steps, step + 1) : std::nullopt;
+      }
+      return step + 1 == steps.size() ? std::optional<double>(builtin(field.type)) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  bool skipToElement(const MessageField& field, const std::string& element) {
+    const std::size_t count = field.count == kAnyNumber ? take<std::uint32_t>() : static_cast<std::size_t>(field.count);
+    const auto named = std::find(names_.begin(), names_.end(), element);
+    const bool digits =
+        !element.empty() && element.size() < 7 && element.find_first_not_of("0123456789") == std::string::npos;
+    const std::size_t place = digits                  ? std::stoul(element)
+                              : named != names_.end() ? static_cast<std::size_t>(named - names_.begin())
+                                                      : count;
+    for (std::size_t i = 0; i < std::min(place, count); ++i) {
+      skipOne(field.type, nullptr);
+    }
+    return place < count;
+  }
+
+  void skip(const MessageField& field, std::vector<std::string>* texts) {
+    const std::size_t count = field.count == kSingle      ? 1
+                              : field.count == kAnyNumber ? take<std::uint32_t>()
+                                                          : static_cast<std::size_t>(field.count);
+    if (const std::size_t size = builtinSize(field.type); size > 0) {
+      advance(count <= bytes_.size() ? size * count : bytes_.size() + 1);
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      skipOne(field.type, texts);
+    }
+  }
+
+  void skipOne(const std::string& type, std::vector<std::string>* texts) {
+    if (const std::size_t size = builtinSize(type); size > 0) {
+      advance(size);
+    } else if (type == "string") {
+      const auto length = take<std::uint32_t>();
+      const std::size_t begin = advance(length);
+      if (texts != nullptr) {
+        texts->emplace_back(reinterpret_cast<const char*>(bytes_.data()) + begin, length);
+      }
+    } else if (const MessageType* inner = definition_.find(type)) {
+      advance(1), --at_;  // a type without fields cannot be repeated without end
+      for (const MessageField& field : *inner) {
+        skip(field, nullptr);
+      }
+    } else {
+      throw std::runtime_error("a type that the bag does not define: " + log::quoted(type));
+    }
+  }
+
+  double builtin(const std::string& type) {
+    if (type == "float64") return take<double>();
+    if (type == "float32") return static_cast<double>(take<float>());
+    if (type == "int8" || type == "byte") return take<std::int8_t>();
+    if (type == "uint8" || type == "char" || type == "bool") return take<std::uint8_t>();
+    if (type == "int16") return take<std::int16_t>();
+    if (type == "uint16") return take<std::uint16_t>();
+    if (type == "int32") return take<std::int32_t>();
+    if (type == "uint32") return take<std::uint32_t>();
+    if (type == "int64") return static_cast<double>(take<std::int64_t>());
+    if (type == "uint64") return static_cast<double>(take<std::uint64_t>());
+    throw std::runtime_error("a field of type " + type + "; accepted: a number");
+  }
+
+  const Definition& definition_;
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t at_ = 0;
+  std::vector<std::string> names_;  // of a message that has a field `name`, as JointState
+};
+
+bool hasField(const MessageType& type, const std::string& name) {
+  return std::any_of(type.begin(), type.end(), [&](const MessageField& field) { return field.name == name; });
+}
+
+// With the first field where it was left out.
+std::vector<PathStep> completed(std::vector<PathStep> steps, const Definition& definition) {
+  if (steps.empty()) {
+    steps = {{"data", ""}};
+  }
+  if (hasField(definition.root(), steps[0].name)) {
+    return steps;
+  }
+  std::vector<std::string> outer;
+  for (const MessageField& field : definition.root()) {
+    const MessageType* inner = definition.find(field.type);
+    if (inner != nullptr && field.count == kSingle && field.name != "header" && hasField(*inner, steps[0].name)) {
+      outer.push_back(field.name);
+    }
+  }
+  if (outer.size() != 1) {
+    std::vector<std::string> names;
+    for (const MessageField& field : definition.root()) {
+      names.push_back(field.name);
+    }
+    throw std::runtime_error(
+        fmt::format("no field {}; accepted: one of {}", log::quoted(steps[0].name), log::join(names)));
+  }
+  steps.insert(steps.begin(), PathStep{outer[0], ""});
+  return steps;
+}
+
+// The topic that a field is on: the longest that the text begins with.
+std::string topicOf(const rosbag::Bag& bag, const std::string& field) {
+  std::set<std::string> topics;
+  std::string best;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    const std::string& topic = connection->topic;
+    topics.insert(topic);
+    const bool fits = field.compare(0, topic.size(), topic) == 0 &&
+                      (field.size() == topic.size() || field[topic.size()] == '/' || field[topic.size()] == '.');
+    best = fits && topic.size() > best.size() ? topic : best;
+  }
+  if (best.empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: no topic of the bag; accepted: one of {} and a field, as in /ft/wrench.force.z",
+                    log::quoted(field), fmt::join(topics, ", ")));
+  }
+  return best;
+}
+
+Series readMessages(const rosbag::Bag& bag, const std::string& field) {
+  const std::string topic = topicOf(bag, field);
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  if (view.size() > log::kMaximumLogRows) {
+    throw std::runtime_error(fmt::format("{} messages; accepted: at most {}", view.size(), log::kMaximumLogRows));
+  }
+  const Definition definition(view.getConnections().at(0)->msg_def);
+  const std::vector<PathStep> steps = completed(stepsOf(field.substr(topic.size())), definition);
+  const bool has_header = !definition.root().empty() && definition.root()[0].name == "header";
+  Series series;
+  std::vector<std::uint8_t> bytes;
+  for (const rosbag::MessageInstance& instance : view) {
+    bytes.resize(instance.size());
+    ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    instance.write(stream);
+    MessageWalk walk(definition, bytes);
+    const auto value = walk.number(steps);
+    if (!value) {
+      throw std::runtime_error(
+          fmt::format("message {}: no number there; accepted: a field that is one, with [NUMBER] or "
+                      "[NAME] where it is an array",
+                      series.value.size() + 1));
+    }
+    series.value.push_back(*value);
+    series.stamp.push_back(has_header ? walk.headerStamp() : static_cast<std::int64_t>(instance.getTime().toNSec()));
+  }
+  return series;
+}
+
+}  // namespace
+
+Series readField(const rosbag::Bag& bag, const std::string& path, const std::string& field) {
+  try {
+    return readMessages(bag, field);
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(fmt::format("{}: {}: {}", path, field, error.what()));
+  }
+}
+
+}  // namespace rubber_suspension::bag

@@ -1,0 +1,46 @@
+// The table of numbers.
+#include "diagnosis/judge/numbers.h"
+
+namespace rubber_suspension::diagnosis {
+
+double JudgeNumbers::rateOf(const std::string& name) const {
+  const auto found = rates.find(name);
+  return found == rates.end() ? 0.0 : found->second;
+}
+
+const std::vector<NumberInfo>& numberTable() {
+  using N = JudgeNumbers;
+  static const std::vector<NumberInfo> table = {
+      {"sharpness", "by how much the score outweighs the prior, over 50 independent blocks", "1", &N::sharpness, true,
+       8.0, 0.6},
+      {"growth", "power of the number of blocks by which the sharpness grows", "1", &N::growth, true, 0.2, 0.7},
+      {"form_error", "by which share of its own force a law differs from the rubber", "of the member's force",
+       &N::form_error, true, 0.12, 0.5},
+      {"form_error_on_rig", "the same of effects of the rig, whose laws have one form", "of the member's force",
+       &N::form_error_on_rig, true, 0.025, 0.7},
+      {"accepted", "size that discretisation leaves and an engineer accepts", "of the force", &N::accepted, true, 0.008,
+       0.5},
+      {"floor_known", "by which share of itself the noise floor may be too low", "of the floor", &N::floor_known, true,
+       0.5, 0.5},
+      {"tails", "degrees of freedom of what is left: few make outliers usual", "1", &N::tails, true, 4.0, 0.4},
+      {"moved_values",
+       "cost of the logarithm of 1 + the squared penalty of moved model parameters over what is accepted", "ln odds",
+       &N::moved_values, true, 1.0, 0.7},
+      {"none", "prior of the model as configured", "ln odds", &N::none, false, 1.5, 1.5},
+      {"wrong_values", "prior of wrong values alone", "ln odds", &N::wrong_values, false, 1.0, 1.5},
+      {"rest", "prior of a rest that no listed effect causes", "ln odds", &N::rest, false, -2.0, 1.5},
+      {"effect", "prior of each effect of a set", "ln odds", &N::effect, false, -3.0, 1.5},
+      {"second", "prior of a second effect, besides", "ln odds", &N::second, false, -1.0, 1.0},
+      {"third", "prior of a third effect, besides", "ln odds", &N::third, false, -1.0, 1.0},
+      {"per_number", "cost of the logarithm of one more than the numbers of a set", "ln odds", &N::per_number, false,
+       0.2, 0.2},
+      {"per_trend", "cost of a trend of its own for a log", "ln odds", &N::per_trend, false, 0.4, 0.3},
+      {"per_gain", "cost of a gain of its own for a log", "ln odds", &N::per_gain, false, 0.4, 0.3},
+      {"least_size", "size below which an effect is improbable", "of the force", &N::least_size, true, 0.03, 0.7},
+      {"size_spread", "standard deviation of the logarithm of the sizes below it", "1", &N::size_spread, true, 0.7,
+       0.4},
+  };
+  return table;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,164 @@
+// Weights of hypotheses.
+#include "diagnosis/judge/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
+using Eigen::Index;
+
+constexpr double kLeastSquare = 1e-8;    // of the force: below it a size is no size
+constexpr double kTypicalBlocks = 50.0;  // of which the sharpness is told
+
+void requireLogs(const Evidence& evidence) {
+  const auto lacks = [&](const HypothesisEvidence& hypothesis) {
+    return hypothesis.log_errors.size() != evidence.logs.size() || hypothesis.sizes.size() != hypothesis.members.size();
+  };
+  if (evidence.logs.empty() || std::any_of(evidence.hypotheses.begin(), evidence.hypotheses.end(), lacks)) {
+    throw std::invalid_argument("evidence without a table of logs; accepted: that of `diagnose --evidence`");
+  }
+}
+
+ArrayXd arrayOf(const std::vector<double>& values) {
+  return Eigen::Map<const ArrayXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+void fillLogs(const Evidence& evidence, ScoreTable& table) {
+  const auto logs = static_cast<Index>(evidence.logs.size());
+  table.floor.resize(logs);
+  table.weight.resize(logs);
+  for (Index l = 0; l < logs; ++l) {
+    const LogEvidence& log = evidence.logs[static_cast<std::size_t>(l)];
+    table.floor[l] = log.floor * log.floor;
+    table.weight[l] = log.weight;
+  }
+  table.weight /= table.weight.sum();
+  table.blocks = static_cast<double>(evidence.reEstimated().block_errors.size());
+  if (evidence.reEstimated().unseen) {
+    table.blocks += static_cast<double>(evidence.reEstimated().unseen->parts.size());
+  }
+}
+
+void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+  const ArrayXd beyond = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
+  table.left.row(row) = 0.5 * (beyond + (beyond * table.weight).sum());
+  table.moved[row] = hypothesis.penalty * hypothesis.penalty;
+}
+
+void fillMembers(const NamedEvidence& named, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+  const auto logs = static_cast<double>(table.weight.size());
+  table.numbers[row] = static_cast<double>(hypothesis.terms);
+  table.trends[row] = hypothesis.free_trends ? logs : 0.0;
+  table.gains[row] = hypothesis.free_gains ? logs : 0.0;
+  table.sizes.emplace_back();
+  for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
+    const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
+    const bool on_rig = named.on_rig[static_cast<std::size_t>(hypothesis.members[m])];
+    (on_rig ? table.added_rig : table.added).row(row) += squares.transpose();
+    table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
+  }
+}
+
+// Expected squares of each hypothesis in each log.
+ArrayXXd expected(const ScoreTable& table, const JudgeNumbers& numbers) {
+  const double form = numbers.form_error * numbers.form_error;
+  const double form_on_rig = numbers.form_error_on_rig * numbers.form_error_on_rig;
+  ArrayXXd squares = form * table.added + form_on_rig * table.added_rig;
+  const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
+  squares.rowwise() += others.transpose();
+  return squares;
+}
+
+// Of a set: its effects, and what it frees.
+double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  const std::vector<int>& members = table.members[hypothesis];
+  const auto row = static_cast<Index>(hypothesis);
+  double prior = members.size() > 1 ? numbers.second : 0.0;
+  prior += members.size() > 2 ? numbers.third : 0.0;
+  for (const int member : members) {
+    prior += numbers.effect + numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
+  }
+  return prior - numbers.per_number * std::log1p(table.numbers[row]) - numbers.per_trend * table.trends[row] -
+         numbers.per_gain * table.gains[row];
+}
+
+// An effect has a size: what adds a small part of the force is seldom one.
+double priorOfSizes(const std::vector<double>& sizes, const JudgeNumbers& numbers) {
+  double prior = 0.0;
+  for (const double size : sizes) {
+    const double below = std::min(size - std::log(numbers.least_size), 0.0) / numbers.size_spread;
+    prior -= 0.5 * below * below;
+  }
+  return prior;
+}
+
+// Values that are far from those of the component file are improbable, whatever they leave.
+double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  const double moved = table.moved[static_cast<Index>(hypothesis)];
+  return -numbers.moved_values * std::log1p(moved / (numbers.accepted * numbers.accepted));
+}
+
+double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  switch (hypothesis) {
+    case Evidence::kAsConfigured:
+      return numbers.none;
+    case Evidence::kReEstimated:
+      return numbers.wrong_values;
+    default:
+      return priorOfSet(table, numbers, hypothesis) + priorOfSizes(table.sizes[hypothesis], numbers);
+  }
+}
+
+// What no model run follows has no weight.
+void refuseInfinite(ArrayXd& weights) {
+  weights = weights.isFinite().select(weights, -std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+ScoreTable scoreTable(const NamedEvidence& named) {
+  const Evidence& evidence = named.evidence;
+  requireLogs(evidence);
+  ScoreTable table;
+  table.effects = named.effects;
+  fillLogs(evidence, table);
+  const auto rows = static_cast<Index>(evidence.hypotheses.size());
+  table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
+  table.moved = table.numbers = table.trends = table.gains = ArrayXd::Zero(rows);
+  for (Index row = 0; row < rows; ++row) {
+    const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
+    table.members.push_back(hypothesis.members);
+    fillErrors(hypothesis, row, table);
+    fillMembers(named, hypothesis, row, table);
+  }
+  return table;
+}
+
+LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
+  const double sharpness = numbers.sharpness * std::pow(table.blocks / kTypicalBlocks, numbers.growth);
+  const ArrayXXd s2 = expected(table, numbers);
+  const ArrayXXd& r2 = table.left;
+  const ArrayXXd student = s2.log() + (numbers.tails + 1.0) * (r2 / (numbers.tails * s2)).log1p();
+  const auto sumOverLogs = [&](const ArrayXXd& values) -> ArrayXd {
+    return -0.5 * sharpness * (values.matrix() * table.weight.matrix()).array();
+  };
+  LogWeights weights{sumOverLogs(student), sumOverLogs(r2.max(s2).log() + 1.0) + numbers.rest};
+  for (std::size_t h = 0; h < table.members.size(); ++h) {
+    const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
+    weights.alone[static_cast<Index>(h)] += prior;
+    weights.beside[static_cast<Index>(h)] += prior;
+  }
+  weights.beside[Evidence::kReEstimated] -= numbers.wrong_values;  // whether values are wrong does not matter there
+  weights.beside[Evidence::kAsConfigured] = -std::numeric_limits<double>::infinity();
+  refuseInfinite(weights.alone);
+  refuseInfinite(weights.beside);
+  return weights;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,47 @@
+// How well each hypothesis agrees with what it leaves of the logs, and how probable it is beforehand.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "diagnosis/judge/evidence_json.h"
+#include "diagnosis/judge/numbers.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// What the score takes of evidence, a row for each hypothesis, a column for each log. Squares are mean squares in
+/// units of the variance of the force.
+struct ScoreTable {
+  std::vector<std::string> effects;
+  std::vector<std::vector<int>> members;
+  Eigen::ArrayXXd left;                    ///< squares beyond the noise floor, each log shrunk half way to all logs
+  Eigen::ArrayXXd added;                   ///< squares of the forces of the members that belong to the rubber
+  Eigen::ArrayXXd added_rig;               ///< of those that belong to the rig
+  Eigen::ArrayXd moved;                    ///< square of the penalty of moved model parameters
+  Eigen::ArrayXd numbers;                  ///< that the members add
+  Eigen::ArrayXd trends;                   ///< of logs, that are free
+  Eigen::ArrayXd gains;                    ///< likewise
+  std::vector<std::vector<double>> sizes;  ///< logarithm of the size of each member over all logs
+  Eigen::ArrayXd floor;                    ///< of each log, squared
+  Eigen::ArrayXd weight;                   ///< of each log; they add up to 1
+  double blocks = 0.0;                     ///< of the logs that errors are known of
+};
+
+/// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
+ScoreTable scoreTable(const NamedEvidence& named);
+
+/// Logarithm of the weight of each hypothesis: alone, and beside a rest that no listed effect causes.
+struct LogWeights {
+  Eigen::ArrayXd alone;
+  Eigen::ArrayXd beside;
+};
+
+/// With s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, what a hypothesis is expected to leave of a log, and r^2, what
+/// it leaves beyond the floor sigma, its weight alone is that of Student's t,
+/// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size
+/// -kappa/2 sum of w (ln max(r^2, s^2) + 1); each with the prior of the set, of the sizes of its members, of the
+/// numbers that it frees and of how far it moves the values of the model.
+LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
+
+}  // namespace rubber_suspension::diagnosis

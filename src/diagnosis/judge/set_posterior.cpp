@@ -1,0 +1,39 @@
+// From weights to probabilities.
+#include "diagnosis/judge/set_posterior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rubber_suspension::diagnosis {
+
+double SetPosterior::ofSets() const {
+  return std::accumulate(sets.begin(), sets.end(), 0.0,
+                         [](double sum, const SetProbability& set) { return sum + set.sum(); });
+}
+
+SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
+  LogWeights weights = logWeights(table, numbers);
+  const double most = std::max(weights.alone.maxCoeff(), weights.beside.maxCoeff());
+  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };  // 0 for minus infinity
+  weights.alone = weights.alone.unaryExpr(overMost).eval();
+  weights.beside = weights.beside.unaryExpr(overMost).eval();
+  const double all = weights.alone.sum() + weights.beside.sum();
+  weights.alone /= all;
+  weights.beside /= all;
+
+  SetPosterior posterior{weights.alone[Evidence::kAsConfigured],
+                         weights.alone[Evidence::kReEstimated],
+                         weights.beside[Evidence::kReEstimated],
+                         {}};
+  for (std::size_t h = Evidence::kFirstSingle; h < table.members.size(); ++h) {
+    const auto row = static_cast<Eigen::Index>(h);
+    posterior.sets.push_back(
+        {table.members[h], static_cast<int>(h), weights.alone[row], weights.beside[row], table.sizes[h]});
+  }
+  std::stable_sort(posterior.sets.begin(), posterior.sets.end(),
+                   [](const SetProbability& a, const SetProbability& b) { return a.sum() > b.sum(); });
+  return posterior;
+}
+
+}  // namespace rubber_suspension::diagnosis

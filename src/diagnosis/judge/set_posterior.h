@@ -1,0 +1,33 @@
+// Probabilities of every set of effects, alone and beside a rest that no listed effect causes.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/judge/score.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A set of effects.
+struct SetProbability {
+  std::vector<int> members;
+  int hypothesis = 0;              ///< of the evidence
+  double alone = 0.0;              ///< nothing else is at work
+  double beside = 0.0;             ///< beside a rest
+  std::vector<double> sizes = {};  ///< logarithm of the size of each member
+
+  double sum() const { return alone + beside; }
+};
+
+/// All of these add up to 1.
+struct SetPosterior {
+  double none = 0.0;                 ///< the model is right as configured
+  double parameter_error = 0.0;      ///< its values are wrong, and nothing is missing
+  double unknown = 0.0;              ///< something that is not in the list, and nothing of it
+  std::vector<SetProbability> sets;  ///< of one effect or more, the likeliest first
+
+  double ofSets() const;
+};
+
+SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,120 @@
+// How deep a YAML text may be nested, and how much it may hold.
+#include "io/yaml_bounds.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace rubber_suspension::io {
+namespace {
+
+constexpr int kMaximumNesting = 50;  // a component file needs 6
+constexpr int kMaximumIndentation = 200;
+// The most that a component file of a mebibyte can hold without aliases, at two bytes a value.
+constexpr std::size_t kMaximumValues = 524288;
+
+struct ExpandedTooFar {
+  int line;
+};
+
+// Counts values as they are parsed, an alias as what its anchor has counted.
+class ValueCounter : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { leaf(mark, anchor); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string&) override {
+    leaf(mark, anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override { count(mark, sizes_[anchor]); }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    begin(mark, anchor);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    begin(mark, anchor);
+  }
+  void OnMapEnd() override { end(); }
+
+ private:
+  struct Open {
+    YAML::anchor_t anchor;
+    std::size_t before;  // values that stand before it
+  };
+
+  void count(const YAML::Mark& mark, std::size_t values) {
+    values_ += values;
+    if (values_ > kMaximumValues) {
+      throw ExpandedTooFar{mark.line + 1};
+    }
+  }
+
+  void leaf(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    sizes_[anchor] = 1;
+    count(mark, 1);
+  }
+
+  void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    open_.push_back({anchor, values_});
+    count(mark, 1);
+  }
+
+  void end() {
+    sizes_[open_.back().anchor] = values_ - open_.back().before;
+    open_.pop_back();
+  }
+
+  std::size_t values_ = 0;
+  std::vector<Open> open_;
+  std::map<YAML::anchor_t, std::size_t> sizes_;  // that of no anchor is never asked for
+};
+
+}  // namespace
+
+std::optional<int> lineNestedTooDeep(const std::string& text) {
+  int line = 1;
+  int brackets = 0;
+  int indentation = 0;
+  bool leading = true;  // nothing on this line so far but blanks and the marks of nested lists and keys
+  for (const char c : text) {
+    brackets += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
+    leading = c == '\n' || (leading && (c == ' ' || c == '-' || c == '?' || c == ':'));
+    indentation = leading && c != '\n' ? indentation + 1 : (leading ? 0 : indentation);
+    line += c == '\n' ? 1 : 0;
+    if (brackets > kMaximumNesting || (leading && indentation > kMaximumIndentation)) {
+      return line;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string acceptedNesting() {
+  return fmt::format("nested too deep; accepted: at most {} brackets and {} columns of indentation", kMaximumNesting,
+                     kMaximumIndentation);
+}
+
+std::optional<int> lineExpandedTooFar(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  ValueCounter counter;
+  try {
+    parser.HandleNextDocument(counter);
+  } catch (const ExpandedTooFar& found) {
+    return found.line;
+  }
+  return std::nullopt;
+}
+
+std::string acceptedExpansion() {
+  return fmt::format(
+      "holds too much; accepted: at most {} values, where each alias (*name) counts as all that it stands for",
+      kMaximumValues);
+}
+
+}  // namespace rubber_suspension::io

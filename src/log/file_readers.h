@@ -1,0 +1,42 @@
+// The readers of each format; log::readLog() and log::openLog() choose among them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/log/log_source.h"
+
+namespace rubber_suspension::log {
+
+/// The logs of a text file, as readCsvLog() describes: one, or each segment. A segment is what follows a header that
+/// repeats or another one, or a blank line. Throws LogError.
+std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format);
+
+/// Those of a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME, and
+/// fields of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left out.
+/// A matrix has a column for each of its columns (rows where it is wider than long), named NAME(:,1), or 1 where the
+/// file holds nothing else. Structs that each hold a log are segments. Throws LogError.
+std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format);
+
+/// Those of an HDF5 file. Its columns are one-dimensional datasets of numbers and members of compound ones, named by
+/// their path without the first slash, or by their own name where all lie in one group; those of a matrix are named
+/// NAME[:,1] and so on. An attribute `unit`, `units`, `Unit` or `Units` tells the unit. Groups that each hold a log are
+/// segments. Throws LogError.
+std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format);
+
+/// The same of one log, of any number of samples, handing out blocks of kLogBlock; the notes. Throws LogError, and what
+/// `take` throws. Of HDF5, no other thread reads a file meanwhile, and `take` must not.
+std::vector<std::string> readCsvBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
+std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
+
+/// The log that is alone. Throws LogError where there are several.
+Log onlyLog(const std::string& path, std::vector<Log>&& logs);
+
+/// The segment that a format asks for among so many, from 0, each described in words; nothing where it asks for all.
+/// Throws std::runtime_error that names them where it asks for none or for one that is not there.
+std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vector<std::string>& segments);
+
+/// The name of a segment's log, from 1: that of the file and the number.
+std::string segmentName(const std::string& file, std::size_t number);
+
+}  // namespace rubber_suspension::log

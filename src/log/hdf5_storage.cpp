@@ -1,0 +1,92 @@
+// Where the data of an HDF5 file lie.
+#include "log/hdf5_storage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "log/text.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+// Whether all of a dataset has a place in the file.
+bool isWritten(hid_t dataset, hid_t properties) {
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space.get()) <= 0) {
+    return true;
+  }
+  if (H5Pget_layout(properties) != H5D_CHUNKED) {
+    return H5Dget_storage_size(dataset) > 0;
+  }
+  std::array<hsize_t, H5S_MAX_RANK> size{};
+  std::array<hsize_t, H5S_MAX_RANK> chunk{};
+  const int rank = H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
+  H5Pget_chunk(properties, rank, chunk.data());
+  hsize_t needed = 1;
+  for (std::size_t i = 0; static_cast<int>(i) < rank; ++i) {
+    needed *= (size[i] + chunk[i] - 1) / std::max<hsize_t>(chunk[i], 1);
+  }
+  hsize_t there = 0;
+  return H5Dget_num_chunks(dataset, space.get(), &there) >= 0 && there >= needed;
+}
+
+// What is wrong goes past the library, which is of C.
+herr_t checkObject(hid_t root, const char* name, const H5O_info_t* info, void* error) {
+  try {
+    requireShallow(name);
+    if (info->type == H5O_TYPE_DATASET) {
+      const Hdf5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+      requireOwnData(dataset.get(), name);
+    }
+    return 0;
+  } catch (const std::runtime_error& found) {
+    *static_cast<std::string*>(error) = found.what();
+    return -1;
+  }
+}
+
+}  // namespace
+
+hid_t openHdf5(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told here, not printed there
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file < 0) {
+    throw std::runtime_error("cannot be read as HDF5; accepted: a complete file that can be opened");
+  }
+  return file;
+}
+
+void requireShallow(const std::string& name) {
+  if (std::count(name.begin(), name.end(), '/') > kDeepestGroup) {
+    throw std::runtime_error(fmt::format("groups nested deeper than {}; accepted: at most that", kDeepestGroup));
+  }
+}
+
+void requireOwnData(hid_t dataset, const std::string& name) {
+  const Hdf5Handle properties(dataset < 0 ? -1 : H5Dget_create_plist(dataset), H5Pclose);
+  if (!properties || H5Pget_external_count(properties.get()) != 0 || H5Pget_layout(properties.get()) == H5D_VIRTUAL) {
+    throw std::runtime_error(
+        fmt::format("{}: its data lie in other files; accepted: data in the file itself", quoted(name)));
+  }
+  if (!isWritten(dataset, properties.get())) {
+    throw std::runtime_error(
+        fmt::format("{}: data that were never written; accepted: a file that is complete", quoted(name)));
+  }
+}
+
+void requireOwnData(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  if (H5Fis_hdf5(path.c_str()) <= 0) {
+    return;
+  }
+  const Hdf5Handle file(openHdf5(path), H5Fclose);
+  std::string error;
+  if (H5Ovisit2(file.get(), H5_INDEX_NAME, H5_ITER_INC, checkObject, &error, H5O_INFO_BASIC) < 0) {
+    throw std::runtime_error(error.empty() ? "damaged; accepted: a complete HDF5 file" : error);
+  }
+}
+
+}  // namespace rubber_suspension::log

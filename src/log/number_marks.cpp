@@ -1,0 +1,194 @@
+// Points and commas in the numbers of a text.
+#include "log/number_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "log/sample_rules.h"
+#include "log/text.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr std::size_t kGroup = 3;  // digits of a thousand
+
+const char* nameOfMark(char mark) { return mark == ',' ? "comma" : "point"; }
+char otherMark(char mark) { return mark == ',' ? '.' : ','; }
+bool isMarkDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Groups of three between marks, the first of one to three.
+bool isGrouped(std::string_view digits, char mark) {
+  std::size_t at = digits.find(mark);
+  if (at == 0 || at > kGroup) {
+    return false;
+  }
+  while (at != std::string_view::npos) {
+    const std::size_t next = std::min(digits.find(mark, at + 1), digits.size());
+    if (next - at - 1 != kGroup) {
+      return false;
+    }
+    at = next == digits.size() ? std::string_view::npos : next;
+  }
+  return true;
+}
+
+double relativeStep(double from, double to) {
+  const double scale = std::max(std::abs(from), std::abs(to));
+  return scale > 0.0 ? std::abs(to - from) / scale : 0.0;
+}
+
+}  // namespace
+
+// The digits and marks of a number, without sign and exponent.
+struct NumberMarks::Marks {
+  explicit Marks(std::string_view text) {
+    const std::size_t first = text.find_first_of("0123456789.,");
+    const std::size_t exponent = std::min(text.find_first_of("eE"), text.size());
+    digits = text.substr(std::min(first, exponent), exponent - std::min(first, exponent));
+    has_exponent = exponent < text.size();
+    points = static_cast<std::size_t>(std::count(digits.begin(), digits.end(), '.'));
+    commas = static_cast<std::size_t>(std::count(digits.begin(), digits.end(), ','));
+    const std::size_t last_mark = digits.find_last_of(".,");
+    last = last_mark == std::string_view::npos ? '\0' : digits[last_mark];
+    before = digits.substr(0, std::min(last_mark, digits.size()));
+  }
+
+  // "1.072" may be a thousand and 72; "0.125" and "1.07" may not.
+  bool mayBeThousands() const {
+    return points + commas == 1 && !has_exponent && isGrouped(digits, last) && digits.front() != '0';
+  }
+
+  std::string_view digits;
+  std::string_view before;  // the last mark
+  bool has_exponent = false;
+  std::size_t points = 0;
+  std::size_t commas = 0;
+  char last = '\0';
+};
+
+void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) {
+  if (decimal_ == decimal) {
+    return;
+  }
+  if (decimal_ == '\0' && assumed_ == otherMark(decimal)) {
+    throw OtherDecimalMark{decimal};
+  }
+  if (decimal_ != '\0') {
+    throw std::runtime_error(
+        fmt::format("{} has a decimal {} and {} has a decimal {}; accepted: one decimal mark throughout, no separators "
+                    "of thousands "
+                    "but the other mark",
+                    quoted(std::string(text)), nameOfMark(decimal),
+                    told_               ? "--decimal"
+                    : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
+                                        : "another line",
+                    nameOfMark(decimal_)));
+  }
+  decimal_ = decimal;
+  decimal_line_ = line;
+}
+
+void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t line) {
+  ColumnMarks& column = columns_[channel];
+  const Marks marks(text);
+  last_marked_ = marks.last != '\0';
+  last_may_be_either_ = marks.mayBeThousands();
+  if (!last_marked_) {
+    return;
+  }
+  marked_ = true;
+  if (last_may_be_either_) {
+    if (decimal_ == '\0' && assumed_ == otherMark(marks.last)) {
+      throw std::runtime_error(fmt::format("{} has a {} where others have a {}; accepted: --decimal , or --decimal .",
+                                           quoted(std::string(text)), nameOfMark(marks.last), nameOfMark(assumed_)));
+    }
+    assumed_ = decimal_ == '\0' ? marks.last : assumed_;
+    const bool first = column.line == 0 && (decimal_ == '\0' || decimal_ == marks.last);
+    column.line = first ? line : column.line;
+    column.text = first ? std::string(text) : column.text;
+    return;
+  }
+  const bool both = marks.points > 0 && marks.commas > 0;
+  const std::size_t last_count = marks.last == '.' ? marks.points : marks.commas;
+  const bool wrong = both ? last_count > 1 || !isGrouped(marks.before, otherMark(marks.last))
+                          : last_count > 1 && !isGrouped(marks.digits, marks.last);
+  if (wrong) {
+    throw std::runtime_error(fmt::format("{} has {}; accepted: one decimal mark throughout, groups of three digits",
+                                         quoted(std::string(text)), both ? "point and comma" : "several marks"));
+  }
+  const bool grouped_only = !both && last_count > 1;
+  settle(grouped_only ? otherMark(marks.last) : marks.last, text, line);
+  column.decimals = column.decimals || !grouped_only;
+}
+
+const char* NumberMarks::normalised(std::string_view text, std::size_t channel, const std::string& name,
+                                    std::size_t line) {
+  if (text.size() >= sizeof buffer_) {
+    throw std::runtime_error(
+        fmt::format("{}: {} is not a number; accepted: a finite number", name, quoted(std::string(text))));
+  }
+  const bool has_mark = text.find_first_of(".,") != std::string_view::npos;
+  last_marked_ = last_may_be_either_ = false;
+  const bool is_number = std::all_of(text.begin(), text.end(), [](char c) {
+    return isMarkDigit(c) || c == '.' || c == ',' || c == '+' || c == '-' || c == 'e' || c == 'E';
+  });
+  if (has_mark && is_number) {
+    try {
+      lookAt(text, channel, line);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
+    }
+  }
+  const char decimal = decimal_ == '\0' ? assumed_ : decimal_;
+  char* to = buffer_;
+  for (const char c : text) {
+    if (is_number && (c == '.' || c == ',') && c != decimal) {
+      thousands_ = true;
+    } else {
+      *to++ = is_number && c == decimal ? '.' : c;
+    }
+  }
+  *to = '\0';
+  end_ = to;
+  return buffer_;
+}
+
+void NumberMarks::see(double value, std::size_t channel) {
+  ColumnMarks& column = columns_[channel];
+  if (std::isnan(value)) {
+    return;
+  }
+  const int marked = last_marked_ ? 1 : 0;
+  column.unmarked = column.unmarked || !last_marked_;
+  column.large = column.large || (!last_marked_ && std::abs(value) >= 1000.0);
+  if (column.last_marked >= 0 && column.last_marked != marked) {
+    column.as_decimals += relativeStep(column.last, value);
+    column.as_thousands +=
+        relativeStep((column.last_marked == 1 ? 1000.0 : 1.0) * column.last, (marked == 1 ? 1000.0 : 1.0) * value);
+  }
+  column.last = value;
+  column.last_marked = marked;
+}
+
+void NumberMarks::requireClear(const std::vector<std::string>& names) const {
+  for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
+    const ColumnMarks& column = columns_[i];
+    const bool either = column.line > 0 && !column.decimals && column.unmarked && !column.large;
+    // Another column may have told the mark, unless that makes jumps of a smooth channel.
+    if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
+      const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
+      throw RowError(
+          column.line,
+          fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
+                      "{} (the {} stands before decimals), or {}",
+                      names[i], column.text, mark, nameOfMark(mark),
+                      decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)", otherMark(mark))
+                                       : "a file without marks between thousands"));
+    }
+  }
+}
+
+}  // namespace rubber_suspension::log

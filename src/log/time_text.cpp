@@ -1,0 +1,183 @@
+// Times that are written as a clock or a calendar shows them.
+#include "log/time_text.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr std::int64_t kNanoseconds = 1000000000;  // in a second
+constexpr std::int64_t kDay = 86400 * kNanoseconds;
+
+bool isDigitOfTime(char c) { return c >= '0' && c <= '9'; }
+
+// Takes text from the front.
+class TimeText {
+ public:
+  explicit TimeText(std::string_view text) : rest_(text) {}
+
+  bool atEnd() const { return rest_.empty(); }
+  char front() const { return rest_.empty() ? '\0' : rest_.front(); }
+
+  bool take(std::string_view accepted) {
+    const bool found = !rest_.empty() && accepted.find(rest_.front()) != std::string_view::npos;
+    rest_.remove_prefix(found ? 1 : 0);
+    return found;
+  }
+
+  void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+
+  // Of that many digits at most; -1 where there is none, or more.
+  int number(std::size_t most) {
+    std::size_t digits = 0;
+    int value = 0;
+    while (digits < rest_.size() && isDigitOfTime(rest_[digits]) && digits <= most) {
+      value = 10 * value + (rest_[digits++] - '0');
+    }
+    rest_.remove_prefix(digits);
+    return digits == 0 || digits > most ? -1 : value;
+  }
+
+  // Of a second [ns], nearest; whatever the number of digits.
+  std::int64_t fraction() {
+    std::int64_t value = 0;
+    std::int64_t unit = kNanoseconds / 10;
+    while (!rest_.empty() && isDigitOfTime(rest_.front())) {
+      value += unit == 0 ? 0 : (rest_.front() - '0') * unit;
+      unit /= 10;
+      rest_.remove_prefix(1);
+    }
+    return value;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+// Days from 1970 to a date of the Gregorian calendar (H. Hinnant, chrono-compatible low-level date algorithms, 2013).
+std::int64_t daysSince1970(std::int64_t year, int month, int day) {
+  year -= month <= 2 ? 1 : 0;
+  const std::int64_t era = year / 400;
+  const std::int64_t of_era = year - era * 400;
+  const std::int64_t of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
+}
+
+struct CalendarDay {
+  std::int64_t days = 0;  // since 1970
+  bool doubtful = false;  // which number is the month
+};
+
+std::optional<CalendarDay> takeDate(TimeText& text) {
+  int parts[3];
+  parts[0] = text.number(4);
+  const char separator = text.front();
+  if (parts[0] < 0 || !text.take("-./") || (parts[1] = text.number(2)) < 0 || !text.take({&separator, 1}) ||
+      (parts[2] = text.number(4)) < 0) {
+    return std::nullopt;
+  }
+  if (parts[0] <= 31) {  // the year stands behind
+    std::swap(parts[0], parts[2]);
+    const bool month_first = separator == '/' && parts[2] <= 12;
+    if (month_first) {
+      std::swap(parts[1], parts[2]);
+    }
+  }
+  const int year = parts[0] + (parts[0] < 100 ? 2000 : 0);
+  const bool doubtful = separator == '/' && parts[0] != 0 && parts[1] <= 12 && parts[2] <= 12;
+  if (parts[1] < 1 || parts[1] > 12 || parts[2] < 1 || parts[2] > 31 || year < 1900 || year > 2200) {
+    return std::nullopt;
+  }
+  return CalendarDay{daysSince1970(year, parts[1], parts[2]), doubtful};
+}
+
+// 12 PM is noon, 12 AM midnight.
+int hourOf(int hour, TimeText& text) {
+  text.skipBlanks();
+  const bool after_noon = text.take("Pp");
+  const bool before_noon = !after_noon && text.take("Aa");
+  if (!after_noon && !before_noon) {
+    return hour;
+  }
+  return text.take("Mm") && hour >= 1 && hour <= 12 ? hour % 12 + (after_noon ? 12 : 0) : -1;
+}
+
+std::optional<std::int64_t> takeClock(TimeText& text) {
+  int hour = text.number(2);
+  const int minute = text.take(":") ? text.number(2) : -1;
+  if (hour < 0 || minute < 0) {
+    return std::nullopt;
+  }
+  std::int64_t nanoseconds = 0;
+  if (text.take(":")) {
+    const int second = text.number(2);
+    if (second < 0 || second > 60) {
+      return std::nullopt;
+    }
+    nanoseconds = second * kNanoseconds + (text.take(".,:") ? text.fraction() : 0);
+  } else if (text.take(".,")) {  // minutes, seconds and their fraction, as spreadsheets show them
+    return (hour * 60 + minute) * kNanoseconds + text.fraction();
+  }
+  hour = hourOf(hour, text);
+  if (hour < 0 || hour > 24 || minute > 59) {
+    return std::nullopt;
+  }
+  return (hour * 60 + minute) * 60 * kNanoseconds + nanoseconds;
+}
+
+// East of Greenwich [ns].
+std::optional<std::int64_t> takeZone(TimeText& text) {
+  text.skipBlanks();
+  if (text.atEnd() || text.take("Zz")) {
+    return 0;
+  }
+  const bool west = text.front() == '-';
+  if (!text.take("+-")) {
+    return std::nullopt;
+  }
+  const int hours = text.number(2);
+  text.take(":");
+  const int minutes = text.atEnd() ? 0 : text.number(2);
+  if (hours < 0 || minutes < 0) {
+    return std::nullopt;
+  }
+  return (west ? -1 : 1) * (hours * 60 + minutes) * 60 * kNanoseconds;
+}
+
+}  // namespace
+
+bool isTimeText(std::string_view text) { return TimeTextReader().read(text).has_value(); }
+
+std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
+  TimeText whole(text);
+  std::optional<CalendarDay> day;
+  if (text.find(':') == std::string_view::npos) {
+    return std::nullopt;
+  }
+  if (text.find_first_of("-./") < text.find(':')) {
+    day = takeDate(whole);
+    if (!day || !whole.take(" T_")) {
+      return std::nullopt;
+    }
+    whole.skipBlanks();
+  }
+  const auto of_day = takeClock(whole);
+  const auto zone = of_day ? takeZone(whole) : std::nullopt;
+  if (!zone || !whole.atEnd()) {
+    return std::nullopt;
+  }
+  if (day) {
+    if (day->doubtful && doubtful_day_ && *doubtful_day_ != day->days) {
+      throw std::runtime_error("the date changes, and may be read with its day or its month first; accepted: ISO 8601");
+    }
+    doubtful_day_ = day->doubtful ? std::optional(day->days) : doubtful_day_;
+    return day->days * kDay + *of_day - *zone;
+  }
+  midnights_ += *of_day < last_of_day_ - kDay / 2 ? 1 : 0;
+  last_of_day_ = *of_day;
+  return midnights_ * kDay + *of_day - *zone;
+}
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,24 @@
+// Spectra by Eigen's kissfft.
+#include "numerics/fourier.h"
+
+#include <unsupported/Eigen/FFT>
+
+namespace rubber_suspension::numerics {
+
+struct Fourier::Tables {
+  Eigen::FFT<double> transform;
+};
+
+Fourier::Fourier() : tables_(std::make_unique<Tables>()) {
+  tables_->transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+}
+
+Fourier::~Fourier() = default;
+
+std::vector<std::complex<double>> Fourier::halfSpectrum(const std::vector<double>& samples) {
+  std::vector<std::complex<double>> spectrum;
+  tables_->transform.fwd(spectrum, samples);
+  return spectrum;
+}
+
+}  // namespace rubber_suspension::numerics

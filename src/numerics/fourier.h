@@ -1,0 +1,27 @@
+// Spectra of real samples.
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace rubber_suspension::numerics {
+
+/// The discrete Fourier transform of real samples; powers of two are fastest. It keeps its tables for each length, so
+/// that one transform should serve pieces of the same length.
+class Fourier {
+ public:
+  Fourier();
+  Fourier(const Fourier&) = delete;
+  Fourier& operator=(const Fourier&) = delete;
+  ~Fourier();
+
+  /// Lines 0 to N/2 of N samples, sum over n of x[n] exp(-2 pi i k n / N); the other lines are their conjugates.
+  std::vector<std::complex<double>> halfSpectrum(const std::vector<double>& samples);
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace rubber_suspension::numerics

@@ -1,0 +1,30 @@
+// Least squares by orthogonal decompositions. Eigen's take ten seconds to compile wherever they are used: this is the
+// one place.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubber_suspension::numerics {
+
+/// Of the x with least |A x - b| the one of least norm, so that collinear columns share.
+Eigen::VectorXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::MatrixXd solveLeastNorm(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// An x with least |A x - b|, where of collinear columns some get nothing.
+Eigen::VectorXd solveLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// The same for columns that are known to be independent.
+Eigen::VectorXd solveIndependent(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// What the best A X leaves of B, and the rank of A.
+struct Remainder {
+  Eigen::MatrixXd values;
+  Eigen::Index rank = 0;
+};
+Remainder remainder(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// Orthonormal columns that span the same as these. What is left of a column beside the others counts as nothing below
+/// this share of the largest; at 0, below its rounding.
+Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_share = 0.0);
+
+}  // namespace rubber_suspension::numerics

@@ -1,0 +1,36 @@
+// Symmetric matrices: solutions and eigenvalues. Only their lower halves are read.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubber_suspension::numerics {
+
+/// The factor L of a positive definite matrix L L'.
+class Cholesky {
+ public:
+  explicit Cholesky(const Eigen::MatrixXd& matrix);
+
+  /// False where the matrix is not positive definite; then there is no solution.
+  bool exists() const { return exists_; }
+  auto diagonal() const { return factor_.diagonal(); }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+
+ private:
+  Eigen::MatrixXd factor_;  // above the diagonal it is whatever the matrix was
+  bool exists_ = false;
+};
+
+/// By L D L', so that a matrix may be singular or indefinite.
+Eigen::VectorXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// In rising order, with vectors of length 1 as columns.
+struct Eigensystem {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+Eigensystem eigensystem(const Eigen::MatrixXd& symmetric);
+
+}  // namespace rubber_suspension::numerics

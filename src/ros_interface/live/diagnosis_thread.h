@@ -1,0 +1,58 @@
+// The live diagnosis of all components in a thread of its own, and its topics: a library that the node loads.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "diagnosis/live/live_diagnosis.h"
+#include "ros_interface/live_diagnoser.h"
+
+namespace rubber_suspension::ros_interface {
+
+/// One thread for all components: it reads the samples that the channels keep, under the short locks that these have
+/// anyhow, and looks at one component after the other.
+class DiagnosisThread final : public LiveDiagnoser {
+ public:
+  /// The channels must outlive the object.
+  DiagnosisThread(ros::NodeHandle& handle, const std::vector<node::ComponentChannel*>& channels,
+                  const LiveDiagnoserSettings& settings);
+  ~DiagnosisThread() override;
+
+  void stop() override;
+  io::ComponentDescription found(const std::string& component) const override;
+  void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const override;
+
+ private:
+  struct Watched {
+    node::ComponentChannel* channel;
+    std::shared_ptr<const io::ComponentDescription> configured;
+    std::unique_ptr<diagnosis::LiveDiagnosis> live;
+    std::uint64_t next = 0;  // number of the next sample
+    ros::Publisher publisher;
+    diagnosis::LiveFindings findings;               // under the mutex
+    std::optional<io::ComponentDescription> found;  // under the mutex
+  };
+
+  void run();
+  void serve(Watched& watched);
+  void tell(Watched& watched);
+  bool isStopping() const;
+  const Watched& at(const std::string& component) const;
+
+  LiveDiagnoserSettings settings_;
+  std::vector<Watched> watched_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace rubber_suspension::ros_interface

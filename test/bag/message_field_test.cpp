@@ -1,0 +1,107 @@
+// Numbers of messages of other packages, by the path that users of rosbag and PlotJuggler write.
+#include "bag/message_field.h"
+
+#include <geometry_msgs/WrenchStamped.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Float64.h>
+
+#include <functional>
+#include <string>
+
+#include "bag/bag_log.h"
+#include "io/temporary_file.h"
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kMessages = 50;
+
+double displacementAt(int i) { return 1e-3 * std::sin(0.2 * i); }
+ros::Time stampAt(int i) { return ros::Time(100, 0) + ros::Duration(0.01 * i); }
+
+// A bench of another package: a force sensor, joints with the displacement as the second, a load cell without stamps.
+void writeForeignBag(const std::string& path) {
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  for (int i = 0; i < kMessages; ++i) {
+    geometry_msgs::WrenchStamped wrench;
+    wrench.header.stamp = stampAt(i);
+    wrench.header.frame_id = "cell";
+    wrench.wrench.force.z = -2e6 * displacementAt(i);
+    bag.write("/ft/wrench", stampAt(i), wrench);
+    sensor_msgs::JointState joints;
+    joints.header.stamp = stampAt(i);
+    joints.name = {"boom", "knee"};
+    joints.position = {7.0, displacementAt(i)};
+    bag.write("/joint_states", stampAt(i), joints);
+    std_msgs::Float64 cell;
+    cell.data = 2.0 * displacementAt(i);
+    bag.write("/cell", stampAt(i), cell);
+  }
+}
+
+class MessageField : public testing::Test {
+ protected:
+  MessageField() { writeForeignBag(file_.path()); }
+
+  log::Log read(const std::vector<std::string>& columns, const std::string& unit = "") const {
+    return bag::readBagLog(file_.path(), "", log::makeLogFormat(columns, unit, 0.0));
+  }
+
+  std::string refusal(const std::vector<std::string>& columns) const {
+    try {
+      read(columns);
+    } catch (const log::LogError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  void expectNumbers(const log::Log& log) const {
+    ASSERT_EQ(log.size(), static_cast<std::size_t>(kMessages));
+    ASSERT_EQ(log.force.size(), log.size());
+    for (int i = 0; i < kMessages; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      EXPECT_EQ(log.stamp[place], static_cast<std::int64_t>(stampAt(i).toNSec()));
+      EXPECT_EQ(log.displacement[place], displacementAt(i));
+      EXPECT_EQ(log.force[place], 2e6 * displacementAt(i));
+    }
+  }
+
+  TemporaryFile file_{"bench.bag", ""};
+};
+
+TEST_F(MessageField, IsFoundByTopicAndPath) {
+  for (const char* force :
+       {"force=-/ft/wrench/wrench/force/z", "force=-/ft/wrench.wrench.force.z", "force=-/ft/wrench.force.z"}) {
+    for (const char* displacement :
+         {"displacement=/joint_states/position[knee]", "displacement=/joint_states.position[1]"}) {
+      SCOPED_TRACE(std::string(force) + " " + displacement);
+      expectNumbers(read({force, displacement}));
+    }
+  }
+}
+
+TEST_F(MessageField, OfATopicWithoutStampsHasTheTimeOfReceipt) {
+  expectNumbers(read({"force=1e6*/cell", "displacement=/joint_states/position[knee]"}));
+  EXPECT_DOUBLE_EQ(read({"force=/cell.data", "displacement=/joint_states/position[1]"}, "force=kN").force[1],
+                   2e3 * displacementAt(1));
+}
+
+TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
+  const std::string displacement = "displacement=/joint_states/position[1]";
+  EXPECT_THAT(refusal({"force=/ft/torque"}), HasSubstr("displacement=/TOPIC/FIELD"));
+  EXPECT_THAT(refusal({displacement, "force=/nothing/here"}),
+              HasSubstr("accepted: one of /cell, /ft/wrench, /joint_states"));
+  EXPECT_THAT(refusal({displacement, "force=/ft/wrench.strain"}),
+              HasSubstr("no field 'strain'; accepted: one of header, wrench"));
+  EXPECT_THAT(refusal({"displacement=/joint_states/position[9]"}), HasSubstr("message 1: no number there"));
+  EXPECT_THAT(refusal({"displacement=/joint_states/name[0]"}), HasSubstr("a field of type string"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

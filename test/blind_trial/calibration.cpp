@@ -1,0 +1,217 @@
+// Fit of the judgement's numbers.
+#include "calibration.h"
+
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "diagnosis/judge/set_posterior.h"
+
+namespace rubber_suspension::blind_trial {
+namespace {
+
+using diagnosis::Evidence;
+using diagnosis::JudgeNumbers;
+using diagnosis::NumberInfo;
+using diagnosis::SetPosterior;
+using diagnosis::SetProbability;
+
+constexpr double kPartOfTruth = 0.2;        // of `unknown`, where a listed effect is beside an unlisted one
+constexpr double kValuesOfNone = 0.3;       // of wrong values, where the model is about right as configured
+constexpr double kAccepted = 0.02;          // of the force, by an engineer
+
+// The unknowns of the fit: the rows of the table, positive ones by their logarithm, then the rates.
+class Unknowns {
+ public:
+  explicit Unknowns(const std::vector<FittedCase>& cases) {
+    std::set<std::string> names;
+    for (const FittedCase& known : cases) {
+      names.insert(known.table.effects.begin(), known.table.effects.end());
+    }
+    rates_.assign(names.begin(), names.end());
+  }
+
+  int size() const { return static_cast<int>(diagnosis::numberTable().size() + rates_.size()); }
+
+  std::vector<double> means() const {
+    std::vector<double> means;
+    for (const NumberInfo& info : diagnosis::numberTable()) {
+      means.push_back(info.positive ? std::log(info.mean) : info.mean);
+    }
+    means.resize(static_cast<std::size_t>(size()), 0.0);
+    return means;
+  }
+
+  std::vector<double> deviations() const {
+    std::vector<double> deviations;
+    for (const NumberInfo& info : diagnosis::numberTable()) {
+      deviations.push_back(info.deviation);
+    }
+    deviations.resize(static_cast<std::size_t>(size()), diagnosis::kRateDeviation);
+    return deviations;
+  }
+
+  JudgeNumbers numbers(const double* values) const {
+    JudgeNumbers numbers;
+    for (const NumberInfo& info : diagnosis::numberTable()) {
+      numbers.*info.value = info.positive ? std::exp(*values) : *values;
+      ++values;
+    }
+    for (const std::string& effect : rates_) {
+      numbers.rates[effect] = *values++;
+    }
+    return numbers;
+  }
+
+ private:
+  std::vector<std::string> rates_;
+};
+
+// Negative logarithm of the probability of numbers and labels together.
+class Loss final : public ceres::FirstOrderFunction {
+ public:
+  Loss(const std::vector<FittedCase>& cases, const Unknowns& unknowns)
+      : cases_(cases), unknowns_(unknowns), means_(unknowns.means()), deviations_(unknowns.deviations()) {}
+
+  int NumParameters() const override { return unknowns_.size(); }
+
+  bool Evaluate(const double* values, double* loss, double* gradient) const override {
+    constexpr double kStep = 1e-5;
+    *loss = at(values);
+    if (gradient != nullptr) {
+      std::vector<double> moved(values, values + NumParameters());
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved[i] = values[i] + kStep;
+        gradient[i] = (at(moved.data()) - *loss) / kStep;
+        moved[i] = values[i];
+      }
+    }
+    return std::isfinite(*loss);
+  }
+
+ private:
+  double at(const double* values) const {
+    double loss = 0.0;
+    for (std::size_t i = 0; i < means_.size(); ++i) {
+      loss += 0.5 * std::pow((values[i] - means_[i]) / deviations_[i], 2);
+    }
+    const JudgeNumbers numbers = unknowns_.numbers(values);
+    for (const FittedCase& known : cases_) {
+      loss -= std::log(probabilityOfTruth(known, numbers) + kLeastProbability);
+    }
+    return loss;
+  }
+
+  const std::vector<FittedCase>& cases_;
+  const Unknowns& unknowns_;
+  std::vector<double> means_;
+  std::vector<double> deviations_;
+};
+
+std::vector<std::string> namesOf(const SetProbability& set, const FittedCase& known) {
+  std::vector<std::string> names;
+  for (const int member : set.members) {
+    names.push_back(known.table.effects[static_cast<std::size_t>(member)]);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool isIn(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// One of the known causes, and nothing that is not known of it.
+bool fitsMachine(const std::vector<std::string>& names, const Truth& truth) {
+  const bool any =
+      std::any_of(names.begin(), names.end(), [&](const std::string& name) { return isIn(name, truth.effects); });
+  return any && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+           return isIn(name, truth.effects) || isIn(name, truth.also);
+         });
+}
+
+double ofListed(const SetPosterior& posterior, const FittedCase& known) {
+  std::vector<std::string> truth = known.truth.effects;
+  std::sort(truth.begin(), truth.end());
+  double sum = known.truth.unlisted ? kPartOfTruth * posterior.unknown : 0.0;
+  for (const SetProbability& set : posterior.sets) {
+    const std::vector<std::string> names = namesOf(set, known);
+    if (known.truth.kind == "machine") {
+      sum += fitsMachine(names, known.truth) ? set.sum() : 0.0;
+    } else if (names == truth) {
+      sum += known.truth.unlisted ? set.beside : set.sum();
+    }
+  }
+  return sum;
+}
+
+double ofUnlisted(const SetPosterior& posterior, const FittedCase& known) {
+  if (known.truth.unlisted) {
+    return posterior.unknown;
+  }
+  if (known.truth.kind == "parameter_error") {
+    return posterior.parameter_error;
+  }
+  return posterior.none + (known.far_off ? 1.0 : kValuesOfNone) * posterior.parameter_error;
+}
+
+}  // namespace
+
+std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases) {
+  std::vector<FittedCase> fitted;
+  for (const TrialCase& known : cases) {
+    if (known.named) {
+      const double configured = known.named->evidence.at(Evidence::kAsConfigured).held_out;
+      fitted.push_back({scoreTable(*known.named), known.truth, known.isHidden(), configured > kAccepted});
+    }
+  }
+  return fitted;
+}
+
+double probabilityOfTruth(const FittedCase& known, const JudgeNumbers& numbers) {
+  const SetPosterior posterior = setPosterior(known.table, numbers);
+  const double sum = known.truth.effects.empty() ? ofUnlisted(posterior, known) : ofListed(posterior, known);
+  return sum + (known.hidden ? posterior.parameter_error : 0.0);
+}
+
+JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
+  if (cases.empty()) {
+    throw std::invalid_argument("no case with evidence; accepted: at least one");
+  }
+  const Unknowns unknowns(cases);
+  std::vector<double> values = unknowns.means();
+  const ceres::GradientProblem problem(new Loss(cases, unknowns));
+  ceres::GradientProblemSolver::Options options;
+  options.line_search_direction_type = ceres::LBFGS;
+  options.max_num_iterations = 80;
+  options.function_tolerance = 1e-6;
+  options.logging_type = ceres::SILENT;
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::Solve(options, problem, values.data(), &summary);
+  if (!summary.IsSolutionUsable()) {
+    throw std::runtime_error("the numbers cannot be fitted: " + summary.message);
+  }
+  return unknowns.numbers(values.data());
+}
+
+std::string fittedNumbersSource(const JudgeNumbers& numbers, const std::string& of) {
+  std::string text = fmt::format(
+      "// The numbers of the judgement as fitted last. Written by `judge_again --calibrate`:\n// {}.\n"
+      "#include \"diagnosis/judge/numbers.h\"\n\nnamespace rubber_suspension::diagnosis {{\n\n"
+      "const JudgeNumbers& fittedNumbers() {{\n  static const JudgeNumbers numbers = [] {{\n    JudgeNumbers fitted;\n",
+      of);
+  for (const NumberInfo& info : diagnosis::numberTable()) {
+    text += fmt::format("    fitted.{} = {:.4g};\n", info.name, numbers.*info.value);
+  }
+  for (const auto& [effect, rate] : numbers.rates) {
+    text += fmt::format("    fitted.rates[\"{}\"] = {:.3g};\n", effect, rate);
+  }
+  return text + "    return fitted;\n  }();\n  return numbers;\n}\n\n}  // namespace rubber_suspension::diagnosis\n";
+}
+
+}  // namespace rubber_suspension::blind_trial

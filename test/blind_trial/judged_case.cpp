@@ -1,0 +1,159 @@
+// Reading cases and telling whether answers are right.
+#include "judged_case.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "campaign/manifest.h"
+
+namespace rubber_suspension::blind_trial {
+namespace {
+
+namespace fs = std::filesystem;
+using diagnosis::Evidence;
+
+std::string textOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw std::runtime_error(path.string() + ": cannot be read");
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool areAll(const std::vector<std::string>& names, const std::vector<std::string>& wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return has(names, name); });
+}
+
+Truth truthOf(const nlohmann::json& label) {
+  constexpr double kSmallGap = 0.035;
+  Truth truth;
+  truth.kind = label.at("kind").get<std::string>();
+  truth.effects = label.at("effects").get<std::vector<std::string>>();
+  truth.also = label.value("also", std::vector<std::string>{});
+  truth.unlisted = label.contains("unknown") && !label.at("unknown").is_null();
+  const double gap = label.contains("gap") ? label.at("gap").value("wanted", 0.0) : 0.0;
+  truth.small = truth.kind == "single" && gap > 0.0 && gap < kSmallGap;
+  truth.bench = label.contains("bench") && label.at("bench") != "clean";
+  return truth;
+}
+
+TrialCase caseOf(const std::string& name, const fs::path& label, const fs::path& evidence) {
+  try {
+    TrialCase result{name, truthOf(nlohmann::json::parse(textOf(label))), std::nullopt};
+    if (fs::exists(evidence)) {
+      result.named = diagnosis::parseEvidence(textOf(evidence));
+    }
+    return result;
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(label.string() + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(evidence.string() + ": " + error.what());
+  }
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string withoutSlash(const std::string& folder) { return folder.substr(0, folder.find_last_not_of('/') + 1); }
+
+}  // namespace
+
+bool TrialCase::isHidden() const {
+  constexpr double kHidden = 0.007;  // of the force
+  if (truth.effects.empty() || !named) {
+    return false;
+  }
+  const Evidence& evidence = named->evidence;
+  return gap::residualAboveFloor(evidence.reEstimated().held_out, evidence.noise_floor) < kHidden;
+}
+
+bool TrialCase::isRight(const Said& said) const {
+  const bool names_something = !said.effects.empty();
+  if (truth.kind == "machine") {
+    return names_something && has(truth.effects, said.effects.front()) && !namesTooMuch(said);
+  }
+  if (isHidden() && said.verdict == "parameter_error") {
+    return true;
+  }
+  // A series spring on a linear base makes such a base again.
+  if (truth.effects == std::vector<std::string>{"series_compliance"} && !truth.unlisted &&
+      (said.verdict == "parameter_error" || said.verdict == "confounded")) {
+    return true;
+  }
+  if (truth.unlisted && truth.effects.empty()) {
+    return said.verdict == "unknown" || said.verdict == "partly";
+  }
+  if (truth.unlisted) {
+    return said.verdict == "partly" &&
+           std::any_of(said.effects.begin(), said.effects.end(),
+                       [&](const std::string& effect) { return has(truth.effects, effect); });
+  }
+  if (truth.effects.empty()) {
+    return said.verdict == "parameter_error" || (truth.kind == "none" && said.verdict == "none");
+  }
+  const auto count = static_cast<std::ptrdiff_t>(std::min(said.effects.size(), truth.effects.size()));
+  return areAll({said.effects.begin(), said.effects.begin() + count}, truth.effects);
+}
+
+bool TrialCase::namesTooMuch(const Said& said) const {
+  return std::any_of(said.effects.begin(), said.effects.end(), [&](const std::string& effect) {
+    return !has(truth.effects, effect) && !has(truth.also, effect);
+  });
+}
+
+std::string TrialCase::group() const {
+  return truth.kind + (truth.small ? ", 3 %" : "") + (truth.bench ? ", as benches are" : "");
+}
+
+std::vector<TrialCase> casesOfFolder(const std::string& folder) {
+  const std::string stem = withoutSlash(folder);
+  if (!fs::is_directory(stem + "_labels")) {
+    throw std::runtime_error(stem + "_labels: no such folder; accepted: a folder of cases with its labels beside it");
+  }
+  std::vector<TrialCase> cases;
+  for (const fs::path& label : filesIn(stem + "_labels")) {
+    const std::string name = label.stem().string();
+    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // not while it runs
+      cases.push_back(
+          caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
+    }
+  }
+  return cases;
+}
+
+std::vector<TrialCase> casesOfCampaign(const std::string& campaign, const std::vector<std::string>& label_folders) {
+  const campaign::Manifest manifest = campaign::readManifest(campaign);
+  std::vector<TrialCase> cases;
+  for (const std::string& labels : label_folders) {
+    const std::string name = fs::path(withoutSlash(labels)).filename().string();
+    const std::string prefix = name.substr(0, name.rfind("_labels")) + "_";
+    for (const campaign::Job& job : manifest.jobs) {
+      const fs::path label = labels + "/" + job.group.substr(std::min(prefix.size(), job.group.size())) + ".json";
+      if (job.group.compare(0, prefix.size(), prefix) == 0 && fs::exists(label)) {
+        cases.push_back(caseOf(job.group, label,
+                               campaign + "/" + rubber_suspension::campaign::reportFolder(job.id) + "/evidence.json"));
+      }
+    }
+  }
+  return cases;
+}
+
+}  // namespace rubber_suspension::blind_trial

@@ -1,0 +1,99 @@
+# Form error: rubber is no law of a textbook. Each law of a rig times a smooth random function of displacement, speed and
+# level, mixed with another law of the same effect, with a size that drifts; a linear base that is no ladder of springs
+# and dashpots as the file says. Numbers that judge laws are fitted on such rigs: on exact ones they come out too sure.
+"""What keeps the laws of a rig from being exactly those of any candidate."""
+import dataclasses
+
+import numpy as np
+
+from .base import Base, maxwell_response
+
+ONE_FORM = ("inertia", "time_delay", "force_offset", "force_drift", "sensor_gain")  # exact on any rig
+WAVES = 5              # of each random function
+LEVEL_TIME = 2.0       # over which the level of the motion is taken [s]
+
+
+class SmoothFactor:
+    """1 plus a smooth random function, about `size` in RMS, of displacement, speed and level over their scales."""
+
+    def __init__(self, rng, scale, size):
+        self.scale, self.size = scale, size
+        self.waves = rng.normal(0.0, 1.2, (WAVES, 3))
+        self.phases = rng.uniform(0.0, 2.0 * np.pi, WAVES)
+        self.weights = rng.normal(0.0, 1.0, WAVES)
+        self.weights *= np.sqrt(2.0) / np.linalg.norm(self.weights)
+
+    def __call__(self, z, rate):
+        speed = np.gradient(z) * rate
+        window = max(1, int(LEVEL_TIME * rate))
+        sums = np.concatenate(([0.0], np.cumsum(z**2)))
+        first = np.maximum(np.arange(1, len(z) + 1) - window, 0)
+        level = np.sqrt((sums[1:] - sums[first]) / (np.arange(1, len(z) + 1) - first))
+        sizes = (z / self.scale.amplitude, speed / (2.0 * self.scale.speed), level / self.scale.amplitude)
+        total = np.zeros_like(z)
+        for wave, phase, weight in zip(self.waves, self.phases, self.weights):
+            total += weight * np.cos(sum(w * x for w, x in zip(wave, sizes)) + phase)
+        return 1.0 + np.clip(self.size * total, -0.9, 3.0)
+
+
+def drifting(rng, samples, rate, fine_rate, size):
+    """1 plus a slow course over a log, of about `size`: half a wave to one and a half."""
+    t = np.arange(samples) * fine_rate / rate  # of the fine grid, so that a coarse grid sees the same
+    length = max(t[-1], 1.0)
+    return 1.0 + size * np.sin(np.pi * rng.uniform(1.0, 3.0) * t / length + rng.uniform(0.0, 2.0 * np.pi))
+
+
+def rms(forces):
+    return float(np.sqrt(np.mean([np.mean(x**2) for x in forces])))
+
+
+def inexact(rng, scale, effect, other, size):
+    """The effect with a form that is nobody's: only for forces that the motion causes, in parallel to the component.
+
+    `other` is a second law of the same effect, mixed in by up to as much again, or None.
+    """
+    if effect.stage != "parallel" or effect.name in ONE_FORM:
+        return effect
+    factor, seed = SmoothFactor(rng, scale, size), int(rng.integers(2**31))
+    drift, share, exact = rng.uniform(0.0, 0.3 * size), rng.uniform(0.2, 1.0), effect.function
+    mixed = other is not None and other.stage == "parallel"
+    ratio = []
+
+    def run(z, rate):
+        forces = exact(z, rate)
+        if mixed:
+            others = other.function(z, rate)
+            if not ratio:
+                ratio.append(share * rms(forces) / max(rms(others), 1e-30))
+            forces = [a + ratio[0] * b for a, b in zip(forces, others)]
+        course = np.random.default_rng(seed)
+        return [f * factor(x, rate) * drifting(course, len(x), rate, scale.rate, drift) for f, x in zip(forces, z)]
+
+    law = effect.law + ("+" + other.law if mixed else "") + ", inexact"
+    parameters = dict(effect.parameters, form_error=size, drift=drift)
+    return dataclasses.replace(effect, law=law, function=run, parameters=parameters)
+
+
+@dataclasses.dataclass
+class OffLadder(Base):
+    """A linear base with more relaxation than its model has; what is more is in `extra_k` [N/m] and `extra_tau` [s]."""
+
+    extra_k: list = dataclasses.field(default_factory=list)
+    extra_tau: list = dataclasses.field(default_factory=list)
+
+    def _memory(self, z, rate):
+        rest = super()._memory(z, rate)
+        for k, tau in zip(self.extra_k, self.extra_tau):
+            rest += k * maxwell_response(z, tau, rate)
+        return rest
+
+
+def off_ladder(rng, base, size, slowest, fastest):
+    """The base with four more Maxwell elements, of `size` of its static stiffness together.
+
+    Relaxation times are drawn between those ends [s].
+    """
+    k = size * base.k0 * rng.dirichlet(np.ones(4))
+    tau = np.exp(rng.uniform(np.log(fastest), np.log(slowest), 4))
+    fields = {f.name: getattr(base, f.name) for f in dataclasses.fields(Base)}
+    return OffLadder(**fields, extra_k=k.tolist(), extra_tau=tau.tolist())

@@ -1,0 +1,106 @@
+// A virtual laboratory that measures tables of stiffness and loss angle, and what tests of their diagnosis share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "diagnosis/report/contradictions.h"
+#include "fit/table_fit.h"
+#include "rubber_suspension/diagnosis/table_diagnosis.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension::diagnosis {
+
+constexpr double kNoise = 0.01;  // of K*: what a good laboratory states
+
+inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
+  return io::parseComponentFile("components:\n  bush:\n    " + model + "\n" + more, "test").front();
+}
+
+inline const char* const kZener =
+    "{model: maxwell, specification: {static_stiffness: 1.0e6, dynamic_stiffness: 1.3e6, nominal_frequency: 4.0, "
+    "break_frequency: 3.0}";
+inline const char* const kZenerOff =
+    "{model: maxwell, specification: {static_stiffness: 1.1e6, dynamic_stiffness: 1.4e6, nominal_frequency: 4.0, "
+    "break_frequency: 3.5}";
+inline const char* const kManyMaxwell =
+    "{model: multi_maxwell, specification: {static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, nominal_frequency: 4.0, "
+    "maximum_stiffness: 4.9e6, high_frequency: 25.0}";
+
+inline io::ComponentDescription without(const std::string& model) { return bush(model + "}"); }
+inline io::ComponentDescription with(const std::string& model, const std::string& entry) {
+  return bush(model + ", add: [" + entry + "]}");
+}
+
+// The settled loops of a component at a point, by another way than the diagnosis takes.
+inline fit::TablePoint pointOf(const component::Component& component, double frequency, double amplitude,
+                               double mean = 0.0) {
+  response::LoopOptions options;
+  options.mean = mean;
+  options.maximum_cycles = 2000;
+  const auto loop = response::characteristicsAt(component, frequency, amplitude, options).characteristics;
+  return {frequency, amplitude, loop.stiffness, loop.loss_angle, mean};
+}
+
+// A laboratory: errors of stiffness and angle alike.
+class Laboratory {
+ public:
+  explicit Laboratory(unsigned seed, double noise = kNoise) : generator_(seed), normal_(0.0, noise / std::sqrt(2.0)) {}
+
+  fit::TablePoint measured(fit::TablePoint point) {
+    point.stiffness *= 1.0 + normal_(generator_);
+    point.loss_angle += normal_(generator_);
+    return point;
+  }
+
+  fit::MeasuredTable table(const io::ComponentDescription& truth, double time_scale = 1.0) {
+    const component::Component component = truth.makeComponent();
+    fit::MeasuredTable table;
+    table.name = "lab";
+    for (const double amplitude : {1e-4, 3e-4, 1e-3, 2e-3}) {
+      for (const double frequency : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+        table.points.push_back(measured(pointOf(component, frequency / time_scale, amplitude)));
+      }
+    }
+    return table;
+  }
+
+ private:
+  std::mt19937 generator_;
+  std::normal_distribution<double> normal_;
+};
+
+// Held to the invariants of every report.
+inline Diagnosis checkedTable(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
+  Diagnosis result = diagnoseTable(component, table);
+  for (const std::string& contradiction : contradictions(result)) {
+    ADD_FAILURE() << contradiction << ": " << result.sentence;
+  }
+  double shares = 0.0;
+  for (const gap::GapCell& cell : result.where) {
+    shares += cell.share;
+  }
+  if (result.verdict != "check_bench") {
+    EXPECT_NEAR(shares, 1.0, 1e-9);
+  }
+  return result;
+}
+
+/// Friction of 200 N beside a Zener solid: its table, and one diagnosis for all that is asserted of it.
+inline const char* const kFriction = "{type: friction, maximum_force: 200, displacement: 4.0e-4}";
+
+inline const fit::MeasuredTable& frictionTable() {
+  static const fit::MeasuredTable table = Laboratory(1).table(with(kZener, kFriction));
+  return table;
+}
+
+inline const Diagnosis& ofFrictionTable() {
+  static const Diagnosis run = checkedTable(without(kZener), frictionTable());
+  return run;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,63 @@
+// Diagnoses of virtual rigs, each made once in a process: one run serves all tests that assert something of it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "checked_diagnosis.h"
+#include "rig.h"
+
+namespace rubber_suspension {
+
+inline double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
+
+inline double stop(double /*time*/, double z, double /*rate*/) {
+  const double depth = std::max(0.0, std::abs(z) - 0.0012);
+  return std::copysign(3e6 * depth * std::sqrt(depth / 0.0008), z);  // softer at first touch than the candidates' stops
+}
+
+inline double linearStop(double /*time*/, double z, double /*rate*/) {
+  return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
+}
+
+/// Mains hum: in the force, but no function of the motion.
+inline double hum(double time, double /*displacement*/, double /*rate*/) { return 120.0 * std::sin(314.159 * time); }
+
+inline std::vector<log::Log> runRigs(const std::vector<unsigned>& seeds, const RigEffect& effect) {
+  std::vector<log::Log> logs;
+  for (const unsigned seed : seeds) {
+    logs.push_back(runRig("log " + std::to_string(seed), seed, effect));
+  }
+  return logs;
+}
+
+/// Three logs and an unseen one.
+inline diagnosis::Diagnosis diagnoseRig(const RigEffect& effect,
+                                        const io::ComponentDescription& component = rigComponent()) {
+  return checkedDiagnosis(component, runRigs({1, 2, 4}, effect), runRigs({3}, effect));
+}
+
+inline const diagnosis::Diagnosis& ofNothing() {
+  static const diagnosis::Diagnosis run = diagnoseRig(nothing);
+  return run;
+}
+
+inline const diagnosis::Diagnosis& ofAStop() {
+  static const diagnosis::Diagnosis run = diagnoseRig(stop);
+  return run;
+}
+
+inline const diagnosis::Diagnosis& ofHum() {
+  static const diagnosis::Diagnosis run = diagnoseRig(hum);
+  return run;
+}
+
+/// One log without a gap, and nothing held out.
+inline const diagnosis::Diagnosis& ofOneLog() {
+  static const diagnosis::Diagnosis run = checkedDiagnosis(rigComponent(), runRigs({1}, nothing), {});
+  return run;
+}
+
+}  // namespace rubber_suspension

@@ -1,0 +1,74 @@
+// A cause beside a force that no motion causes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension {
+namespace {
+
+constexpr double kRigNoise = 10.0;  // [N]
+constexpr double kHum = 250.0;      // amplitude [N], of a force of about 1 kN
+
+// A machine next door, whose speed wanders: in the band of the motion, and another one in each log.
+RigEffect withHum(RigEffect effect, double phase, double amplitude = kHum) {
+  return [effect, phase, amplitude](double time, double z, double rate) {
+    const double turns = 4.3 * time + 0.6 * std::sin(0.9 * time + phase);
+    return effect(time, z, rate) + amplitude * std::sin(2.0 * element::kPi * turns + 3.0 * phase);
+  };
+}
+
+diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
+  std::vector<log::Log> logs;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    logs.push_back(runRig("log " + std::to_string(seed), seed, withHum(effect(), seed), kRigNoise));
+  }
+  return checkedDiagnosis(rigComponent(), logs, {});
+}
+
+TEST(BesideHum, FrictionThatClosesASmallPartOfTheGapIsNamed) {
+  const diagnosis::Diagnosis result = diagnosed(rigFriction);
+  EXPECT_EQ(result.verdict, "partly");
+  EXPECT_THAT(result.effects, testing::ElementsAre("friction")) << result.sentence;
+  EXPECT_LT(result.closed, 0.29);
+  ASSERT_TRUE(result.surrogate);
+  EXPECT_FALSE(result.surrogate->function_of_the_motion);
+}
+
+TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
+  const diagnosis::Diagnosis result = diagnosed([] { return [](double, double, double) { return 0.0; }; });
+  EXPECT_EQ(result.verdict, "unknown") << result.sentence;
+}
+
+// Six noisy logs confirm the component as configured, a seventh, held out, does not: the surrogate is on top of that
+// one.
+TEST(BesideHum, ASurrogateIsOnTopOfTheAugmentedComponent) {
+  constexpr double kLoud = 80.0;    // noise [N]
+  constexpr double kFaint = 165.0;  // hum [N]: over seven logs half of the noise, more than it in one
+  const RigEffect nothing = [](double, double, double) { return 0.0; };
+  std::vector<log::Log> logs;
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    logs.push_back(runRig("log " + std::to_string(seed), seed, nothing, kLoud));
+  }
+  const log::Log held_out = runRig("held out", 7, withHum(nothing, 7.0, kFaint), kLoud);
+  const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {held_out});
+  ASSERT_EQ(result.verdict, "unknown") << result.sentence;
+  ASSERT_EQ(result.workings->judgement.model, diagnosis::Evidence::kAsConfigured);
+  ASSERT_TRUE(result.surrogate);
+  const auto below = result.augmented.allElements();
+  const auto elements = result.surrogate->component.allElements();
+  ASSERT_EQ(elements.size(), below.size() + 1);
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    EXPECT_EQ(elements[i].values, below[i].values) << below[i].type;
+  }
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,171 @@
+// A bench in other units, turned round, faster, larger, or with its logs in another order: the same verdict, the same
+// probabilities.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "diagnosis/shared_runs.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension {
+namespace {
+
+// A bench with other units, or another machine of the same kind: factors of length, force and time.
+struct Scale {
+  double length = 1.0;
+  double force = 1.0;
+  double time = 1.0;
+};
+
+// The force falls with the logarithm of time from half a second on: two elements a decade.
+RigEffect creep() {
+  struct Element {
+    double time;
+    double force = 0.0;
+  };
+  return [elements = std::vector<Element>{{0.9}, {2.8}, {9.0}, {28.0}, {90.0}}, last = 0.0, before = 0.0](
+             double time, double z, double /*rate*/) mutable {
+    double sum = 0.0;
+    for (Element& element : elements) {
+      const double step = time == 0.0 ? 0.0 : z - last;
+      element.force = element.force * std::exp((before - time) / element.time) + 1e5 * step;
+      sum += element.force;
+    }
+    last = z;
+    before = time;
+    return sum;
+  };
+}
+
+log::Log scaled(log::Log log, const Scale& scale) {
+  for (std::size_t i = 0; i < log.stamp.size(); ++i) {
+    log.stamp[i] = static_cast<std::int64_t>(static_cast<double>(log.stamp[i]) * scale.time);
+    log.displacement[i] *= scale.length;
+    log.force[i] *= scale.force;
+  }
+  return log;
+}
+
+io::ComponentDescription scaled(io::ComponentDescription component, const Scale& scale) {
+  estimation::Specification specification = component.specification();
+  for (const char* key : {"static_stiffness", "dynamic_stiffness"}) {
+    specification.set(key, *specification.find(key) * scale.force / std::abs(scale.length));
+  }
+  for (const char* key : {"nominal_frequency", "break_frequency"}) {
+    specification.set(key, *specification.find(key) / scale.time);
+  }
+  component.specify(specification);
+  return component;
+}
+
+std::vector<log::Log> logsOf(const std::function<RigEffect()>& effect) {
+  return {runRig("one", 1, effect()), runRig("two", 2, effect()), runRig("three", 4, effect())};
+}
+
+diagnosis::Diagnosis diagnoseScaled(const std::function<RigEffect()>& effect, const Scale& scale) {
+  std::vector<log::Log> logs;
+  for (const log::Log& log : logsOf(effect)) {
+    logs.push_back(scaled(log, scale));
+  }
+  return checkedDiagnosis(scaled(rigComponent(), {std::abs(scale.length), std::abs(scale.force), scale.time}), logs,
+                          {scaled(runRig("unseen", 3, effect()), scale)});
+}
+
+/// The bench as it is: one run for all that others are compared with.
+const diagnosis::Diagnosis& reference(const std::string& bench, const std::function<RigEffect()>& effect) {
+  static std::map<std::string, diagnosis::Diagnosis> runs;
+  const auto known = runs.find(bench);
+  return known != runs.end() ? known->second : runs.emplace(bench, diagnoseScaled(effect, {})).first->second;
+}
+
+std::map<std::string, double> probabilities(const diagnosis::Diagnosis& diagnosis) {
+  std::map<std::string, double> result{{"none", diagnosis.posterior.none},
+                                       {"parameter_error", diagnosis.posterior.parameter_error},
+                                       {"none of these", diagnosis.posterior.none_of_these}};
+  for (const diagnosis::CandidateResult& candidate : diagnosis.candidates) {
+    result[candidate.effect] = candidate.probability;
+  }
+  return result;
+}
+
+void expectTheSame(const diagnosis::Diagnosis& one, const diagnosis::Diagnosis& other) {
+  EXPECT_EQ(one.verdict, other.verdict) << other.sentence;
+  EXPECT_EQ(one.effects, other.effects) << other.sentence;
+  EXPECT_NEAR(one.gap.as_configured, other.gap.as_configured, 0.01 * one.gap.as_configured);
+  EXPECT_NEAR(one.gap.noise_floor, other.gap.noise_floor, 0.05 * one.gap.noise_floor);
+  const auto expected = probabilities(one);
+  const auto found = probabilities(other);
+  ASSERT_EQ(expected.size(), found.size());
+  for (const auto& [effect, probability] : expected) {
+    EXPECT_NEAR(found.at(effect), probability, 0.01) << effect;
+  }
+}
+
+struct Case {
+  std::string name;
+  std::function<RigEffect()> effect;
+};
+
+void PrintTo(const Case& bench, std::ostream* stream) { *stream << bench.name; }
+
+class Metamorphic : public testing::TestWithParam<Case> {};
+
+INSTANTIATE_TEST_SUITE_P(Benches, Metamorphic,
+                         testing::Values(Case{"nothing", [] { return RigEffect(nothing); }},
+                                         Case{"stop", [] { return RigEffect(linearStop); }},
+                                         Case{"friction", rigFriction}, Case{"creep", creep}));
+
+TEST_P(Metamorphic, LengthForceAndTimeScale) {
+  const diagnosis::Diagnosis& as_it_is = reference(GetParam().name, GetParam().effect);
+  for (const Scale& scale : {Scale{0.01, 1.0, 1.0}, Scale{100.0, 1.0, 1.0}, Scale{1.0, 0.001, 1.0},
+                             Scale{1.0, 1000.0, 1.0}, Scale{1.0, 1.0, 1.0 / 30.0}, Scale{1.0, 1.0, 100.0}}) {
+    SCOPED_TRACE(testing::Message() << "length " << scale.length << ", force " << scale.force << ", time "
+                                    << scale.time);
+    expectTheSame(as_it_is, diagnoseScaled(GetParam().effect, scale));
+  }
+}
+
+// Both channels change their sign where the test piece is pulled instead of pushed.
+TEST_P(Metamorphic, PulledTheOtherWayItIsTheSame) {
+  expectTheSame(reference(GetParam().name, GetParam().effect), diagnoseScaled(GetParam().effect, {-1.0, -1.0, 1.0}));
+}
+
+// None of these effects remembers one log in the next.
+TEST_P(Metamorphic, TheOrderOfLogsDoesNotMatter) {
+  const std::vector<log::Log> logs = logsOf(GetParam().effect);
+  const log::Log unseen = runRig("unseen", 3, GetParam().effect());
+  expectTheSame(reference(GetParam().name, GetParam().effect),
+                checkedDiagnosis(rigComponent(), {logs[2], logs[0], logs[1]}, {unseen}));
+}
+
+log::Log part(const log::Log& log, std::size_t begin, std::size_t end, const std::string& name) {
+  log::Log result;
+  result.name = name;
+  for (std::size_t i = begin; i < end; ++i) {
+    result.stamp.push_back(log.stamp[i]);
+    result.displacement.push_back(log.displacement[i]);
+    result.force.push_back(log.force[i]);
+  }
+  return result;
+}
+
+// The second half of a log starts in motion, so that less of it counts: the verdict is the same, not the last digit.
+TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
+  std::vector<log::Log> halves;
+  for (const log::Log& log : logsOf(GetParam().effect)) {
+    const std::size_t middle = log.stamp.size() / 2;
+    halves.push_back(part(log, 0, middle, log.name + "_first"));
+    halves.push_back(part(log, middle, log.stamp.size(), log.name + "_second"));
+  }
+  const diagnosis::Diagnosis& whole = reference(GetParam().name, GetParam().effect);
+  const diagnosis::Diagnosis split =
+      checkedDiagnosis(rigComponent(), halves, {runRig("unseen", 3, GetParam().effect())});
+  EXPECT_EQ(whole.verdict, split.verdict) << split.sentence;
+  EXPECT_EQ(whole.effects, split.effects) << split.sentence;
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,44 @@
+// Logs whose force is little more than noise, as of a hold at rest: they hide nothing that the others show.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// All but at rest: 4 N of force within 20 N of noise, as all logs of the rig have.
+log::Log hold(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> noise(0.0, 20.0);
+  log::Log log = runRig("hold", seed, rigFriction());
+  for (std::size_t i = 0; i < log.stamp.size(); ++i) {
+    log.displacement[i] = 4e-6 * std::sin(0.002 * static_cast<double>(i));
+    log.force[i] = 1e6 * log.displacement[i] + noise(generator);
+  }
+  return log;
+}
+
+TEST(NoisyLog, HidesNothing) {
+  const auto result = checkedDiagnosis(rigComponent(), {runRig("one", 1, rigFriction()), hold(5), hold(6)},
+                                       {runRig("unseen", 3, rigFriction()), hold(7)});
+  EXPECT_EQ(result.verdict, "named") << result.sentence;
+  EXPECT_THAT(result.effects, ElementsAre("friction"));
+  // 20 N of a kN in the log that moves, and the hold adds 2 %; alike they would come to 0.7.
+  EXPECT_LT(result.gap.noise_floor, 0.05);
+  const auto noisy = std::find_if(result.admission.begin(), result.admission.end(),
+                                  [](const auto& admission) { return admission.log == "hold"; });
+  ASSERT_NE(noisy, result.admission.end());
+  EXPECT_THAT(noisy->notes, ::testing::Contains(HasSubstr("times as much as other logs")));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,124 @@
+// A force channel of wrong gain: told beside wrong values, which do the same; not where values are off by other
+// factors, and not within the rig's tolerance.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/rig.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+log::Log runWithGain(const std::string& name, unsigned seed, double gain) {
+  log::Log log = runRig(name, seed, [](double, double, double) { return 0.0; });
+  for (double& force : log.force) {
+    force *= 1.0 + gain;
+  }
+  return log;
+}
+
+diagnosis::Diagnosis diagnoseWithGain(double gain, const io::ComponentDescription& component = rigComponent()) {
+  return checkedDiagnosis(component, {runWithGain("one", 1, gain), runWithGain("two", 2, gain)},
+                          {runWithGain("unseen", 3, gain)});
+}
+
+TEST(SensorGain, IsToldBesideWrongValues) {
+  for (const double gain : {0.5, -0.4}) {
+    const diagnosis::Diagnosis result = diagnoseWithGain(gain);
+    EXPECT_EQ(result.verdict, "confounded") << result.sentence;
+    EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
+    ASSERT_EQ(result.confounded.size(), 1U);
+    EXPECT_THAT(result.confounded[0], ElementsAre("sensor_gain", "parameter_error"));
+    const auto found = std::find_if(result.candidates.begin(), result.candidates.end(),
+                                    [](const auto& candidate) { return candidate.effect == "sensor_gain"; });
+    ASSERT_NE(found, result.candidates.end());
+    // 20 N of noise on some 5000 samples of a kN; what the prior on the values leaves to them is less.
+    EXPECT_NEAR(found->parameters.at("gain"), gain, 0.005);
+    EXPECT_THAT(result.sentence, HasSubstr(gain > 0.0 ? "50.0 % too much" : "too little"));
+    EXPECT_THAT(result.next_experiment, HasSubstr("known weight"));
+  }
+}
+
+// Specifications err by as much.
+TEST(SensorGain, IsLessLikelyThanWrongValuesThatSpecificationsHave) {
+  for (const double gain : {0.08, -0.12}) {
+    const diagnosis::Diagnosis result = diagnoseWithGain(gain);
+    EXPECT_EQ(result.verdict, "parameter_error") << result.sentence;
+    EXPECT_THAT(result.sentence,
+                HasSubstr(gain > 0.0 ? "So would a force channel that reads 8.0 % too much" : "too little"));
+  }
+}
+
+TEST(SensorGain, IsNoneOfAnUnevenError) {
+  io::ComponentDescription wrong = rigComponent();
+  estimation::Specification specification = wrong.specification();
+  specification.set("static_stiffness", 0.85e6);
+  wrong.specify(specification);
+  EXPECT_EQ(diagnoseWithGain(0.0, wrong).verdict, "parameter_error");
+}
+
+TEST(SensorGain, WithinTheToleranceIsNoCause) {
+  io::ComponentDescription component = rigComponent();
+  component.rig = io::RigTolerances{};
+  component.rig->gain = {0.25, true};  // 2 standard deviations of it are more than ln 1.5
+  const diagnosis::Diagnosis result = diagnoseWithGain(0.5, component);
+  EXPECT_TRUE(result.effects.empty()) << result.sentence;
+}
+
+double gainFound(const diagnosis::Diagnosis& result, const std::string& log) {
+  const auto found = std::find_if(result.rig_findings.begin(), result.rig_findings.end(), [&](const auto& finding) {
+    return finding.log == log && finding.finding == "sensor_gain";
+  });
+  return found == result.rig_findings.end() ? 0.0 : found->value;
+}
+
+// An amplifier whose range was changed between logs; what the logs have in common is that of the values.
+TEST(SensorGain, IsNamedWhereItDiffersFromLogToLog) {
+  const diagnosis::Diagnosis result =
+      checkedDiagnosis(rigComponent(), {runWithGain("one", 1, 0.1), runWithGain("two", 2, -0.05)},
+                       {runWithGain("unseen", 3, 0.1), runWithGain("other", 4, -0.05)});
+  EXPECT_EQ(result.verdict, "named") << result.sentence;
+  EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
+  EXPECT_LT(result.gap.augmented, 1.05 * result.gap.noise_floor);
+  EXPECT_NEAR((1.0 + gainFound(result, "one")) / (1.0 + gainFound(result, "two")), 1.1 / 0.95, 0.005);
+  EXPECT_NEAR((1.0 + gainFound(result, "unseen")) / (1.0 + gainFound(result, "other")), 1.1 / 0.95, 0.005);
+}
+
+TEST(SensorGain, MayStandBesideAnotherEffect) {
+  const auto run = [](const std::string& name, unsigned seed, double gain) {
+    log::Log log = runRig(name, seed, rigFriction());
+    for (double& force : log.force) {
+      force *= 1.0 + gain;
+    }
+    return log;
+  };
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {run("one", 1, 0.15), run("two", 2, -0.15), run("three", 5, 0.15)}, {run("unseen", 3, -0.15)});
+  EXPECT_THAT(result.effects, ::testing::UnorderedElementsAre("friction", "sensor_gain")) << result.sentence;
+}
+
+// Gains of each log follow whatever depends on amplitude, too: stiffening by a fifth from the smallest log to the
+// largest.
+TEST(SensorGain, IsNoneOfAnEffectThatDependsOnAmplitude) {
+  const auto run = [](const std::string& name, unsigned seed, double share) {
+    log::Log log = runRig(name, seed, [](double, double, double) { return 0.0; });
+    for (std::size_t i = 0; i < log.stamp.size(); ++i) {
+      log.displacement[i] *= share;
+      log.force[i] = share * log.force[i] + 6e10 * std::pow(log.displacement[i], 3);
+    }
+    return log;
+  };
+  const diagnosis::Diagnosis result = checkedDiagnosis(
+      rigComponent(), {run("small", 1, 0.5), run("middle", 2, 0.75), run("large", 5, 1.0)}, {run("unseen", 3, 0.9)});
+  EXPECT_THAT(result.effects, ElementsAre("progressive_stiffness")) << result.sentence;
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,200 @@
+// Whole diagnoses of measured tables: which effect they name, beside wrong values, and beside what logs say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/laboratory.h"
+#include "diagnosis/rig.h"
+#include "rubber_suspension/gap/replay.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
+std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
+  const component::Component component = truth.makeComponent();
+  std::vector<log::Log> logs;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    log::Log log = runRig("log" + std::to_string(seed), seed, [](double, double, double) { return 0.0; });
+    log.force = gap::simulateLog(component, log);
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal(0.0, 15.0);
+    for (double& force : log.force) {
+      force += normal(generator);
+    }
+    logs.push_back(std::move(log));
+  }
+  return logs;
+}
+
+// The effect named first, and with it what cannot be told from it.
+std::vector<std::string> firstSet(const Diagnosis& diagnosis) {
+  return diagnosis.confounded.empty() ? std::vector<std::string>{} : diagnosis.confounded.front();
+}
+
+struct Case {
+  const char* effect;
+  const char* model;
+  const char* entry;
+};
+
+class BothShow : public testing::TestWithParam<Case> {};
+
+TEST_P(BothShow, TheSameEffectInATableAndInLogs) {
+  const auto& [effect, model, entry] = GetParam();
+  const io::ComponentDescription truth = with(model, entry);
+  const Diagnosis by_table = checkedTable(without(model), Laboratory(1).table(truth));
+  const Diagnosis by_logs = checkedDiagnosis(without(model), logsOf(truth), {});
+  EXPECT_THAT(firstSet(by_table), Contains(effect)) << by_table.sentence;
+  EXPECT_THAT(firstSet(by_logs), Contains(effect)) << by_logs.sentence;
+  EXPECT_EQ(by_table.effects.size(), 1U) << by_table.sentence;
+  // Most of the gap goes.
+  EXPECT_GT(by_table.closed, 0.8);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Effects, BothShow,
+    testing::Values(Case{"friction", kZener, kFriction},
+                    Case{"relaxation", kZener, "{type: maxwell, stiffness: 6.0e5, break_frequency: 0.5}"},
+                    Case{"viscous_damping", kZener, "{type: dashpot, damping: 3000}"},
+                    Case{"progressive_stiffness", kZener, "{type: progressive_stiffness, cubic: 1.0e11}"},
+                    Case{"bump_stop", kZener, "{type: bump_stop, stiffness: 2.0e6, gap: 1.2e-3}"},
+                    Case{"free_play", kZener, "{type: free_play, gap: 3.0e-5}"},
+                    Case{"inertia", kZener, "{type: inertia, mass: 30}"},
+                    Case{"rate_amplitude_coupling", kZener,
+                         "{type: nonlinear_maxwell, stiffness: 6.0e5, break_frequency: 3, displacement: 2.0e-4}"}),
+    [](const auto& test) { return std::string(test.param.effect); });
+
+// On a linear model a compliance is seen through the values that it would take to imitate it, which stay in the set.
+TEST(TableDiagnosis, FindsASeriesCompliance) {
+  const Diagnosis found = checkedTable(
+      without(kManyMaxwell), Laboratory(1).table(with(kManyMaxwell, "{type: series_compliance, stiffness: 3.0e7}")));
+  EXPECT_THAT(firstSet(found), Contains("series_compliance")) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("This table cannot tell apart"));
+}
+
+TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
+  for (const char* model : {kZener, kManyMaxwell}) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+      const Diagnosis found = checkedTable(without(model), Laboratory(seed).table(without(model)));
+      EXPECT_EQ(found.verdict, "none") << found.sentence;
+      EXPECT_THAT(found.effects, IsEmpty());
+    }
+  }
+}
+
+TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Diagnosis found = checkedTable(without(kZener), Laboratory(seed).table(without(kZenerOff)));
+    EXPECT_EQ(found.verdict, "parameter_error") << found.sentence;
+    // To the noise of the table over the root of its rows, and a few times that.
+    for (const SizedValue& size : found.model_sizes) {
+      if (size.name == "static_stiffness") {
+        EXPECT_NEAR(size.value, 1.1e6, 0.02 * 1.1e6);
+      }
+    }
+  }
+}
+
+TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
+  const Diagnosis found = checkedTable(without(kZener), Laboratory(2).table(with(kZenerOff, kFriction)));
+  EXPECT_THAT(found.effects, ElementsAre("friction")) << found.sentence;
+}
+
+// Half as much again of all forces is a gain, or values that are all off by as much: further than specifications are.
+TEST(TableDiagnosis, TellsAGainBesideWrongValues) {
+  fit::MeasuredTable table = Laboratory(1).table(without(kZener));
+  for (fit::TablePoint& point : table.points) {
+    point.stiffness *= 1.5;
+  }
+  const Diagnosis found = checkedTable(without(kZener), table);
+  EXPECT_THAT(firstSet(found), ElementsAre("sensor_gain", "parameter_error")) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("this table cannot tell apart sensor_gain and parameter_error"));
+  EXPECT_THAT(found.next_experiment, HasSubstr("No row tells a gain from wrong values"));
+}
+
+// A fluid mount: a resonance of stiffness at 6 Hz is in no law of the list.
+TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
+  fit::MeasuredTable table = Laboratory(1).table(without(kZener));
+  for (fit::TablePoint& point : table.points) {
+    const std::complex<double> x(0.0, point.frequency / 6.0);
+    const std::complex<double> stiffness = point.complexStiffness() * (1.0 + 0.6 * x * x / (1.0 + 0.15 * x + x * x));
+    point.stiffness = std::abs(stiffness);
+    point.loss_angle = std::arg(stiffness);
+  }
+  const Diagnosis found = checkedTable(without(kZener), table);
+  EXPECT_THAT(found.verdict, testing::AnyOf("unknown", "partly")) << found.sentence;
+}
+
+// About a preload the even part of a spring shows as well.
+TEST(TableDiagnosis, TakesRowsAboutMeanDisplacements) {
+  const component::Component truth = with(kZener, "{type: progressive_stiffness, cubic: 3.0e10}").makeComponent();
+  Laboratory laboratory(1);
+  fit::MeasuredTable table{"lab", {}, {}};
+  for (const double mean : {0.0, 2e-3, 4e-3}) {
+    for (const double amplitude : {2e-4, 5e-4}) {
+      for (const double frequency : {1.0, 4.0, 16.0}) {
+        table.points.push_back(laboratory.measured(pointOf(truth, frequency, amplitude, mean)));
+      }
+    }
+  }
+  const Diagnosis found = checkedTable(without(kZener), table);
+  EXPECT_THAT(firstSet(found), Contains("progressive_stiffness")) << found.sentence;
+  EXPECT_GT(found.gap.as_configured, 0.3);
+  EXPECT_LT(found.gap.augmented, 0.03);
+}
+
+TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
+  const std::string elements =
+      "{model: elements, elements: [{type: spring, stiffness: 1.0e6}, "
+      "{type: maxwell, stiffness: 6.0e5, break_frequency: 3.0}]";
+  Laboratory laboratory(1);
+  fit::MeasuredTable table{"lab", {}, {}};
+  for (const double temperature : {0.0, 20.0, 40.0}) {
+    // Rates by the activation energy of 40 kJ/mol about 20 degC: the same component with another break frequency.
+    constexpr double kGas = 8.314462618;
+    const double shift = std::exp(4e4 / kGas * (1.0 / 293.15 - 1.0 / (273.15 + temperature)));
+    const component::Component component(
+        {{"spring", {{"stiffness", {1e6}}}}, {"maxwell", {{"stiffness", {6e5}}, {"break_frequency", {3.0 * shift}}}}});
+    for (const double frequency : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+      fit::TablePoint point = laboratory.measured(pointOf(component, frequency, 5e-4));
+      point.temperature = temperature;
+      table.points.push_back(point);
+    }
+  }
+  const Diagnosis found = checkedTable(bush(elements + "}"), table);
+  EXPECT_THAT(found.effects, ElementsAre("temperature")) << found.sentence;
+  EXPECT_LT(found.gap.augmented, 0.02);
+}
+
+// No second and no newton has a meaning of its own.
+TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
+  constexpr double kSlower = 100.0;
+  constexpr double kSofter = 1e-3;
+  const char* const slow =
+      "{model: maxwell, specification: {static_stiffness: 1.0e3, dynamic_stiffness: 1.3e3, nominal_frequency: 0.04, "
+      "break_frequency: 0.03}";
+  const Diagnosis one = checkedTable(without(kZener), Laboratory(5).table(with(kZener, kFriction)));
+  const Diagnosis other = checkedTable(
+      without(slow),
+      Laboratory(5).table(with(slow, "{type: friction, maximum_force: 0.2, displacement: 4.0e-4}"), kSlower));
+  EXPECT_EQ(one.effects, other.effects);
+  EXPECT_EQ(one.verdict, other.verdict);
+  EXPECT_NEAR(one.gap.augmented, other.gap.augmented, 1e-4);  // where an iteration ends
+  EXPECT_NEAR(one.model_sizes.back().value * kSofter, other.model_sizes.back().value,
+              1e-3 * other.model_sizes.back().value);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,67 @@
+// The temperature in whole diagnoses: a column that explains the gap, none, a component that follows it already.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "diagnosis/checked_diagnosis.h"
+#include "diagnosis/warm_rig.h"
+#include "rubber_suspension/gap/replay.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+const diagnosis::CandidateResult& temperatureOf(const diagnosis::Diagnosis& result) {
+  return *std::find_if(result.candidates.begin(), result.candidates.end(),
+                       [](const diagnosis::CandidateResult& candidate) { return candidate.effect == "temperature"; });
+}
+
+TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
+  const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), warmingLogs(), {unseenLog()});
+  ASSERT_FALSE(result.effects.empty()) << result.sentence;
+  EXPECT_EQ(result.effects.front(), "temperature") << result.sentence;
+  EXPECT_GT(result.closed, 0.9);
+  EXPECT_TRUE(temperatureOf(result).testable);
+  // WLF's slope at 20 degC is ln(10) R T^2 C_1/C_2 = 69 kJ/mol; from 5 to 45 degC it falls from 79 to 58.
+  const double energy = temperatureOf(result).parameters.at("activation_energy");
+  EXPECT_GT(energy, 50e3);
+  EXPECT_LT(energy, 90e3);
+  // The node runs what was found: its replay has the gap of the report.
+  const log::Log unseen = unseenLog();
+  const double replayed = gap::relativeGap(unseen.force, gap::replay(result.augmented.makeComponent(), unseen).force);
+  EXPECT_NEAR(replayed, result.gap_as_recorded.augmented, 1e-3);
+  const auto read = io::parseComponentFile(io::toYaml({result.augmented}), "augmented").front();
+  EXPECT_TRUE(read.makeComponent().shiftsWithTemperature());
+}
+
+TEST(TemperatureEffect, CannotBeTestedWithoutTheColumn) {
+  std::vector<log::Log> logs = warmingLogs();
+  for (log::Log& log : logs) {
+    log.temperature.clear();
+  }
+  const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
+  EXPECT_FALSE(temperatureOf(result).testable);
+  EXPECT_EQ(temperatureOf(result).probability, 0.0);
+  EXPECT_EQ(std::count(result.effects.begin(), result.effects.end(), "temperature"), 0);
+  EXPECT_TRUE(temperatureOf(result).add.empty());
+  for (const std::string& effect : result.effects) {
+    if (effect == "self_heating" || effect == "stress_softening") {
+      EXPECT_THAT(result.sentence, HasSubstr("temperature_degC"));
+    }
+  }
+}
+
+TEST(TemperatureEffect, AComponentThatFollowsTheTemperatureHasNoGap) {
+  io::ComponentDescription component = rigComponent();
+  component.temperature = {"wlf_shift",
+                           {{"c1", {6.13}}, {"c2", {146.8}}, {"reference", {20.0}}, {"vertical", {1.0 / 293.15}}}};
+  const diagnosis::Diagnosis result = checkedDiagnosis(component, warmingLogs(), {unseenLog()});
+  EXPECT_EQ(result.verdict, "none") << result.sentence;
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,93 @@
+// What fuzz targets of components make of their bytes: a component of any elements, and samples for it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "element/typical_elements.h"
+#include "rubber_suspension/component/sample_stream.h"
+
+namespace rubber_suspension::fuzz {
+
+using component::Component;
+using component::SampleStream;
+using element::ElementDescription;
+
+inline void require(bool condition, const char* what) {
+  if (!condition) {
+    std::fprintf(stderr, "violated: %s\n", what);
+    std::abort();
+  }
+}
+
+/// Reads values off the fuzzer's bytes until there are none left.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+
+  template <class Value>
+  bool read(Value& value) {
+    if (left_ < sizeof(Value)) {
+      return false;
+    }
+    std::memcpy(&value, data_, sizeof(Value));
+    data_ += sizeof(Value);
+    left_ -= sizeof(Value);
+    return true;
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t left_;
+};
+
+/// The elements that the bytes choose of the typical ones: how many, then which, each of them once; always a spring, so
+/// that there is a component.
+inline Component chosenComponent(Bytes& bytes) {
+  const std::vector<ElementDescription> all = test::typicalElements();
+  std::vector<bool> is_chosen(all.size(), false);
+  is_chosen.front() = true;
+  std::vector<ElementDescription> chosen = {all.front()};
+  std::uint8_t choices = 0;
+  bytes.read(choices);
+  for (std::uint8_t choice = 0; choices > 0 && bytes.read(choice); --choices) {
+    const std::size_t i = choice % all.size();
+    if (!is_chosen[i]) {
+      is_chosen[i] = true;
+      chosen.push_back(all[i]);
+    }
+  }
+  return Component(chosen);
+}
+
+/// The next sample: steps from a nanosecond to hours, ahead and back, and now and then any 64 bits.
+inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) {
+  std::uint8_t kind = 0;
+  std::int16_t step = 0;
+  std::int16_t position = 0;
+  if (!bytes.read(kind) || !bytes.read(step)) {
+    return false;
+  }
+  const std::int64_t unit[] = {1, 1000, 1000000, 100000000};
+  if (kind % 16 == 15) {
+    std::uint32_t anywhere = 0;  // a ROS stamp has 32 bits of seconds
+    bytes.read(anywhere);
+    stamp = static_cast<std::int64_t>(anywhere) * SampleStream::kNanosecondsPerSecond;
+  } else {
+    stamp = std::max<std::int64_t>(0, stamp + step * unit[kind % 4]);
+  }
+  if (kind / 16 == 15) {
+    return bytes.read(displacement);
+  }
+  const double scale[] = {1e-9, 1e-6, 1e-4, 1.0};  // [m] to a count of 32768
+  const bool more = bytes.read(position);
+  displacement = position * scale[kind / 16 % 4] / 32.0;
+  return more;
+}
+
+}  // namespace rubber_suspension::fuzz

@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""Holds the table of tests in CONTRIBUTING.md to the tests that ctest knows: each is there, in its tier.
+
+Usage: tests.py FOLDER_OF_THE_PACKAGE BUILD_FOLDER; one line per violation, exit status 1 if there is any.
+With a third argument, a part of test names or '', it runs these one after the other instead, and prints for each the
+seconds of the wall and of the processor that it takes, which are those of the table.
+"""
+
+import fnmatch
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import time
+
+ROW = re.compile(r"^\| `([\w*.]+)` \| (quick|all) \|", re.MULTILINE)
+CATKIN = re.compile(r"^_ctest_\w+?_(?=gtest_|rostest_)")  # before the names that catkin makes
+
+
+def tests_of(build):
+    """Of each test: its name without what catkin puts before it, and what ctest tells of it."""
+    told = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True).stdout
+    return {CATKIN.sub("", test["name"]): test for test in json.loads(told)["tests"]}
+
+
+def properties(test):
+    return {entry["name"]: entry["value"] for entry in test["properties"]}
+
+
+def check(root, build):
+    rows = ROW.findall((root / "CONTRIBUTING.md").read_text())
+    tiers = {name: properties(test).get("LABELS", ["none"])[0] for name, test in tests_of(build).items()}
+    problems = []
+    for name, tier in tiers.items():
+        found = [row_tier for pattern, row_tier in rows if fnmatch.fnmatchcase(name, pattern)]
+        if found != [tier]:
+            problems.append(f"{name}: tier {tier} by its label, {', '.join(found) or 'no row'} in the table")
+    if "all" in tiers.values():  # else the build has the quick tier alone
+        problems += [f"{pattern}: in the table, but no test" for pattern, _ in rows
+                     if not fnmatch.filter(tiers, pattern)]
+    for problem in problems:
+        print(f"CONTRIBUTING.md: {problem}")
+    return bool(problems)
+
+
+def used():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def time_tests(build, part):
+    failed = False
+    for name, test in tests_of(build).items():
+        if part not in name or "command" not in test:
+            continue
+        more = properties(test)
+        environment = dict(line.split("=", 1) for line in more.get("ENVIRONMENT", []))
+        before, start = used(), time.monotonic()
+        status = subprocess.run(test["command"], cwd=more["WORKING_DIRECTORY"], env={**os.environ, **environment},
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+        failed |= status not in (0, more.get("SKIP_RETURN_CODE"))
+        print(f"{name}: {time.monotonic() - start:.1f} s, processor {used() - before:.1f} s, exit status {status}",
+              flush=True)
+    return failed
+
+
+if __name__ == "__main__":
+    ROOT, BUILD = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+    sys.exit(time_tests(BUILD, sys.argv[3]) if len(sys.argv) > 3 else check(ROOT, BUILD))

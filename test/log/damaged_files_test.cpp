@@ -1,0 +1,362 @@
+// MATLAB and HDF5 files that are cut, changed, or lead elsewhere: refused, never read as zeros.
+#include <gmock/gmock.h>
+#include <hdf5.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/temporary_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusalOfBytes(const std::string& name, const std::string& bytes) {
+  const TemporaryFile file(name, bytes);
+  try {
+    log::readLogs(file.path());
+  } catch (const log::LogError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Level 5 of MATLAB, written by its format.
+class MatBytes {
+ public:
+  static std::string header() {
+    std::string text(116, ' ');
+    text.resize(128, '\0');  // no data of a subsystem
+    text.replace(0, 19, "MATLAB 5.0 MAT-file");
+    text.replace(124, 4, std::string("\x00\x01IM", 4));
+    return text;
+  }
+
+  static std::string element(std::uint32_t type, const std::string& data) {
+    std::string padded = data;
+    padded.resize((data.size() + 7) / 8 * 8);
+    return words({type, static_cast<std::uint32_t>(data.size())}) + padded;
+  }
+
+  static std::string matrix(std::uint32_t kind, std::uint32_t rows, std::uint32_t columns, const std::string& name,
+                            const std::string& content) {
+    return element(14, element(6, words({kind, 0})) + element(5, words({rows, columns})) + element(1, name) + content);
+  }
+
+  static std::string numbers(const std::string& name, const std::vector<double>& values) {
+    std::string bytes(8 * values.size(), '\0');
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return matrix(6, static_cast<std::uint32_t>(values.size()), 1, name, element(9, bytes));
+  }
+
+  static std::string text(const std::string& name, const std::string& value) {
+    return matrix(4, 1, static_cast<std::uint32_t>(value.size()), name, element(16, value));
+  }
+
+  // A struct, or a row of them: fields of each one after the other.
+  static std::string structure(const std::string& name, const std::vector<std::string>& fields, std::uint32_t count,
+                               const std::string& values) {
+    std::string names;
+    for (std::string field : fields) {
+      field.resize(32);
+      names += field;
+    }
+    return matrix(2, 1, count, name, element(5, words({32})) + element(1, names) + values);
+  }
+
+  static std::string compressed(const std::string& matrix) {
+    std::vector<Bytef> bytes(compressBound(matrix.size()));
+    uLongf size = bytes.size();
+    compress(bytes.data(), &size, reinterpret_cast<const Bytef*>(matrix.data()), matrix.size());
+    return words({15, static_cast<std::uint32_t>(size)}) +
+           std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+
+ private:
+  static std::string words(const std::vector<std::uint32_t>& values) {
+    std::string bytes(4 * values.size(), '\0');
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+  }
+};
+
+constexpr std::size_t kRows = 100;
+
+std::vector<double> channel(double scale) {
+  std::vector<double> values(kRows);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    values[i] = scale * std::sin(0.1 * static_cast<double>(i));
+  }
+  return values;
+}
+
+std::vector<double> times() {
+  std::vector<double> values(kRows);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    values[i] = 0.01 * static_cast<double>(i);
+  }
+  return values;
+}
+
+std::string plainMat() {
+  return MatBytes::header() + MatBytes::numbers("time_s", times()) +
+         MatBytes::numbers("displacement_mm", channel(1.0)) + MatBytes::numbers("force_N", channel(500.0));
+}
+
+std::string compressedMat() {
+  return MatBytes::header() + MatBytes::compressed(MatBytes::numbers("time_s", times())) +
+         MatBytes::compressed(MatBytes::numbers("displacement_mm", channel(1.0))) +
+         MatBytes::compressed(MatBytes::numbers("force_N", channel(500.0)));
+}
+
+// As a scope of Simulink leaves it: structs within a struct, named by their labels.
+std::string scopeMat() {
+  const std::vector<std::string> fields = {"values", "label"};
+  const std::string signals =
+      MatBytes::structure("", fields, 2,
+                          MatBytes::numbers("", channel(1.0)) + MatBytes::text("", "Displacement [mm]") +
+                              MatBytes::numbers("", channel(500.0)) + MatBytes::text("", "Force [N]"));
+  return MatBytes::header() +
+         MatBytes::structure("ScopeData", {"time_s", "signals"}, 1, MatBytes::numbers("", times()) + signals);
+}
+
+void expectChannels(const log::Log& log) {
+  ASSERT_EQ(log.size(), kRows);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    EXPECT_EQ(log.stamp[i], static_cast<std::int64_t>(i) * 10000000);
+    EXPECT_DOUBLE_EQ(log.displacement[i], 1e-3 * channel(1.0)[i]);
+    EXPECT_DOUBLE_EQ(log.force[i], channel(500.0)[i]);
+  }
+}
+
+TEST(MatFile, IsReadWhereItIsWhole) {
+  for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
+    const TemporaryFile file("log.mat", bytes);
+    expectChannels(log::readLog(file.path()));
+  }
+}
+
+TEST(MatFile, OfStructsWithALogEachHoldsSegments) {
+  std::string bytes = MatBytes::header();
+  for (const char* name : {"run1", "run2"}) {
+    bytes += MatBytes::structure(
+        name, {"time_s", "displacement_mm", "force_N"}, 1,
+        MatBytes::numbers("", times()) + MatBytes::numbers("", channel(1.0)) + MatBytes::numbers("", channel(500.0)));
+  }
+  EXPECT_THAT(refusalOfBytes("log.mat", bytes), HasSubstr("2 logs in one file: 'run1', 'run2'"));
+  const TemporaryFile file("log.mat", bytes);
+  expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "2", -1.0)));
+}
+
+TEST(MatFile, IsRefusedWhereverItIsCut) {
+  std::mt19937 random(3);
+  for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
+    // Between two variables a file that is cut is a whole one with fewer of them.
+    for (int i = 0; i < 150; ++i) {
+      const std::size_t size = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
+      EXPECT_NE(refusalOfBytes("log.mat", bytes.substr(0, size)), "") << size << " of " << bytes.size();
+    }
+  }
+}
+
+TEST(MatFile, IsRefusedWhereAByteOfWhatIsCompressedIsChanged) {
+  const std::string bytes = compressedMat();
+  for (std::size_t at = 136; at + 4 < bytes.size(); at += 7) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x20);
+    EXPECT_NE(refusalOfBytes("log.mat", changed), "") << at;
+  }
+}
+
+TEST(MatFile, NamesTheTableThatItCannotRead) {
+  const std::string opaque = MatBytes::element(
+      14, MatBytes::element(6, std::string("\x11\x00\x00\x00\x00\x00\x00\x00", 8)) + MatBytes::element(1, "run") +
+              MatBytes::element(1, "MCOS") + MatBytes::element(1, "table") +
+              MatBytes::matrix(13, 1, 1, "", MatBytes::element(6, std::string(4, '\0'))));
+  EXPECT_THAT(refusalOfBytes("log.mat", MatBytes::header() + opaque),
+              testing::AllOf(HasSubstr("run (table)"), HasSubstr("writetable(NAME, 'LOG.csv')")));
+}
+
+// Writes by libhdf5, which closes what it opens.
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(const std::string& path)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+  ~Hdf5Writer() { H5Fclose(file_); }
+
+  hid_t file() const { return file_; }
+
+  void group(const std::string& name) const {
+    H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  // Of kRows numbers; nothing is written where there are none.
+  void dataset(const std::string& name, const std::vector<double>& values, hid_t properties = H5P_DEFAULT) const {
+    const hsize_t size = kRows;
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t dataset =
+        H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    if (!values.empty()) {
+      H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    }
+    H5Dclose(dataset);
+    H5Sclose(space);
+  }
+
+  void log(const std::string& prefix) const {
+    dataset(prefix + "time_s", times());
+    dataset(prefix + "displacement_mm", channel(1.0));
+    dataset(prefix + "force_N", channel(500.0));
+  }
+
+ private:
+  hid_t file_;
+};
+
+std::string refusalOfHdf5(const std::string& path) {
+  try {
+    log::readLog(path);
+  } catch (const log::LogError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.group("a");
+    writer.group("b");
+    writer.log("a/");
+    writer.log("b/");
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("2 logs in one file: 'a', 'b'"));
+  expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "1", -1.0)));
+  EXPECT_EQ(log::readLogs(file.path(), log::makeLogFormat({}, "", 0.0, "", "all", -1.0)).size(), 2U);
+}
+
+TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
+  struct Row {
+    double time_s;
+    float displacement_mm;
+    double force_N;
+  };
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    std::vector<Row> rows(kRows);
+    for (std::size_t i = 0; i < kRows; ++i) {
+      rows[i] = {times()[i], static_cast<float>(i), channel(500.0)[i]};
+    }
+    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+    H5Tinsert(type, "time_s", HOFFSET(Row, time_s), H5T_NATIVE_DOUBLE);
+    H5Tinsert(type, "displacement_mm", HOFFSET(Row, displacement_mm), H5T_NATIVE_FLOAT);
+    H5Tinsert(type, "force_N", HOFFSET(Row, force_N), H5T_NATIVE_DOUBLE);
+    const hsize_t size = kRows;
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t dataset = H5Dcreate2(writer.file(), "run", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data());
+    H5Dclose(dataset);
+    H5Sclose(space);
+    H5Tclose(type);
+  }
+  const log::Log log = log::readLog(file.path());
+  ASSERT_EQ(log.size(), kRows);
+  EXPECT_DOUBLE_EQ(log.displacement[7], 7e-3);
+  EXPECT_EQ(log.force[7], channel(500.0)[7]);
+}
+
+TEST(Hdf5File, IsRefusedWhereItsDataLieInAnotherFile) {
+  const TemporaryFile secret("secret.txt", std::string(8 * kRows, 's'));
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.dataset("time_s", times());
+    writer.dataset("displacement_mm", channel(1.0));
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(properties, secret.path().c_str(), 0, 8 * kRows);
+    writer.dataset("force_N", {}, properties);
+    H5Pclose(properties);
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': its data lie in other files"));
+}
+
+TEST(Hdf5File, IsRefusedWhereADatasetIsAViewOfOthers) {
+  const TemporaryFile source("source.h5", "");
+  { Hdf5Writer(source.path()).log(""); }
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.dataset("time_s", times());
+    writer.dataset("displacement_mm", channel(1.0));
+    const hsize_t size = kRows;
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_virtual(properties, space, source.path().c_str(), "force_N", space);
+    writer.dataset("force_N", {}, properties);
+    H5Pclose(properties);
+    H5Sclose(space);
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': its data lie in other files"));
+}
+
+TEST(Hdf5File, IsRefusedWhereDataWereNeverWritten) {
+  for (const bool chunked : {false, true}) {
+    const TemporaryFile file("log.h5", "");
+    {
+      const Hdf5Writer writer(file.path());
+      writer.dataset("time_s", times());
+      writer.dataset("displacement_mm", channel(1.0));
+      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+      const hsize_t chunk = 30;
+      if (chunked) {
+        H5Pset_chunk(properties, 1, &chunk);
+      }
+      writer.dataset("force_N", {}, properties);
+      H5Pclose(properties);
+    }
+    EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("'force_N': data that were never written"));
+  }
+}
+
+TEST(Hdf5File, IsRefusedWhereGroupsNestDeep) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    std::string path;
+    for (int i = 0; i < 200; ++i) {
+      path += "/g";
+      writer.group(path);
+    }
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("nested deeper than 32"));
+}
+
+TEST(Hdf5File, NamesATableOfPandas) {
+  const TemporaryFile file("log.h5", "");
+  {
+    const Hdf5Writer writer(file.path());
+    writer.group("run");
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t group = H5Gopen2(writer.file(), "run", H5P_DEFAULT);
+    const hid_t attribute = H5Acreate2(group, "pandas_type", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Aclose(attribute);
+    H5Gclose(group);
+    H5Sclose(space);
+  }
+  EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("pandas.read_hdf('" + file.path() + "', 'run').to_csv('LOG.csv')"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,357 @@
+// Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, marks between thousands,
+// units in the header or in a row of their own, a time as a number, a clock or a date, several logs in one file, cells
+// that were not measured. Each writer knows what its file says.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/temporary_file.h"
+#include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Numbers as whole thousandths, so that their text is exact.
+struct Sample {
+  std::int64_t time_ms;
+  std::int64_t displacement_um;
+  std::int64_t force_mN;
+};
+
+enum class TimeStyle { number, clock, date };
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : random_(seed) {}
+  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+  bool chance() { return upTo(1) == 1; }
+  template <class Values>
+  auto of(const Values& values) {
+    return values[static_cast<std::size_t>(upTo(static_cast<int>(std::size(values)) - 1))];
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+// A file and what it says.
+class Dialect {
+ public:
+  explicit Dialect(unsigned seed) : draw_(seed) {
+    separator_ = draw_.of(std::array<char, 3>{';', '\t', ','});
+    decimal_ = draw_.chance() ? ',' : '.';
+    thousands_ = draw_.chance();
+    quotes_ = separator_ == ',';
+    units_row_ = draw_.chance();
+    style_ = draw_.of(std::array<TimeStyle, 3>{TimeStyle::number, TimeStyle::clock, TimeStyle::date});
+    trailing_ = draw_.chance();
+    end_ = draw_.chance() ? "\r\n" : "\n";
+    const int segments = draw_.upTo(3) == 0 ? 1 + draw_.upTo(2) : 1;
+    for (int i = 0; i < segments; ++i) {
+      addSegment();
+    }
+  }
+
+  const std::string& text() const { return text_; }
+  const std::vector<std::vector<Sample>>& logs() const { return logs_; }
+  std::size_t leftOut() const { return left_out_; }
+  std::int64_t startMs() const { return style_ == TimeStyle::number ? 0 : kBeforeMidnight; }
+  TimeStyle style() const { return style_; }
+
+ private:
+  static constexpr std::int64_t kBeforeMidnight = 86399000;  // [ms] of a day
+
+  void addSegment() {
+    if (!logs_.empty()) {
+      text_ += end_;
+    }
+    addHeader();
+    std::vector<Sample> samples;
+    const int count = 150 + draw_.upTo(200);
+    const bool gaps = draw_.chance();
+    const std::int64_t scale = draw_.chance() ? 3000000 : 30000000;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 0.05 * i;
+      Sample sample{10 * i, std::llround(4321.0 * std::sin(angle)),
+                    std::llround(static_cast<double>(scale) * std::sin(angle + 0.1))};
+      const bool bad = gaps && i == count / 2;
+      addRow(sample, bad);
+      if (bad) {
+        ++left_out_;
+      } else {
+        samples.push_back(sample);
+      }
+    }
+    logs_.push_back(samples);
+  }
+
+  void addHeader() {
+    const char* time = style_ == TimeStyle::number ? "Time" : "Timestamp";
+    if (draw_.chance()) {
+      text_ += fmt::format("Bench 7{}Operator: lab{}", end_, end_);
+    }
+    const std::string time_unit = style_ == TimeStyle::number ? "Sec" : "";
+    const std::string mm = draw_.of(std::array<const char*, 3>{"mm", "MM", "millimeter"});
+    const std::string newton = draw_.of(std::array<const char*, 3>{"N", "newton", "N"});
+    if (units_row_) {
+      addCells({time, "Travel", "Axial Load"});
+      addCells({time_unit, mm, newton});
+    } else {
+      addCells({time + (time_unit.empty() ? "" : " [" + time_unit + "]"), "Travel (" + mm + ")",
+                "Axial Load [" + newton + "]"});
+    }
+  }
+
+  void addCells(const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text_ += (i > 0 ? std::string(1, separator_) : "") + cells[i];
+    }
+    text_ += (trailing_ ? std::string(1, separator_) : "") + end_;
+  }
+
+  void addRow(const Sample& sample, bool bad) {
+    static constexpr std::array<const char*, 9> kWords = {"",   "NaN",  "-inf",    "OL", "Overrun",
+                                                          "--", "#N/A", "1.#QNAN", "n/a"};
+    addCells({timeText(sample.time_ms), numberText(sample.displacement_um),
+              bad ? draw_.of(kWords) : numberText(sample.force_mN)});
+  }
+
+  std::string timeText(std::int64_t ms) const {
+    if (style_ == TimeStyle::number) {
+      return numberText(ms);
+    }
+    const std::int64_t of_day = (kBeforeMidnight + ms) % 86400000;
+    const std::int64_t day = 12 + (kBeforeMidnight + ms) / 86400000;
+    const std::string clock = fmt::format("{:02d}:{:02d}:{:02d}.{:03d}", of_day / 3600000, of_day / 60000 % 60,
+                                          of_day / 1000 % 60, of_day % 1000);
+    return style_ == TimeStyle::clock ? clock : fmt::format("{:02d}.03.2025 {}", day, clock);
+  }
+
+  // Of thousandths, with three digits behind the mark and, if drawn, marks between thousands.
+  std::string numberText(std::int64_t thousandths) const {
+    const std::int64_t whole = std::abs(thousandths) / 1000;
+    std::string digits = std::to_string(whole);
+    if (thousands_ && whole >= 1000) {
+      digits.insert(digits.size() - 3, 1, decimal_ == ',' ? '.' : ',');
+    }
+    const std::string text =
+        fmt::format("{}{}{}{:03d}", thousandths < 0 ? "-" : "", digits, decimal_, std::abs(thousandths) % 1000);
+    return quotes_ ? "\"" + text + "\"" : text;
+  }
+
+  Draw draw_;
+  char separator_ = ';';
+  char decimal_ = '.';
+  bool thousands_ = false;
+  bool quotes_ = false;
+  bool units_row_ = false;
+  bool trailing_ = false;
+  TimeStyle style_ = TimeStyle::number;
+  std::string end_;
+  std::string text_;
+  std::vector<std::vector<Sample>> logs_;
+  std::size_t left_out_ = 0;
+};
+
+void expectLog(const log::Log& log, const std::vector<Sample>& samples, const Dialect& dialect) {
+  ASSERT_EQ(log.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(log.stamp[i] - log.stamp[0], (samples[i].time_ms - samples[0].time_ms) * 1000000);
+    // Two roundings, of the decimal number and of its unit.
+    EXPECT_NEAR(log.displacement[i], 1e-6 * static_cast<double>(samples[i].displacement_um), 1e-17);
+    EXPECT_NEAR(log.force[i], 1e-3 * static_cast<double>(samples[i].force_mN), 1e-11);
+  }
+  const std::int64_t day = dialect.style() == TimeStyle::date ? 20159 : 0;  // 12 March 2025 since 1970
+  EXPECT_EQ(log.stamp[0], (day * 86400000 + dialect.startMs() + samples[0].time_ms) * 1000000);
+}
+
+TEST(Dialects, SayWhatTheirWriterWrote) {
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    const Dialect dialect(seed);
+    const TemporaryFile file("log.csv", dialect.text());
+    SCOPED_TRACE(dialect.text().substr(0, 300));
+    log::LogFormat format;
+    format.segment = log::kAllSegments;
+    const std::vector<log::Log> logs = log::readLogs(file.path(), format);
+    ASSERT_EQ(logs.size(), dialect.logs().size());
+    std::size_t noted = 0;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      expectLog(logs[i], dialect.logs()[i], dialect);
+      for (const std::string& note : logs[i].notes) {
+        noted += note.find("without a number") != std::string::npos ? 1 : 0;
+      }
+      format.segment = i + 1;
+      expectLog(log::readLog(file.path(), format), dialect.logs()[i], dialect);
+      format.segment = log::kAllSegments;
+    }
+    EXPECT_EQ(noted, dialect.leftOut());  // each log lacks one at most
+    if (logs.size() > 1) {
+      EXPECT_THROW(log::readLog(file.path()), log::LogError);
+    }
+    if (::testing::Test::HasFailure()) {
+      return;
+    }
+  }
+}
+
+std::string refusalOf(const std::string& text, const log::LogFormat& format = {}) {
+  const TemporaryFile file("log.csv", text);
+  try {
+    log::readLog(file.path(), format);
+  } catch (const log::LogError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+log::Log readBy(const std::string& text, const log::LogFormat& format) {
+  const TemporaryFile file("log.csv", text);
+  return log::readLog(file.path(), format);
+}
+
+// What an error names as accepted is tried with the file that raised it.
+log::LogFormat adviceOf(const std::string& error, const std::string& option) {
+  const std::size_t at = error.find(option + " ");
+  EXPECT_NE(at, std::string::npos) << error;
+  const std::string value =
+      error.substr(at + option.size() + 1).substr(0, error.substr(at + option.size() + 1).find_first_of(" ;"));
+  const auto given = [&](const char* name) { return option == name ? value : ""; };
+  return log::makeLogFormat({}, "", option == "--sampling-rate" ? std::stod(value) : 0.0, given("--decimal"),
+                            given("--segment"), option == "--bridge" ? std::stod(value) : -1.0);
+}
+
+TEST(Advice, SettlesWhetherMarksAreThousands) {
+  const std::string text = "Time [ms];Travel [um];Force [N]\n0;1;998\n5;2;999\n10;3;1.000\n15;4;1.001\n";
+  const std::string error = refusalOf(text);
+  EXPECT_THAT(error, HasSubstr(":4: Force [N]: '1.000' may have decimals or thousands"));
+  EXPECT_EQ(readBy(text, adviceOf(error, "--decimal")).force[2], 1.0);
+  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 0.0, ",", "", -1.0)).force[2], 1000.0);
+}
+
+// A mark that other columns tell holds for all, unless it makes jumps of a channel that has none.
+TEST(Advice, LeavesTheMarkToTheOtherColumns) {
+  const std::string head = "Time [s];Travel [mm];Force [N]\n";
+  EXPECT_EQ(readBy(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
+  EXPECT_EQ(readBy(head + "0.005;1.25;1\n0.010;1.5;1.125\n", {}).force[1], 1.125);
+  EXPECT_THAT(refusalOf(head + "0.005;1.25;998\n0.010;1.5;1.002\n"),
+              HasSubstr("a file without marks between thousands"));
+}
+
+// The mark that a late number tells holds for those before, too.
+TEST(Advice, ReadsAgainWhereALateNumberTellsTheMark) {
+  EXPECT_EQ(readBy("Time [s];Travel [um]\n1;1.250\n2;1.500\n3;2,5\n", {}).displacement[0], 1250e-6);
+}
+
+TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
+  for (const int kind : {0, 1, 2}) {
+    std::string text = "time_s,displacement_mm,force_N\n";
+    for (int i = 0; i < 200; ++i) {
+      const int swapped = i == 100 ? 101 : i == 101 ? 100 : i;
+      const double time = kind == 0 ? 0.05 * (i / 10) : kind == 1 ? 0.005 * swapped : std::round(0.5 * i) * 0.01;
+      text += fmt::format("{:.6f},{},{}\n", time, i, 2 * i);
+    }
+    const std::string error = refusalOf(text);
+    const log::Log log = readBy(text, adviceOf(error, "--sampling-rate"));
+    ASSERT_EQ(log.size(), 200U) << error;
+    EXPECT_EQ(log.stamp[199], 199 * 5000000) << error;
+    EXPECT_THAT(log.notes.back(), HasSubstr("are replaced by --sampling-rate 200"));
+  }
+}
+
+TEST(Advice, KeepsGoodStampsAgainstAnotherRate) {
+  const std::string text = "time_s,displacement_mm\n0,1\n0.005,2\n0.01,3\n";
+  const std::string error = refusalOf(text, log::makeLogFormat({}, "", 2000.0));
+  EXPECT_THAT(error, HasSubstr("--sampling-rate says 2000 Hz, the stamps of column 'time_s' 200 Hz"));
+  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 200.0)).size(), 3U);
+}
+
+TEST(Advice, MergesRowsThatRepeat) {
+  const log::Log log = readBy("time_s,displacement_mm\n0,1\n1,2\n1,2\n2,3\n", {});
+  EXPECT_EQ(log.size(), 3U);
+  EXPECT_THAT(log.notes, ::testing::ElementsAre(HasSubstr("1 row that repeats the one before")));
+}
+
+TEST(Advice, BridgesALongerGap) {
+  std::string text = "time_s,displacement_mm,force_N\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += fmt::format("{:.3f},{},{}\n", 0.1 * i, i, i >= 500 && i < 508 ? "Overrun" : std::to_string(i));
+  }
+  const std::string error = refusalOf(text);
+  EXPECT_THAT(error, HasSubstr(":502: force_N: 'Overrun' is not a number"));
+  EXPECT_EQ(readBy(text, adviceOf(error, "--bridge")).size(), 992U);
+}
+
+TEST(Advice, NamesTheSegments) {
+  const std::string text = "time_s,displacement_mm\n0,1\n1,2\n\nSpecimen 2\ntime_s,displacement_mm\n0,3\n1,4\n";
+  const std::string error = refusalOf(text);
+  EXPECT_THAT(error, HasSubstr("2 logs in one file: lines 2 to 3, lines 7 to 8"));
+  EXPECT_EQ(readBy(text, adviceOf(error, "--segment")).displacement[0], 1e-3);
+  EXPECT_EQ(readBy(text, log::makeLogFormat({}, "", 0.0, "", "2", -1.0)).displacement[0], 3e-3);
+}
+
+TEST(Units, AreUnderstoodOrRefusedByName) {
+  const auto at = [](const std::string& column, const std::string& value = "1") {
+    return "time_s," + column + "\n0," + value + "\n1,2\n";
+  };
+  EXPECT_EQ(readBy(at("Displacement [MM]"), {}).displacement[0], 1e-3);
+  EXPECT_THAT(refusalOf(at("Displacement [Mm]")), HasSubstr("unit 'Mm' is 1e+06 m (did you mean 'mm'?)"));
+  EXPECT_THAT(refusalOf(at("Displacement [steps]")), HasSubstr("unit 'steps' is unknown"));
+  for (const auto& [unit, newton] :
+       {std::pair("KN", 1e3), {"lbs", 4.4482216152605}, {"kgf", 9.80665}, {"kp", 9.80665}}) {
+    const log::Log log = readBy(fmt::format("time_s,displacement_mm,Force [{}]\n0,1,1\n1,2,2\n", unit), {});
+    EXPECT_NEAR(log.force[0], newton, 1e-12 * newton) << unit;
+  }
+  EXPECT_THAT(refusalOf("time_s,displacement_mm,Force [Nm]\n0,1,1\n1,2,2\n"), HasSubstr("'Nm'"));
+  for (const char* unit : {"C", "deg C", "\u00b0C"}) {
+    const log::Log log = readBy(fmt::format("time_s,displacement_mm,Temperature [{}]\n0,1,20\n1,2,21\n", unit), {});
+    EXPECT_EQ(log.temperature, (std::vector<double>{20.0, 21.0})) << unit;
+  }
+}
+
+TEST(Columns, TakeAFactorAndASign) {
+  const std::string text = "time_s,displacement_mm,cell\n0,1,1000\n1,2,-500\n";
+  const log::Log log = readBy(text, log::makeLogFormat({"force=-0.001*cell"}, "force=kN", 0.0));
+  EXPECT_DOUBLE_EQ(log.force[0], -1000.0);
+  EXPECT_DOUBLE_EQ(readBy(text, log::makeLogFormat({"force=-cell"}, "force=N", 0.0)).force[1], 500.0);
+}
+
+TEST(Header, TellsUnitsHoweverItsColumnsAreChosen) {
+  const std::string rows = "0,1,2,\n1,2,3,\n";
+  for (const char* header :
+       {"Time (ms),Position (mm),Load (kN),\n", "Time,Position,Load,\nms,mm,kN,\n",
+        "Time,Analog 1,Analog 2,\nms,Displacement (mm),Force (kN),\n", "Unit,mm,kN\nTime [ms],Position,Load,\n"}) {
+    for (const auto& columns : {std::vector<std::string>{}, {"time=1", "displacement=2", "force=3"}}) {
+      const log::Log log = readBy(header + rows, log::makeLogFormat(columns, "", 0.0));
+      EXPECT_EQ(log.stamp[1], 1000000) << header;
+      EXPECT_DOUBLE_EQ(log.displacement[0], 1e-3) << header;
+      EXPECT_DOUBLE_EQ(log.force[0], 2e3) << header;
+    }
+  }
+}
+
+TEST(Times, AreReadWithZoneMidnightAndDays) {
+  const auto stampsOf = [](const std::string& first, const std::string& second) {
+    const log::Log log = readBy("Time;Travel [mm]\n" + first + ";1\n" + second + ";2\n", {});
+    return log.stamp[1] - log.stamp[0];
+  };
+  EXPECT_EQ(stampsOf("23:59:59.5", "00:00:00,25"), 750000000);
+  EXPECT_EQ(stampsOf("12.03.2025 14:31:07,123", "12.03.2025 14:31:07,128"), 5000000);
+  EXPECT_EQ(stampsOf("2025-03-12T14:31:07+01:00", "2025-03-12T13:31:08Z"), 1000000000);
+  EXPECT_EQ(stampsOf("2024-02-28 23:59:59", "2024-03-01 00:00:00"), 86401000000000);  // a leap year
+  EXPECT_EQ(stampsOf("11:59:59 AM", "12:00:00 PM"), 1000000000);
+  EXPECT_NEAR(static_cast<double>(stampsOf("45975.5", "45975.500011574")), 1e9,
+              1e5);  // a second of a spreadsheet's day
+  EXPECT_THAT(refusalOf("Time;Travel [mm]\n11/12/2025 23:59:59;1\n12/12/2025 00:00:00;2\n"), HasSubstr("ISO 8601"));
+  EXPECT_THAT(refusalOf("Time;Travel [mm]\n1;1\n2;2\n"), HasSubstr("--unit time=UNIT"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension

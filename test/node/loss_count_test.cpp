@@ -1,0 +1,109 @@
+// Messages that some subscriber lost, against queues that tell what they drop themselves.
+#include "roscpp_fixes/loss_count.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace rubber_suspension {
+namespace {
+
+using Buffer = roscpp_fixes::LossCount::Buffer;
+
+// A subscriber as roscpp serves it: a queue that drops its oldest, and one message that is being sent out of it.
+class Subscriber {
+ public:
+  explicit Subscriber(std::size_t queue_size) : queue_size_(queue_size) {}
+
+  // Whether one was dropped for it.
+  bool enqueue(const Buffer& message) {
+    const bool full = queue_.size() >= queue_size_;
+    if (full) {
+      queue_.pop_front();
+    }
+    queue_.push_back(message);
+    startSending();
+    return full;
+  }
+
+  // What is being sent has been sent, and the next begins.
+  void send() {
+    sending_.reset();
+    startSending();
+  }
+
+ private:
+  void startSending() {
+    if (!sending_ && !queue_.empty()) {
+      sending_ = queue_.front();
+      queue_.pop_front();
+    }
+  }
+
+  std::size_t queue_size_;
+  std::deque<Buffer> queue_;
+  std::optional<Buffer> sending_;
+};
+
+// Three subscribers that each read as many messages as their pace says, on average, for each that comes; returns how
+// many messages some of them lost.
+std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int messages, unsigned seed) {
+  std::vector<Subscriber> subscribers(3, Subscriber(queue_size));
+  roscpp_fixes::LossCount losses(queue_size);
+  std::size_t counted = 0;
+  std::size_t lost = 0;
+  std::mt19937 random(seed);
+  for (int i = 0; i < messages; ++i) {
+    const Buffer message(new std::uint8_t[1]);
+    losses.begin(message);
+    bool any = false;
+    for (Subscriber& subscriber : subscribers) {
+      any = subscriber.enqueue(message) || any;
+    }
+    lost += any ? 1 : 0;
+    counted += losses.end() ? 1 : 0;
+    for (std::size_t s = 0; s < subscribers.size(); ++s) {
+      for (int reads = std::poisson_distribution<int>(pace[s])(random); reads > 0; --reads) {
+        subscribers[s].send();
+      }
+    }
+  }
+  EXPECT_EQ(counted, lost) << "queue of " << queue_size;
+  return counted;
+}
+
+TEST(LossCount, ExactAtAnyPaceAndLength) {
+  EXPECT_EQ(drive(20, {2.0, 0.0, 2.0}, 2000, 1), 2000U - 21U);  // all but a queue and the one that is being sent
+  std::size_t most = 0;
+  for (const std::size_t queue_size : {2U, 3U, 7U, 50U}) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const double pace = 0.1 * static_cast<double>(seed);
+      most = std::max(most, drive(queue_size, {pace, 1.0, 0.9}, 1000, seed));
+    }
+  }
+  EXPECT_GT(most, 500U);
+}
+
+TEST(LossCount, KeepsNothingThatNoQueueKeeps) {
+  roscpp_fixes::LossCount losses(1000);
+  const auto add = [&](int messages) {
+    for (int i = 0; i < messages; ++i) {
+      losses.begin(Buffer(new std::uint8_t[1]));
+      EXPECT_LE(losses.waiting(), 1001U);
+    }
+  };
+  add(100);
+  EXPECT_LE(losses.waiting(), 1U);
+  // One that is sent forever keeps no others alive beyond a queue.
+  const Buffer stuck(new std::uint8_t[1]);
+  losses.begin(stuck);
+  add(5001);
+  EXPECT_LE(losses.waiting(), 1U);
+}
+
+}  // namespace
+}  // namespace rubber_suspension
