@@ -14,10 +14,9 @@ struct Options {
   std::string output;
 
   OptionTable table() {
-    return {
-        Option("--component", component, "NAME", "name of the component; may be left out where the bag has only one"),
-        Option("--log", input, "FILE", "bag to read").required().reads(),
-        Option("--output", output, "FILE", "CSV file to write").required().writes(io::FileKind::force_csv)};
+    return {Option("--component", component, "NAME", "name of the component, where the bag has several"),
+            Option("--log", input, "FILE", "bag to read").required().reads(),
+            Option("--output", output, "FILE", "CSV file to write").required().writes(io::FileKind::force_csv)};
   }
 };
 

@@ -40,7 +40,7 @@ inline ros_interface::PlayOptions withNotes(ros_interface::PlayOptions play, con
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
   return {Option("--playback-speed", play.rate, "FACTOR",
-                 "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
+                 "multiple of the log's own speed, 0: as fast as the " + partner + " answers")
               .within(0, 1e6),
           Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most")
               .rare()

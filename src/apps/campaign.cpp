@@ -72,7 +72,7 @@ struct Options {
         Option("--output", output, "FOLDER", "folder of the campaign to make").standsFor([this] {
           return madeFiles();
         }),
-        Option("--shard", shard, "I/N", "run every N-th job only, from the I-th on, such as 3/8; for run"),
+        Option("--shard", shard, "I/N", "run every N-th job only, from the I-th on, such as 3/8; for run").rare(),
         Option("--threads", threads, "COUNT",
                "jobs at a time, for run and in each element of submit; threads that check inputs, for make")
             .within(1, 1024),
@@ -81,7 +81,7 @@ struct Options {
             .rare()
             .within(0, 1000000),
         Option("--retry-failed", retry_failed, "work failed jobs off again, for run").rare(),
-        Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").oneOf({"slurm"}),
+        Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").rare().oneOf({"slurm"}),
         Option("--shard-minutes", shard_minutes, "MINUTES", "work of an element of the array, for submit")
             .rare()
             .within(0.001, 10000),
@@ -89,7 +89,7 @@ struct Options {
             .rare()
             .within(1, 1000000),
         Option("--partition", partition, "NAME", "partition of the cluster, for submit; its default if absent").rare(),
-        Option("--dry-run", dry_run, "print the array's script and submit nothing")};
+        Option("--dry-run", dry_run, "print the array's script and submit nothing").rare()};
     options.needs({"--jobs", "--output"}, {"task make"});
     options.needs({"--force"}, {"task make", "task collect"});
     options.needs({"--shard", "--retry-failed"}, {"task run"});

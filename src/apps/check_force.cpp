@@ -54,7 +54,7 @@ OptionTable Options::table() {
              "component file whose force for this log is the reference; if absent, it is the force measured in the log")
           .reads(),
       Option("--config-component", config_component, "NAME", "its name in that file, if different").rare(),
-      Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").within(0, 1e9),
+      Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").rare().within(0, 1e9),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
       plotOption(plot, "forces over time and displacement, and of their difference,"),

@@ -101,14 +101,14 @@ OptionTable Options::table() {
   OptionTable options = {
       component.table(),
       Option("--log", logs, "FILE",
-             "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
+             "measured logs of one component in the order of recording; text (CSV), .mat, HDF5 or .bag")
           .readsEachOnce(),
       Option("--plan", plan, "FILE",
              "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "
              "which they would take for which, and the least size that they would show")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
-             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, with mean "
+             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude; with mean "
              "displacement and temperature where it has them")
           .reads(),
       Option("--uncertainty", uncertainty, "SHARE ANGLE",
@@ -127,7 +127,7 @@ OptionTable Options::table() {
       Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
           .readsEachOnce(),
       Option("--rig", rig, "KEY=VALUE",
-             "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; see "
+             "what the rig may do to a log without being a cause; such as force_zero=\"50 N\" or gain=\"1 %\"; see "
              "`rig:` of component files"),
       Option("--limits", limits, "KEY=VALUE",
              "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
@@ -138,17 +138,18 @@ OptionTable Options::table() {
       }),
       Option("--compare", compare, "FILE",
              "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
+          .rare()
           .reads(),
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
-      plotOption(plot, "loops, residuals and the gap over frequency, amplitude and time"),
+      plotOption(plot, "loops, residuals and the gap"),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
              "amplitudes")
           .rare()
           .within(1000, 100000000),
-      Option("--threads", threads, "COUNT", "number of threads").within(1, 64),
+      Option("--threads", threads, "COUNT", "number of threads").rare().within(1, 64),
       log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
   options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},

@@ -45,17 +45,19 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
       Option("--data-sheet", data_sheet, "FILE",
-             "data sheet instead of --config: prints the component file that follows from it, from hardness and shape, "
+             "data sheet instead of --config; prints the component file that follows from it, from hardness and shape, "
              "a dynamic-to-static ratio, or loss angles at two frequencies")
           .reads(),
       Option("--component", component, "NAME", "name of one component; all if absent"),
-      Option("--json", json, "print JSON, in SI units"),
+      Option("--json", json, "print JSON, in SI units").rare(),
       plotOption(plot, "stiffness and loss angle"),
       Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ",
              "ends of the range of frequencies, such as 0.5 20")
+          .rare()
           .values(2, 2),
       Option("--amplitudes", Quantity{&amplitude_range, "m"}, "METRES",
              "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
+          .rare()
           .values(2, 2),
       Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency at which the amplitude varies").rare(),
       Option("--amplitude", Quantity{&sweeps.amplitude, "m"}, "METRES",

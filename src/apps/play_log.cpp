@@ -46,6 +46,7 @@ OptionTable Options::recordTable() {
       Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N")
           .writes(io::FileKind::force_csv),
       Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
+          .rare()
           .writes(io::FileKind::gap_csv),
       Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap").writes(io::FileKind::bag),
       plotOption(plot, "forces over time and displacement"),
@@ -214,8 +215,8 @@ int main(int argc, char** argv) {
   return runCommand(
       line.argc(), line.argv(),
       {"play_log",
-       "Plays logs through a running node and records the forces. The node answers on <component>/force; "
-       "see launch/replay.launch and launch/bench.launch.",
+       "Plays logs through a running node and records the forces.\n\nThe node answers on <component>/force; see "
+       "launch/replay.launch and launch/bench.launch.",
        {{"As fast as the node answers", "--component bush --log log.csv --output force.csv"},
         {"In real time, over and over", "--component bush --log log.csv --playback-speed 1 --loop 0 --folder runs/run"},
         {"Two components side by side", "--component left right --log left.csv right.csv --folder runs/run"}}},

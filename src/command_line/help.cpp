@@ -105,7 +105,8 @@ std::string rows(const OptionTable& table, bool arguments, HelpSize size) {
   std::string text;
   for (const Option& option : table.options()) {
     if (option.isArgument() == arguments && !option.is_hidden && (size == HelpSize::all || !option.is_rare)) {
-      const std::string help = size == HelpSize::all ? option.help : option.help.substr(0, option.help.find("; "));
+      const bool whole = arguments || size == HelpSize::all;
+      const std::string help = whole ? option.help : option.help.substr(0, option.help.find("; "));
       text += row(option.name + placeholderOf(option), help + limitsOf(option));
     }
   }
@@ -123,17 +124,25 @@ std::string rareOnes(const OptionTable& table) {
   return names;
 }
 
-// A call that is too long for a line continues behind a backslash.
+// A call that is too long for a line continues behind a backslash, between options.
 std::string callText(const std::string& call) {
-  std::string text;
+  std::vector<std::string> parts;  // an option with its values
   std::istringstream words(call);
-  std::string line = " ";
   for (std::string word; words >> word;) {
-    if (line.size() + word.size() + 3 > kWidth && word[0] == '-') {
+    if (parts.empty() || word[0] == '-') {
+      parts.push_back(word);
+    } else {
+      parts.back() += " " + word;
+    }
+  }
+  std::string text;
+  std::string line = " ";
+  for (const std::string& part : parts) {
+    if (line.size() + part.size() + 3 > kWidth) {
       text += line + " \\\n";
       line = "     ";
     }
-    line += " " + word;
+    line += " " + part;
   }
   return text + line + "\n";
 }

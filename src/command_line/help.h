@@ -24,7 +24,7 @@ struct Command {
 };
 
 enum class HelpSize {
-  screen,  ///< --help: the common options, each as far as the first semicolon of its help
+  screen,  ///< --help: the common options, as far as the first semicolon of their help
   all,     ///< --help-all
 };
 

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <climits>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <random>
 
 namespace rubber_suspension::log {
 namespace {
@@ -83,10 +85,15 @@ void freeSlot(int i) {
   throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
 }
 
-// Hidden, short enough for any file system, with the extension, by which some programs choose a format.
-std::string patternBeside(const std::filesystem::path& target) {
+// Hidden, short enough for any file system, with the extension, by which some programs choose a format; random.
+std::string nameBeside(const std::filesystem::path& target) {
   constexpr std::size_t kLongest = 100;
-  return (target.parent_path() / ("." + target.stem().string().substr(0, kLongest) + ".XXXXXX" +
+  const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> place(0, letters.size() - 1);
+  std::string mark(8, ' ');
+  std::generate(mark.begin(), mark.end(), [&] { return letters[place(random)]; });
+  return (target.parent_path() / ("." + target.stem().string().substr(0, kLongest) + "." + mark +
                                   target.extension().string().substr(0, kLongest)))
       .string();
 }
@@ -149,18 +156,26 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
 }
 
 void NewFile::createBeside(int permissions) {
+  constexpr int kAttempts = 100;
   watchSignals();
-  std::string pattern = patternBeside(target_);
-  const std::size_t extension = std::filesystem::path(pattern).extension().string().size();
-  const bool has_extension = pattern.size() > 6 && pattern.compare(pattern.size() - 6, 6, "XXXXXX") != 0;
-  const int descriptor = mkostemps(pattern.data(), has_extension ? static_cast<int>(extension) : 0, O_CLOEXEC);
-  if (descriptor < 0) {
-    fail(path_, errno);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    writing_path_ = nameBeside(target_);
+    slot_ = takeSlot(writing_path_);  // before the file is there: a signal may come at any time
+    const int descriptor = open(writing_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    const int error = errno;
+    if (descriptor >= 0) {
+      fchmod(descriptor, static_cast<mode_t>(permissions));  // a file system without permissions has none to set
+      close(descriptor);
+      return;
+    }
+    freeSlot(slot_);
+    slot_ = -1;
+    writing_path_.clear();
+    if (error != EEXIST) {
+      fail(path_, error);
+    }
   }
-  fchmod(descriptor, static_cast<mode_t>(permissions));  // a file system without permissions has none to set
-  close(descriptor);
-  writing_path_ = pattern;
-  slot_ = takeSlot(writing_path_);
+  fail(path_, EEXIST);
 }
 
 NewFile::~NewFile() { discard(); }

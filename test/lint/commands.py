@@ -78,7 +78,7 @@ def option_violations(text):
             yield f"--help does not say what {option} takes"
         if description.endswith("."):
             yield f"--help ends the description of {option} with a full stop"
-        if re.match(r"[A-Z][a-z]", description) and option not in ("-h,--help", "--version"):
+        if re.match(r"[A-Z][a-z]", description) and option not in ("-h,--help", "--help-all", "--version"):
             yield f"--help begins the description of {option} with a capital letter"
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Tests of what commands say of their options: those without an effect are refused, misspelt ones named, odd values warned
-of; all in one line on stderr.
+of; all in one line on stderr. And of the examples in their help, which work as printed.
 
 Usage: usage_test.py FOLDER_OF_THE_COMMANDS
 """
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAMS = pathlib.Path(sys.argv[1])
+PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
 CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config"
 EXAMPLE = str(CONFIG / "example.yaml")
 BUSH = str(CONFIG / "diagnosis_example" / "component.yaml")
@@ -68,6 +68,54 @@ class Usage(unittest.TestCase):
                 self.assertEqual(answer.returncode, WRONG_USAGE, answer.stderr)
                 self.assertIn(message, answer.stderr)
                 self.assertEqual(answer.stderr.count("\n"), 1)
+
+
+# Commands whose examples need neither a node nor minutes, in an order in which each finds what those before have written.
+EXEMPLIFIED = ("csv_to_bag", "bag_to_csv", "replay", "export_table", "export_bushing", "export_fmu", "estimate", "diagnose",
+               "campaign", "reference", "half_bogie")
+ELSEWHERE = ("man -l", "--forces topics")  # a program that may not be installed, and a node
+SHEET = ("data_sheet:\n  component: bush\n  load: compression\n  shore_a: 60\n  loaded_area: 100 cm^2\n"
+         "  layer_thickness: 20 mm\n  shape_factor: 1.25\n  dynamic_to_static_ratio: 1.4\n  nominal_frequency: 4 Hz\n"
+         "  loss_angle: 5.7 deg\n")
+JOBS = "jobs:\n  one:\n    command: replay\n    config: component.yaml\n    log: log.csv\n"
+
+
+def examples_of(command):
+    """The calls that --help prints."""
+    answer = subprocess.run([PROGRAMS / command, "--help"], capture_output=True, text=True, timeout=60, check=True)
+    text = answer.stdout.partition("\nExamples:\n")[2].replace("\\\n", " ")
+    return [line.strip() for line in text.splitlines() if not line.startswith("  #")]
+
+
+class Examples(unittest.TestCase):
+    def test_work_as_printed(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for path in (BUSH, EXAMPLE, CONFIG / "half_bogie.yaml"):
+                (folder / pathlib.Path(path).name).write_text(pathlib.Path(path).read_text(encoding="utf-8"), encoding="utf-8")
+            rows = pathlib.Path(LOG).read_text(encoding="utf-8").splitlines()[:2001]
+            cells = [row.split(",") for row in rows]
+            for file, lines in {
+                "log.csv": rows, "log_2.csv": rows[:1] + rows[1001:], "track.csv": [",".join(row[:2]) for row in cells],
+                "programme.csv": [",".join(row[:2]) for row in cells], "raw.csv": rows[1:],
+                "untimed.csv": [",".join(row[1:]) for row in cells], "sheet.yaml": [SHEET], "jobs.yaml": [JOBS],
+            }.items():
+                (folder / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+            for command in EXEMPLIFIED:
+                if not (PROGRAMS / command).exists():
+                    continue
+                calls = examples_of(command)
+                self.assertEqual(len(calls), 3)
+                for call in calls:
+                    if not any(word in call for word in ELSEWHERE):
+                        self.check(call, folder)
+
+    def check(self, call, folder):
+        rosrun = 'rosrun() { "$PROGRAMS/$2" "${@:3}"; }; '
+        with self.subTest(call):
+            answer = subprocess.run(["bash", "-c", rosrun + call], cwd=folder, capture_output=True, text=True, timeout=300,
+                                    env={**os.environ, "PROGRAMS": str(PROGRAMS)}, check=False)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
 
 
 class Folders(unittest.TestCase):
