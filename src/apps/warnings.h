@@ -17,7 +17,7 @@ inline void printWarning(const std::string& command, const std::string& warning)
 
 /// Of a component's specification.
 inline void warnOf(const std::string& command, const io::ComponentDescription& description) {
-  for (const std::string& warning : estimation::specificationWarnings(description.specification())) {
+  for (const std::string& warning : estimation::specificationWarnings(description.written())) {
     printWarning(command, description.name + ": " + warning);
   }
 }

@@ -67,6 +67,44 @@ void addFrictionNote(EstimateReport& report) {
   }
 }
 
+std::optional<double> specifiedLossAngle(const estimation::Specification& specification) {
+  if (const auto angle = specification.find("loss_angle")) {
+    return angle;
+  }
+  const auto damping = specification.find("relative_damping");
+  return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
+}
+
+double nominalDisplacementOf(const io::ComponentDescription& description) {
+  return description.model() == estimation::Model::elements
+             ? 0.0
+             : estimation::nominalDisplacement(description.specification());
+}
+
+// A specification that does not say what it describes is that of the base: what the whole has where it has more.
+void addWholeNote(EstimateReport& report, const component::Component& component) {
+  const io::ComponentDescription& description = report.description;
+  const estimation::Specification& specification = description.written();
+  const auto stiffness = specification.find("dynamic_stiffness");
+  const auto frequency = specification.find("nominal_frequency");
+  if (specification.describes() != estimation::Describes::unsaid || !stiffness || !frequency ||
+      (description.add.empty() && specification.curve() == nullptr)) {
+    return;
+  }
+  response::LoopOptions loops;
+  loops.mean = nominalDisplacementOf(description);
+  const double amplitude = specification.valueOr("nominal_amplitude", 1e-3);
+  const response::Characteristics whole =
+      response::characteristicsAt(component, *frequency, amplitude, loops).characteristics;
+  const auto angle = specifiedLossAngle(specification);
+  report.notes.push_back(fmt::format(
+      "the specification is that of the base: the whole has K {:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} "
+      "deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole meets it, with `describes: base` this note "
+      "goes",
+      whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
+      angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
+}
+
 bool allSettled(const EstimateReport& report) {
   bool settled = report.working_point.settled;
   for (const auto* points : {&report.over_frequency, &report.over_amplitude, &report.over_product}) {
@@ -137,6 +175,20 @@ nlohmann::ordered_json pointsJson(const std::vector<response::SweepPoint>& point
   return json;
 }
 
+nlohmann::ordered_json misfitsJson(const std::vector<estimation::PointMisfit>& points) {
+  auto json = nlohmann::ordered_json::array();
+  for (const estimation::PointMisfit& misfit : points) {
+    json.push_back(
+        {{"frequency_hz", misfit.point.frequency},
+         {"amplitude_m", misfit.point.amplitude},
+         {"stiffness_n_per_m", misfit.stiffness},
+         {"stiffness_error", misfit.point.stiffness ? misfit.stiffness / *misfit.point.stiffness - 1.0 : 0.0},
+         {"loss_angle_rad", misfit.loss_angle},
+         {"loss_angle_error_rad", misfit.point.loss_angle ? misfit.loss_angle - *misfit.point.loss_angle : 0.0}});
+  }
+  return json;
+}
+
 nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
   nlohmann::ordered_json json = {{"type", element.type}};
   for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
@@ -147,17 +199,23 @@ nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
 }
 
 nlohmann::ordered_json reportJson(const EstimateReport& report) {
-  nlohmann::ordered_json specification = nlohmann::ordered_json::object();
-  for (const auto& [key, value] : report.description.specification().values()) {
-    specification[key] = value;
-  }
+  const auto numbers = [](const estimation::Specification& specification) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const auto& [key, value] : specification.values()) {
+      json[key] = value;
+    }
+    return json;
+  };
   auto elements = nlohmann::ordered_json::array();
   for (const element::ElementDescription& element : report.elements) {
     elements.push_back(elementJson(element));
   }
   return {{"component", report.description.name},
           {"model", estimation::toString(report.description.model())},
-          {"specification", specification},
+          {"describes", estimation::toString(report.description.written().describes())},
+          {"specification", numbers(report.description.written())},
+          {"base", numbers(report.description.specification())},
+          {"points", misfitsJson(report.description.resolved().points)},
           {"elements", elements},
           {"notes", report.notes},
           {"linear", report.linear},
@@ -209,7 +267,7 @@ std::string constantTitle(const std::string& what, const std::string& unit, cons
 class SpecificationMarks {
  public:
   SpecificationMarks(const EstimateReport& report, int colour)
-      : report_(report), specification_(report.description.specification()), colour_(colour) {}
+      : report_(report), specification_(report.description.written()), colour_(colour) {}
 
   void add(io::Axes& axes, const Column& column, bool stiffness) const {
     const bool over_amplitude = column.points == &EstimateReport::over_amplitude;
@@ -220,7 +278,7 @@ class SpecificationMarks {
     const double low = column.x(points.front());
     const double high = column.x(points.back());
     if (!stiffness) {
-      if (const auto angle = lossAngle(); angle && !over_amplitude) {
+      if (const auto angle = specifiedLossAngle(specification_); angle && !over_amplitude) {
         point(axes, "specified at f_n", "o", "nominal_frequency", *angle * kDegrees, low, high);
       }
       return;
@@ -232,21 +290,13 @@ class SpecificationMarks {
     }
     level(axes, "K_max", "-.", "maximum_stiffness", low, high);
     point(axes, "K_n at f_n", "o", "nominal_frequency", specified("dynamic_stiffness"), low, high);
-    point(axes, "K_max at f_h", "s", "high_frequency", specified("maximum_stiffness"), low, high);
+    point(axes, "K at f_h", "s", "high_frequency", specified("high_frequency_stiffness"), low, high);
   }
 
  private:
   // [kN/mm]; not a number where the specification has none.
   double specified(const char* name) const {
     return specification_.valueOr(name, std::numeric_limits<double>::quiet_NaN()) * 1e-6;
-  }
-
-  std::optional<double> lossAngle() const {
-    if (const auto angle = specification_.find("loss_angle")) {
-      return angle;
-    }
-    const auto damping = specification_.find("relative_damping");
-    return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
   }
 
   void level(io::Axes& axes, const char* label, const char* style, const char* name, double low, double high) const {
@@ -281,13 +331,18 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
   report.description = description;
   report.elements = component.elements();
   report.notes = estimation::estimationNotes(description.model(), description.specification());
+  const std::vector<std::string>& found = description.resolved().notes;
+  report.notes.insert(report.notes.end(), found.begin(), found.end());
   report.linear = component.linear();
   report.product = sweeps.product;
   addFrictionNote(report);
+  addWholeNote(report, component);
 
   io::Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
+  response::LoopOptions loops;
+  loops.mean = nominalDisplacementOf(description);
   const auto at = [&](double frequency, double amplitude) {
-    const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude);
+    const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude, loops);
     progress.advance();
     return point;
   };
@@ -308,9 +363,13 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
 std::string toText(const EstimateReport& report) {
   std::string text = fmt::format("component {}, model {}\n", report.description.name,
                                  estimation::toString(report.description.model()));
-  const std::string specification = specificationText(report.description.specification());
-  if (!specification.empty()) {
-    text += "  specification\n" + specification;
+  const estimation::Specification& written = report.description.written();
+  if (const std::string specification = specificationText(written); !specification.empty()) {
+    const std::string describes = estimation::toString(written.describes());
+    text += fmt::format("  specification{}\n", describes.empty() ? "" : " of the " + describes) + specification;
+  }
+  if (report.description.specification().values() != written.values()) {
+    text += "  base\n" + specificationText(report.description.specification());
   }
   text += "  elements\n";
   for (const element::ElementDescription& element : report.elements) {

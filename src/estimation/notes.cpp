@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <complex>
+
 #include "estimation/models.h"
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -39,9 +43,27 @@ void warnOfSoftness(std::vector<std::string>& warnings, const Specification& spe
   }
 }
 
+// K_max is that at any frequency; a data sheet says that at f_h.
+std::string highFrequencyNote(const Specification& specification, double high_frequency) {
+  std::complex<double> stiffness = 0.0;
+  for (const element::ElementDescription& entry : estimateTangent(Model::multi_maxwell, specification)) {
+    const auto law = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(entry));
+    stiffness += *law->complexStiffness(2.0 * element::kPi * high_frequency);
+  }
+  const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");
+  return fmt::format(
+      "at high_frequency, {:.6g} Hz, K is {:.6g} {}: maximum_stiffness is that far above; give "
+      "high_frequency_stiffness "
+      "for K at high_frequency",
+      high_frequency, std::abs(stiffness) / unit.size, unit.name);
+}
+
 std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   const Band band = multiMaxwellBand(specification);
   std::vector<std::string> notes;
+  if (specification.has("maximum_stiffness")) {
+    notes.push_back(highFrequencyNote(specification, band.high_frequency));
+  }
   if (!specification.has("low_frequency")) {
     notes.push_back(
         fmt::format("low_frequency is {:.6g} Hz by f_l = n_M f_h/10^(n_M-1), a reconstruction of the "
@@ -60,6 +82,9 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
 }  // namespace
 
 std::vector<std::string> estimationNotes(Model model, const Specification& specification) {
+  if (!specification.preloads().empty()) {
+    return {"Maxwell elements and dashpots are linear in the displacement between the preloads, and constant beyond"};
+  }
   switch (model) {
     case Model::kelvin_voigt: {
       std::vector<std::string> notes = {
