@@ -1,12 +1,10 @@
 // The command `bag_to_csv`: one component's displacement and measured force of a bag as a CSV log.
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/output_options.h"
 #include "bag/bag_log.h"
+#include "command_line/command.h"
+#include "command_line/output_options.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -15,6 +13,13 @@ struct Options {
   std::string input;
   std::string output;
   OutputOptions outputs;
+
+  OptionTable table() {
+    return {
+        Option("--component", component, "NAME", "name of the component; may be left out where the bag has only one"),
+        Option("--log", input, "FILE", "bag to read").required(),
+        Option("--output", output, "FILE", "CSV file to write").required(), outputs.table()};
+  }
 };
 
 int convert(const Options& options) {
@@ -32,17 +37,9 @@ int convert(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(argc, argv, "bag_to_csv",
-                    "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
-                    [](CLI::App& app) {
-                      const auto options = std::make_shared<Options>();
-                      app.add_option("--component", options->component,
-                                     "name of the component; may be left out where "
-                                     "the bag has only one")
-                          ->type_name("NAME");
-                      app.add_option("--log", options->input, "bag to read")->required()->type_name("FILE");
-                      app.add_option("--output", options->output, "CSV file to write")->required()->type_name("FILE");
-                      options->outputs.addTo(app);
-                      return [options] { return convert(*options); };
-                    });
+  Options options;
+  return runCommand(
+      argc, argv,
+      {"bag_to_csv", "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log."},
+      options.table(), [&] { return convert(options); });
 }

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <string>
 
+#include "command_line/option_table.h"
 #include "ros_interface/log_player.h"
 #include "ros_interface/loopback.h"
 
@@ -28,6 +29,19 @@ inline void resetComponent(const ros::NodeHandle& handle, const std::string& ser
   if (!service.empty() && (!ros::service::call(handle.resolveName(service), trigger) || !trigger.response.success)) {
     throw ros_interface::PlayError(fmt::format("service {} failed {}", service, trigger.response.message));
   }
+}
+
+/// The options of a player; the partner is who answers it.
+inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
+  using command_line::Option;
+  return {
+      Option("--playback-speed", play.rate, "FACTOR",
+             "multiple of the log's own speed; 0: as fast as the " + partner + " answers")
+          .within(0, 1e6),
+      Option("--in-flight", play.in_flight, "COUNT", "samples sent and not yet answered, at most").within(1, 100000),
+      Option("--timeout", play.answer_timeout, "SECONDS", "time to wait for an answer").within(0.01, 1e6),
+      Option("--connect-timeout", play.connect_timeout, "SECONDS", "time to wait for the " + partner)
+          .within(0.01, 1e6)};
 }
 
 }  // namespace rubber_suspension::apps

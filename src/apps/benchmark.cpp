@@ -2,20 +2,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
 #include "benchmark/cases.h"
 #include "benchmark/long_log.h"
 #include "benchmark/ratio_figure.h"
 #include "benchmark/single_work.h"
+#include "command_line/command.h"
+#include "command_line/output_options.h"
 
 namespace {
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 struct Options {
   bool quick = false;
@@ -27,7 +24,33 @@ struct Options {
   std::string config;
   std::string log;
   OutputOptions outputs;
+
+  OptionTable table();
 };
+
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--quick", quick, "shorter logs and fewer pairs: under a minute"),
+      Option("--samples", samples, "COUNT",
+             "samples of the logs that are simulated; if absent 100000, with --quick 20000")
+          .within(10, 10000000),
+      Option("--log-duration", log_duration, "SECONDS", "length of the logs that are diagnosed").within(1, 604800),
+      Option("--pairs", pairs, "COUNT",
+             "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
+          .within(1, 100000),
+      plotOption(plot, "the ratios"),
+      Option("--work", work, "WORK",
+             "only time the library on this, once, and print JSON: simulate, the force of a log; fit, from the "
+             "component as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is made "
+             "as it is read, with the memory that the process took")
+          .oneOf({"simulate", "fit", "diagnose"}),
+      Option("--config", config, "FILE", "with --work simulate or fit: component file of one component"),
+      Option("--log", log, "FILE", "with --work simulate or fit: CSV log"),
+      outputs.table()};
+  options.needs({"--config", "--log"}, {"--work"}).excludes({"--config", "--log"}, {"--work diagnose"});
+  options.excludes({"--log-duration"}, {"--work simulate", "--work fit"});
+  return options.excludes({"--quick", "--samples", "--pairs", "--plot"}, {"--work"});
+}
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
@@ -83,53 +106,21 @@ int run(const Options& options) {
   return accurate ? kSuccess : kFailed;
 }
 
+int runAsked(const Options& options) {
+  options.outputs.check({}, {{"--plot", options.plot, io::FileKind::figure}});
+  return options.work.empty() ? run(options) : runSingle(options);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  Options options;
   return runCommand(
-      argc, argv, "benchmark",
-      "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
-      "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
-      "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
-      "are wall times.",
-      [](CLI::App& app) -> CommandBody {
-        auto options = std::make_shared<Options>();
-        app.add_flag("--quick", options->quick, "shorter logs and fewer pairs: under a minute");
-        app.add_option("--samples", options->samples,
-                       "samples of the logs that are simulated; if absent 100000, with --quick 20000")
-            ->type_name("COUNT")
-            ->check(CLI::Range(10, 10000000));
-        app.add_option("--log-duration", options->log_duration, "length of the logs that are diagnosed")
-            ->type_name("SECONDS")
-            ->check(CLI::Range(1.0, 604800.0))
-            ->capture_default_str();
-        app.add_option("--pairs", options->pairs,
-                       "pairs of runs of plain loop and library, per row; if absent 101, with --quick 15")
-            ->type_name("COUNT")
-            ->check(CLI::Range(1, 100000));
-        addPlotOption(app, options->plot, "the ratios");
-        app.add_option(
-               "--work", options->work,
-               "only time the library on this, once, and print JSON: simulate, the force of a log; fit, from the "
-               "component as given (both for scripts/benchmark_peers); diagnose, one log of --log-duration that is "
-               "made as it is read, with the memory that the process took")
-            ->type_name("WORK")
-            ->check(CLI::IsMember({"simulate", "fit", "diagnose"}));
-        app.add_option("--config", options->config, "with --work simulate or fit: component file of one component")
-            ->type_name("FILE");
-        app.add_option("--log", options->log, "with --work simulate or fit: CSV log")->type_name("FILE");
-        options->outputs.addTo(app);
-        return [&app, options] {
-          if (options->work.empty()) {
-            refuseUnused(app, {"--config", "--log"}, "without --work");
-          } else {
-            refuseUnused(app, {"--quick", "--samples", "--pairs", "--plot"}, "with --work");
-            using Names = std::vector<std::string>;
-            refuseUnused(app, options->work == "diagnose" ? Names{"--config", "--log"} : Names{"--log-duration"},
-                         "with --work " + options->work);
-          }
-          options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
-          return options->work.empty() ? run(*options) : runSingle(*options);
-        };
-      });
+      argc, argv,
+      {"benchmark",
+       "Times the library against hand-written loops and general solvers, taking turns in one process, and prints a "
+       "Markdown table: ratios are medians over pairs of runs, with quartiles in brackets, the error of the forces "
+       "beside them. Times are CPU times of the thread, so that other programs matter little; for the diagnosis they "
+       "are wall times."},
+      options.table(), [&] { return runAsked(options); });
 }

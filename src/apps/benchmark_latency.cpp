@@ -8,19 +8,18 @@
 #include <memory>
 #include <thread>
 
-#include "apps/command.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/echo_node.h"
 #include "benchmark/latency/latency_benchmark.h"
 #include "benchmark/latency/latency_figures.h"
 #include "benchmark/latency/soak.h"
+#include "command_line/command.h"
+#include "command_line/output_options.h"
 #include "ros_interface/child_process.h"
 #include "ros_interface/command_line.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -30,6 +29,8 @@ struct Options {
   std::uint64_t soak = 0;
   std::string plot;
   OutputOptions outputs;
+
+  OptionTable table();
 };
 
 int serveEcho(ros_interface::RosCommandLine& line, int components) {
@@ -96,64 +97,45 @@ int measure(ros_interface::RosCommandLine& line, const Options& options) {
   return options.soak > 0 ? measureSoak(options) : measureLatency(options);
 }
 
-void addOptions(CLI::App& app, Options& options) {
-  benchmark::BenchmarkOptions& benchmark = options.benchmark;
-  app.add_option("--components", benchmark.components, "numbers of components, one row each")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 500))
-      ->capture_default_str();
-  app.add_option("--sampling-rate", benchmark.rate, "samples per second of each component")
-      ->type_name("HZ")
-      ->check(CLI::Range(1.0, 1e5))
-      ->capture_default_str();
-  app.add_option("--total-sampling-rate", benchmark.total_rate, "samples per second of all components, at most")
-      ->type_name("HZ")
-      ->check(CLI::Range(1.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--duration", benchmark.duration, "length of each run")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
-  app.add_option("--pairs", benchmark.pairs, "runs of the echo node, the node and the echo node again, per row")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_flag("--diagnose", benchmark.diagnose,
-               "compare a node that diagnoses while it runs (~diagnose) with one that does not, both with measured "
-               "forces, in the place of node and echo node");
-  app.add_option("--soak", options.soak,
-                 "number of samples to send as fast as the node answers, to the first number of --components; "
-                 "reports the memory of the node instead of the latency")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{100000000000}));
-  addPlotOption(app, options.plot, "latencies, or of memory over the samples of --soak,");
-  // For the command itself, which starts its echo node so.
-  app.add_option("--echo", options.echo, "be the echo node of this number of components")
-      ->check(CLI::Range(1, 500))
-      ->group("");
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--components", benchmark.components, "COUNT", "numbers of components, one row each").within(1, 500),
+      Option("--sampling-rate", benchmark.rate, "HZ", "samples per second of each component").within(1, 1e5),
+      Option("--total-sampling-rate", benchmark.total_rate, "HZ", "samples per second of all components, at most")
+          .within(1, 1e6),
+      Option("--duration", benchmark.duration, "SECONDS", "length of each run").within(0.1, 3600),
+      Option("--pairs", benchmark.pairs, "COUNT", "runs of the echo node, the node and the echo node again, per row")
+          .within(1, 1000),
+      Option("--diagnose", benchmark.diagnose,
+             "compare a node that diagnoses while it runs (~diagnose) with one that does not, both with measured "
+             "forces, in the place of node and echo node"),
+      Option("--soak", soak, "COUNT",
+             "number of samples to send as fast as the node answers, to the first number of --components; reports the "
+             "memory of the node instead of the latency")
+          .within(1000, 1e11),
+      plotOption(plot, "latencies, or of memory over the samples of --soak,"),
+      // For the command itself, which starts its echo node so.
+      Option("--echo", echo, "COUNT", "be the echo node of this number of components").within(1, 500).hidden(),
+      outputs.table()};
+  return options.excludes({"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
+                          {"--soak"});
+}
+
+int run(ros_interface::RosCommandLine& line, const Options& options) {
+  options.outputs.check({}, {{"--plot", options.plot, io::FileKind::figure}});
+  return options.echo > 0 ? serveEcho(line, options.echo) : measure(line, options);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
+  Options options;
   return runCommand(
-      line.argc(), line.argv(), "benchmark_latency",
-      "Measures round trips through the node `simulate` against those through an empty echo node, in "
-      "alternating runs with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of "
-      "runs, with quartiles in brackets; those of the echo node to itself show how much the machine alone "
-      "changes such a ratio.",
-      [&](CLI::App& app) {
-        const auto options = std::make_shared<Options>();
-        addOptions(app, *options);
-        options->outputs.addTo(app);
-        return [&line, &app, options] {
-          if (options->soak > 0) {
-            refuseUnused(app, {"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
-                         "with --soak");
-          }
-          options->outputs.check({}, {{"--plot", options->plot, io::FileKind::figure}});
-          return options->echo > 0 ? serveEcho(line, options->echo) : measure(line, *options);
-        };
-      });
+      line.argc(), line.argv(),
+      {"benchmark_latency",
+       "Measures round trips through the node `simulate` against those through an empty echo node, in alternating runs "
+       "with a master of their own, and prints a Markdown table. Ratios are medians over the pairs of runs, with "
+       "quartiles in brackets; those of the echo node to itself show how much the machine alone changes such a ratio."},
+      options.table(), [&] { return run(line, options); });
 }

@@ -2,22 +2,24 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
-#include <memory>
 
-#include "apps/command.h"
-#include "apps/output_options.h"
 #include "bag/bag_log.h"
+#include "campaign/collect.h"
 #include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
 #include "campaign/make.h"
 #include "campaign/run.h"
 #include "campaign/slurm.h"
 #include "campaign/status.h"
-#include "campaign/table.h"
-#include "log/new_file.h"
+#include "command_line/command.h"
+#include "command_line/output_options.h"
+#include "log/text.h"
 
-namespace rubber_suspension::apps {
+using namespace rubber_suspension;
+using namespace rubber_suspension::command_line;
+
 namespace {
 
 struct Options {
@@ -30,36 +32,50 @@ struct Options {
   bool retry_failed = false;
   double job_minutes = campaign::kJobMinutes;
   std::string engine;
-  std::size_t max_running = 0;
+  std::uint64_t max_running = 0;
   double shard_minutes = campaign::SlurmOptions().shard_minutes;
   std::string partition;
   bool dry_run = false;
   OutputOptions outputs;
+
+  OptionTable table() {
+    OptionTable options = {
+        Option("task", task, "",
+               "make: from a jobs file to the folder of a campaign, with every input checked; run: work off what is "
+               "not done; submit: the same as a job array of Slurm; status: what is done, failed, missing, running; "
+               "collect: tables of the results and the fleet report")
+            .required()
+            .oneOf({"make", "run", "submit", "status", "collect"}),
+        Option("folder", folder, "", "folder of the campaign, for all but make"),
+        Option("--jobs", jobs, "FILE", "jobs file, for make"),
+        Option("--output", output, "FOLDER", "folder of the campaign to make"),
+        Option("--shard", shard, "I/N", "run every N-th job only, from the I-th on, such as 3/8; for run"),
+        Option("--threads", threads, "COUNT",
+               "jobs at a time, for run and in each element of submit; threads that check inputs, for make")
+            .within(1, 1024),
+        Option("--job-minutes", job_minutes, "MINUTES",
+               "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
+            .within(0, 1000000),
+        Option("--retry-failed", retry_failed, "work failed jobs off again, for run"),
+        Option("--engine", engine, "ENGINE", "what works the jobs off, for submit").oneOf({"slurm"}),
+        Option("--shard-minutes", shard_minutes, "MINUTES", "work of an element of the array, for submit")
+            .within(0.001, 10000),
+        Option("--max-running", max_running, "COUNT", "elements that run at a time, for submit; all if absent")
+            .within(1, 1000000),
+        Option("--partition", partition, "NAME", "partition of the cluster, for submit; its default if absent"),
+        Option("--dry-run", dry_run, "print the array's script and submit nothing"),
+        outputs.table()};
+    options.needs({"--jobs", "--output"}, {"task make"});
+    options.needs({"--force"}, {"task make", "task collect"});
+    options.needs({"--shard", "--retry-failed"}, {"task run"});
+    options.needs({"--engine", "--shard-minutes", "--max-running", "--partition", "--dry-run"}, {"task submit"});
+    options.needs({"--job-minutes"}, {"task run", "task submit"});
+    options.needs({"--threads"}, {"task make", "task run", "task submit"});
+    return options;
+  }
 };
 
-// What each task takes besides the folder.
-const std::map<std::string, std::vector<std::string>>& optionsOfTasks() {
-  static const std::map<std::string, std::vector<std::string>> table = {
-      {"make", {"--jobs", "--output", "--threads", "--force"}},
-      {"run", {"--shard", "--threads", "--job-minutes", "--retry-failed"}},
-      {"submit",
-       {"--engine", "--max-running", "--shard-minutes", "--partition", "--threads", "--job-minutes", "--dry-run"}},
-      {"status", {}},
-      {"collect", {"--force"}},
-  };
-  return table;
-}
-
-// No option is without effect, and none that is needed is missing.
-void checkUse(const CLI::App& app, const Options& options) {
-  const std::vector<std::string>& taken = optionsOfTasks().at(options.task);
-  for (const auto& [task, names] : optionsOfTasks()) {
-    for (const std::string& name : names) {
-      if (std::find(taken.begin(), taken.end(), name) == taken.end()) {
-        refuseUnused(app, {name}, "on " + options.task);
-      }
-    }
-  }
+void checkUse(const Options& options) {
   if (options.task == "make" && (options.jobs.empty() || options.output.empty() || !options.folder.empty())) {
     throw UsageError("make: accepted: campaign make --jobs FILE --output FOLDER");
   }
@@ -80,8 +96,7 @@ int make(const Options& options) {
                         {{"--output", campaign::manifestPath(options.output), io::FileKind::campaign_manifest}});
   campaign::Expansion expansion;
   try {
-    expansion =
-        campaign::makeManifest(options.jobs, options.output, RUBBER_SUSPENSION_VERSION, options.threads, readLog);
+    expansion = campaign::makeManifest(options.jobs, options.output, version(), options.threads, readLog);
   } catch (const campaign::BadInputs& error) {
     for (const std::string& problem : error.problems()) {
       printError("campaign", problem);
@@ -112,7 +127,7 @@ int run(const Options& options) {
   settings.workers = options.threads;
   settings.retry_failed = options.retry_failed;
   settings.job_minutes = options.job_minutes;
-  const campaign::RunSummary summary = campaign::run(options.folder, RUBBER_SUSPENSION_VERSION, settings, readLog, say);
+  const campaign::RunSummary summary = campaign::run(options.folder, version(), settings, readLog, say);
   std::cout << fmt::format("{} jobs done, {} failed, {} passed over because they have a result\n", summary.done,
                            summary.failed, summary.passed_over);
   if (summary.interrupted) {
@@ -129,7 +144,7 @@ int submit(const Options& options) {
     throw UsageError("--partition: '" + options.partition + "'; accepted: the name of a partition, without blanks");
   }
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
-  campaign::requireVersion(manifest, options.folder, RUBBER_SUSPENSION_VERSION);
+  campaign::requireVersion(manifest, options.folder, version());
   campaign::SlurmOptions settings;
   settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
   settings.shard_minutes = options.shard_minutes;
@@ -159,16 +174,7 @@ int collect(const Options& options) {
                          {"FOLDER", campaign::fleetJsonPath(options.folder), io::FileKind::fleet_json},
                          {"FOLDER", campaign::fleetReportPath(options.folder), io::FileKind::fleet_report}});
   const campaign::Manifest manifest = campaign::readManifest(options.folder);
-  campaign::Fleet fleet;
-  const campaign::CollectSummary summary =
-      campaign::writeTables(manifest, options.folder, [&](const campaign::Job& job, const campaign::Record* record) {
-        if (record != nullptr) {
-          fleet.add(job, *record);
-        }
-      });
-  const campaign::FleetFindings findings = fleet.analyse();
-  log::writeNewFile(campaign::fleetJsonPath(options.folder), campaign::toJson(findings));
-  log::writeNewFile(campaign::fleetReportPath(options.folder), campaign::fleetHtml(findings, summary));
+  const campaign::CollectSummary summary = campaign::collect(manifest, options.folder);
   for (const std::string& problem : summary.broken) {
     printNote("campaign", problem + "; counted as missing");
   }
@@ -178,61 +184,20 @@ int collect(const Options& options) {
   return kSuccess;
 }
 
-CommandBody define(CLI::App& app) {
+int runTask(const Options& options) {
   const std::map<std::string, std::function<int(const Options&)>> tasks = {
       {"make", make}, {"run", run}, {"submit", submit}, {"status", status}, {"collect", collect}};
-  auto options = std::make_shared<Options>();
-  app.add_option(
-         "task", options->task,
-         "make: from a jobs file to the folder of a campaign, with every input checked; run: work off what is "
-         "not done; submit: the same as a job array of Slurm; status: what is done, failed, missing, running; collect: "
-         "tables of the results and the fleet report")
-      ->required()
-      ->check(CLI::IsMember({"make", "run", "submit", "status", "collect"}));
-  app.add_option("folder", options->folder, "folder of the campaign, for all but make");
-  app.add_option("--jobs", options->jobs, "jobs file, for make")->type_name("FILE");
-  app.add_option("--output", options->output, "folder of the campaign to make")->type_name("FOLDER");
-  app.add_option("--shard", options->shard, "run every N-th job only, from the I-th on, such as 3/8; for run")
-      ->type_name("I/N")
-      ->capture_default_str();
-  app.add_option("--threads", options->threads,
-                 "jobs at a time, for run and in each element of submit; threads that check inputs, for make")
-      ->type_name("COUNT")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--job-minutes", options->job_minutes,
-                 "a job that takes longer is ended and has failed, for run and in each element of submit; 0: no limit")
-      ->type_name("MINUTES")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1000000.0));
-  app.add_flag("--retry-failed", options->retry_failed, "work failed jobs off again, for run");
-  app.add_option("--engine", options->engine, "what works the jobs off, for submit")
-      ->type_name("ENGINE")
-      ->check(CLI::IsMember({"slurm"}));
-  app.add_option("--shard-minutes", options->shard_minutes, "work of an element of the array, for submit")
-      ->type_name("MINUTES")
-      ->capture_default_str()
-      ->check(CLI::Range(0.001, 10000.0));
-  app.add_option("--max-running", options->max_running, "elements that run at a time, for submit; all if absent")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 1000000));
-  app.add_option("--partition", options->partition, "partition of the cluster, for submit; its default if absent")
-      ->type_name("NAME");
-  app.add_flag("--dry-run", options->dry_run, "print the array's script and submit nothing");
-  options->outputs.addTo(app);
-  return [&app, options, tasks] {
-    checkUse(app, *options);
-    return tasks.at(options->task)(*options);
-  };
+  checkUse(options);
+  return tasks.at(options.task)(options);
 }
 
 }  // namespace
-}  // namespace rubber_suspension::apps
 
 int main(int argc, char** argv) {
-  return rubber_suspension::apps::runCommand(
-      argc, argv, "campaign",
-      "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on one machine, in "
-      "shards on several, or as a job array of Slurm.",
-      rubber_suspension::apps::define);
+  Options options;
+  return runCommand(argc, argv,
+                    {"campaign",
+                     "Works off many diagnoses, estimates and replays: from a jobs file to a table of the results, on "
+                     "one machine, in shards on several, or as a job array of Slurm."},
+                    options.table(), [&] { return runTask(options); });
 }

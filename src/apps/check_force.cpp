@@ -2,21 +2,17 @@
 #include <fmt/format.h>
 #include <ros/node_handle.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <memory>
-
 #include "apps/bench_client.h"
-#include "apps/command.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/force_check.h"
 #include "rubber_suspension/io/component_file.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -33,57 +29,33 @@ struct Options {
   std::string plot;
   bool text = false;
   OutputOptions outputs;
+
+  OptionTable table();
 };
 
-// Refuses what is not a number, which a range lets pass.
-std::string notNegative(const std::string& text) {
-  const double value = std::strtod(text.c_str(), nullptr);
-  return value >= 0.0 && std::isfinite(value) ? "" : "'" + text + "'; accepted: a number of 0 or more";
-}
-
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--component", options.play.component,
-                 "name of the component: its topics are NAME/displacement and "
-                 "NAME/force, below the node's namespace")
-      ->required()
-      ->type_name("NAME");
-  app.add_option("--log", options.log, "log to play: text (CSV), .mat, HDF5 or .bag")->required()->type_name("FILE");
-  app.add_option("--tolerance", options.tolerance,
-                 "largest gap that passes: RMS of the difference over the standard deviation of the reference")
-      ->required()
-      ->check(notNegative)
-      ->type_name("RATIO");
-  app.add_option(
-         "--config", options.config,
-         "component file whose force for this log is the reference; if absent, it is the force measured in the log")
-      ->type_name("FILE");
-  app.add_option("--config-component", options.config_component, "its name in that file, if different")
-      ->type_name("NAME");
-  app.add_option("--skip", options.skip, "start of the log that is played but not compared")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("SECONDS");
-  app.add_option("--playback-speed", options.play.rate,
-                 "multiple of the log's own speed; 0: as fast as the bench answers")
-      ->type_name("FACTOR")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the bench")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--reset", options.reset, "service (std_srvs/Trigger) to call before the first sample")
-      ->type_name("SERVICE");
-  addPlotOption(app, options.plot, "forces over time and displacement, and of their difference,");
-  app.add_option("--gtest_output", options.report, "report to write; set by rostest")->type_name("xml:FILE");
-  app.add_flag("--text", options.text, "accepted without effect; set by rostest --text");
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--component", play.component, "NAME",
+             "name of the component: its topics are NAME/displacement and NAME/force, below the node's namespace")
+          .required(),
+      Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5 or .bag").required(),
+      Option("--tolerance", tolerance, "RATIO",
+             "largest gap that passes: RMS of the difference over the standard deviation of the reference")
+          .required()
+          .within(0, 1e9),
+      Option(
+          "--config", config, "FILE",
+          "component file whose force for this log is the reference; if absent, it is the force measured in the log"),
+      Option("--config-component", config_component, "NAME", "its name in that file, if different"),
+      Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").within(0, 1e9),
+      playerTable(play, "bench"),
+      Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample"),
+      plotOption(plot, "forces over time and displacement, and of their difference,"),
+      Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest"),
+      Option("--text", text, "accepted without effect; set by rostest --text"),
+      log_options.table(),
+      outputs.table()};
+  return options.needs({"--config-component"}, {"--config"});
 }
 
 ros_interface::ForceReference referenceFor(const Options& options, const log::Log& log) {
@@ -166,20 +138,11 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
+  Options options;
   return runCommand(
-      line.argc(), line.argv(), "check_force",
-      "Plays a log through a bench and passes if its forces agree with the force measured in the log, or with "
-      "that of a component file; a test node for rostest.",
-      [&](CLI::App& app) -> CommandBody {
-        const auto options = std::make_shared<Options>();
-        addOptions(app, *options);
-        options->log_options.addTo(app);
-        options->outputs.addTo(app);
-        return [&line, &app, options] {
-          if (options->config.empty()) {
-            refuseUnused(app, {"--config-component"}, "without --config");
-          }
-          return run(line, *options);
-        };
-      });
+      line.argc(), line.argv(),
+      {"check_force",
+       "Plays a log through a bench and passes if its forces agree with the force measured in the log, or "
+       "with that of a component file; a test node for rostest."},
+      options.table(), [&] { return run(line, options); });
 }

@@ -1,13 +1,11 @@
 // The command `csv_to_bag`: a log of any other kind as a bag with the node's topics.
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
 #include "bag/bag_log.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -17,6 +15,12 @@ struct Options {
   std::string output;
   LogOptions log_options;
   OutputOptions outputs;
+
+  OptionTable table() {
+    return {Option("--component", component, "NAME", "name of the component").required(),
+            Option("--log", input, "FILE", "log to read: text (CSV), .mat or HDF5").required(),
+            Option("--output", output, "FILE", "bag to write").required(), log_options.table(), outputs.table()};
+  }
 };
 
 int convert(const Options& options) {
@@ -34,17 +38,10 @@ int convert(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(
-      argc, argv, "csv_to_bag",
-      "Writes a log as a bag with the topics <component>/displacement and "
-      "<component>/measured_force.",
-      [](CLI::App& app) {
-        const auto options = std::make_shared<Options>();
-        app.add_option("--component", options->component, "name of the component")->required()->type_name("NAME");
-        app.add_option("--log", options->input, "log to read: text (CSV), .mat or HDF5")->required()->type_name("FILE");
-        app.add_option("--output", options->output, "bag to write")->required()->type_name("FILE");
-        options->log_options.addTo(app);
-        options->outputs.addTo(app);
-        return [options] { return convert(*options); };
-      });
+  Options options;
+  return runCommand(argc, argv,
+                    {"csv_to_bag",
+                     "Writes a log as a bag with the topics <component>/displacement and "
+                     "<component>/measured_force."},
+                    options.table(), [&] { return convert(options); });
 }

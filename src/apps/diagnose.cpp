@@ -4,34 +4,34 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 
-#include "apps/command.h"
-#include "apps/component_options.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
-#include "apps/warnings.h"
 #include "command/measured_table.h"
+#include "command_line/command.h"
+#include "command_line/component_options.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
+#include "command_line/warnings.h"
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
+#include "log/text.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/diagnosis/plan.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/log/units.h"
 
 namespace {
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 struct Options {
   std::vector<std::string> command_line;
@@ -45,15 +45,73 @@ struct Options {
   std::vector<std::string> rig;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
-  std::string table;
+  std::string table_path;
   std::vector<std::string> uncertainty;
-  std::string effect_size = "10 %";
-  std::string noise = "0.5 %";
-  std::size_t most_samples = diagnosis::kMostSamples;
+  double effect_size = 0.1;  // of the standard deviation of the force
+  double noise = 0.005;      // likewise
+  std::uint64_t most_samples = diagnosis::kMostSamples;
   int threads = 2;
   LogOptions log_options;
   OutputOptions outputs;
+
+  OptionTable table();
 };
+
+// A share such as "10 %" or 0.1, within these bounds.
+Quantity share(double& value, double least, double most) {
+  return {
+      &value, "1", element::Range::closed(least, most),
+      fmt::format("a share of the force from {:g} to {:g} %, such as \"1 %\" or 0.01", 100.0 * least, 100.0 * most)};
+}
+
+OptionTable Options::table() {
+  OptionTable options = {
+      component.table(),
+      Option("--log", logs, "FILE",
+             "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag"),
+      Option("--plan", plan, "FILE",
+             "instead of --log: programmes with time and displacement alone; says which effects such logs would show, "
+             "which they would take for which, and the least size that they would show"),
+      Option("--from-table", table_path, "FILE",
+             "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, with mean "
+             "displacement and temperature where it has them"),
+      Option("--uncertainty", uncertainty, "SHARE ANGLE",
+             "with --from-table: standard deviation of its stiffness and of its loss angle, such as \"1 %\" "
+             "\"0.5 deg\"; where not given, repeated rows tell, or what a smooth surface leaves")
+          .values(1, 2),
+      Option("--effect-size", share(effect_size, 1e-4, 1.0), "SHARE",
+             "with --plan: size of each effect, as a share of the force's standard deviation")
+          .defaultText("10 %"),
+      Option("--noise", share(noise, 1e-6, 1.0), "SHARE",
+             "with --plan: noise of the force to be measured, as such a share")
+          .defaultText("0.5 %"),
+      Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component"),
+      Option("--rig", rig, "KEY=VALUE",
+             "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; see "
+             "`rig:` of component files"),
+      Option("--limits", limits, "KEY=VALUE",
+             "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
+             "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached"),
+      Option("--output", output, "FOLDER", "folder of the report; made if missing").required(),
+      Option("--compare", compare, "FILE",
+             "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals"),
+      Option("--evidence", evidence,
+             "also write evidence.json: what every hypothesis leaves, of which the judgement is made"),
+      plotOption(plot, "loops, residuals and the gap over frequency, amplitude and time"),
+      Option("--most-samples", most_samples, "COUNT",
+             "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
+             "amplitudes")
+          .within(1000, 100000000),
+      Option("--threads", threads, "COUNT", "number of threads").within(1, 64),
+      log_options.table(),
+      outputs.table()};
+  options.needs({"--effect-size", "--noise"}, {"--plan"});
+  options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
+                   {"--plan"});
+  options.needs({"--uncertainty"}, {"--from-table"});
+  options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});
+  return options.excludes(LogOptions::names(), {"--from-table"});
+}
 
 std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::ComponentDescription& component,
                                const Options& options) {
@@ -169,19 +227,19 @@ diagnosis::RunRecord runRecord(const Options& options) {
   for (const std::string& path : options.plan) {
     files.emplace_back("--plan", path);
   }
-  if (!options.table.empty()) {
-    files.emplace_back("--from-table", options.table);
+  if (!options.table_path.empty()) {
+    files.emplace_back("--from-table", options.table_path);
   }
   for (const std::string& path : options.hold_out) {
     files.emplace_back("--hold-out", path);
   }
-  return diagnosis::makeRunRecord(RUBBER_SUSPENSION_VERSION, options.command_line, files);
+  return diagnosis::makeRunRecord(version(), options.command_line, files);
 }
 
 // The files of the report, and those that stand beside it where the diagnosis has reason to write them.
 void checkOutputs(const Options& options) {
   std::vector<io::InputFile> inputs = {
-      {"--config", options.component.config}, {"--compare", options.compare}, {"--from-table", options.table}};
+      {"--config", options.component.config}, {"--compare", options.compare}, {"--from-table", options.table_path}};
   addInputs(inputs, "--log", options.logs);
   addInputs(inputs, "--plan", options.plan);
   addInputs(inputs, "--hold-out", options.hold_out);
@@ -219,26 +277,10 @@ diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments
   return limits;
 }
 
-// "10 %" or 0.1, within these bounds.
-double shareOf(const std::string& option, const std::string& text, double least, double most) {
-  const std::string accepted =
-      fmt::format("a share of the force from {:g} to {:g} %, such as \"1 %\" or 0.01", 100.0 * least, 100.0 * most);
-  double share = 0.0;
-  try {
-    share = log::parseQuantity(text, "1");
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("{}: {}: {}; accepted: {}", option, log::quoted(text), error.what(), accepted));
-  }
-  if (!(share >= least && share <= most)) {
-    throw UsageError(fmt::format("{}: {} is out of range; accepted: {}", option, log::quoted(text), accepted));
-  }
-  return share;
-}
-
 int runPlan(const Options& options) {
   diagnosis::PlanOptions settings;
-  settings.size = shareOf("--effect-size", options.effect_size, 1e-4, 1.0);
-  settings.noise = shareOf("--noise", options.noise, 1e-6, 1.0);
+  settings.size = options.effect_size;
+  settings.noise = options.noise;
   settings.threads = options.threads;
   checkOutputs(options);
   options.log_options.requireUse(options.plan);
@@ -288,19 +330,13 @@ std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
     return std::nullopt;
   }
   constexpr double kMostDegrees = 45.0;
-  const double of_stiffness = shareOf("--uncertainty", texts[0], 1e-4, 1.0);
+  double of_stiffness = 0.0;
   double of_angle = 0.0;
+  of_stiffness = quantityOf("--uncertainty", texts[0], share(of_stiffness, 1e-4, 1.0));
   if (texts.size() > 1) {
-    try {
-      of_angle = log::parseQuantity(texts[1], "rad");
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(fmt::format("--uncertainty: {}: {}; accepted: an angle such as \"0.5 deg\"",
-                                   log::quoted(texts[1]), error.what()));
-    }
-    if (!(of_angle >= 0.0 && of_angle <= kMostDegrees * element::kPi / 180.0)) {
-      throw UsageError(fmt::format("--uncertainty: {} is out of range; accepted: an angle from 0 to {:g} degrees",
-                                   log::quoted(texts[1]), kMostDegrees));
-    }
+    of_angle = quantityOf("--uncertainty", texts[1],
+                          {&of_angle, "rad", element::Range::closed(0.0, kMostDegrees * element::kPi / 180.0),
+                           fmt::format("an angle from 0 to {:g} degrees, such as \"0.5 deg\"", kMostDegrees)});
   }
   return std::hypot(of_stiffness, of_angle);
 }
@@ -312,10 +348,10 @@ int runTable(const Options& options) {
   io::ComponentDescription component = options.component.read("diagnose");
   setTolerances(options.rig, component);
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
-  fit::MeasuredTable table = command::readTable(options.table);
+  fit::MeasuredTable table = command::readTable(options.table_path);
   table.uncertainty = uncertainty;
   for (const std::string& note : table.notes) {
-    printWarning("diagnose", options.table + ": " + note);
+    printWarning("diagnose", options.table_path + ": " + note);
   }
   diagnosis::DiagnosisOptions settings;
   settings.threads = options.threads;
@@ -328,7 +364,7 @@ int run(const Options& options) {
   if (!options.plan.empty()) {
     return runPlan(options);
   }
-  if (!options.table.empty()) {
+  if (!options.table_path.empty()) {
     return runTable(options);
   }
   if (options.logs.empty()) {
@@ -372,87 +408,12 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  Options options;
+  options.command_line = {"rosrun", "rubber_suspension", "diagnose"};
+  options.command_line.insert(options.command_line.end(), argv + std::min(argc, 1), argv + argc);
   return runCommand(
-      argc, argv, "diagnose",
-      "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap.",
-      [argc, argv](CLI::App& app) -> CommandBody {
-        auto options = std::make_shared<Options>();
-        options->command_line = {"rosrun", "rubber_suspension", "diagnose"};
-        options->command_line.insert(options->command_line.end(), argv + std::min(argc, 1), argv + argc);
-        options->component.addTo(app);
-        app.add_option("--log", options->logs,
-                       "measured logs of one component in the order of recording: text (CSV), .mat, HDF5 or .bag")
-            ->type_name("FILE");
-        app.add_option(
-               "--plan", options->plan,
-               "instead of --log: programmes with time and displacement alone; says which effects such logs would "
-               "show, which they would take for which, and the least size that they would show")
-            ->type_name("FILE");
-        app.add_option("--from-table", options->table,
-                       "instead of --log: measured table of stiffness and loss angle over frequency and amplitude, "
-                       "with mean displacement and temperature where it has them")
-            ->type_name("FILE");
-        app.add_option("--uncertainty", options->uncertainty,
-                       "with --from-table: standard deviation of its stiffness and of its loss angle, such as \"1 %\" "
-                       "\"0.5 deg\"; where not given, repeated rows tell, or what a smooth surface leaves")
-            ->expected(1, 2)
-            ->type_name("SHARE ANGLE");
-        app.add_option("--effect-size", options->effect_size,
-                       "with --plan: size of each effect, as a share of the force's standard deviation")
-            ->type_name("SHARE")
-            ->capture_default_str();
-        app.add_option("--noise", options->noise, "with --plan: noise of the force to be measured, as such a share")
-            ->type_name("SHARE")
-            ->capture_default_str();
-        app.add_option("--hold-out", options->hold_out,
-                       "logs that take no part in the fit; each starts with a new component")
-            ->type_name("FILE");
-        app.add_option(
-               "--rig", options->rig,
-               "what the rig may do to a log without being a cause, such as force_zero=\"50 N\" or gain=\"1 %\"; "
-               "see `rig:` of component files")
-            ->type_name("KEY=VALUE");
-        app.add_option("--limits", options->limits,
-                       "what the machine may do in the next experiment, such as stroke=\"20 mm\" speed=\"0.3 m/s\" "
-                       "frequency=\"15 Hz\" force=\"30 kN\" duration=\"60 s\"; where not given, what the logs reached")
-            ->type_name("KEY=VALUE");
-        app.add_option("--output", options->output, "folder of the report; made if missing")
-            ->required()
-            ->type_name("FOLDER");
-        app.add_option("--compare", options->compare,
-                       "report.json of an earlier diagnosis: says what changed since, beyond noise and intervals")
-            ->type_name("FILE");
-        app.add_flag("--evidence", options->evidence,
-                     "also write evidence.json: what every hypothesis leaves, of which the judgement is made");
-        addPlotOption(app, options->plot, "loops, residuals and the gap over frequency, amplitude and time");
-        app.add_option("--most-samples", options->most_samples,
-                       "samples that the search takes, of all logs together; of longer logs it takes excerpts of all "
-                       "their amplitudes")
-            ->type_name("COUNT")
-            ->capture_default_str()
-            ->check(CLI::Range(std::size_t{1000}, std::size_t{100000000}));
-        app.add_option("--threads", options->threads, "number of threads")
-            ->type_name("COUNT")
-            ->capture_default_str()
-            ->check(CLI::Range(1, 64));
-        options->log_options.addTo(app);
-        options->outputs.addTo(app);
-        return [options, &app] {
-          if (options->plan.empty()) {
-            refuseUnused(app, {"--effect-size", "--noise"}, "without --plan");
-          } else {
-            refuseUnused(app,
-                         {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
-                         "with --plan");
-          }
-          if (options->table.empty()) {
-            refuseUnused(app, {"--uncertainty"}, "without --from-table");
-          } else {
-            refuseUnused(
-                app, {"--log", "--hold-out", "--limits", "--most-samples", "--columns", "--unit", "--sampling-rate"},
-                "with --from-table");
-          }
-          return run(*options);
-        };
-      });
+      argc, argv,
+      {"diagnose",
+       "Finds where a model differs from measured logs, which effect is missing, and how far it closes the gap."},
+      options.table(), [&] { return run(options); });
 }

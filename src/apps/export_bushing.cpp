@@ -1,43 +1,45 @@
 // export_bushing: writes a component as a bushing property file of Adams.
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/component_options.h"
-#include "apps/output_options.h"
-#include "apps/quantity_option.h"
 #include "command/bushing_file.h"
+#include "command_line/command.h"
+#include "command_line/component_options.h"
+#include "command_line/output_options.h"
 #include "log/new_file.h"
-#include "rubber_suspension/io/component_file.h"
 
 namespace {
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 struct Options {
   ComponentOptions component;
   std::string output;
   std::string axis = "z";
-  std::string largest_displacement;
-  std::string frequency;
-  std::string amplitude;
-  int points = command::BushingFileOptions().points;
+  command::BushingFileOptions bushing;
   OutputOptions outputs;
+
+  OptionTable table() {
+    return {component.table(),
+            Option("--output", output, "FILE", "file to write").required(),
+            Option("--largest-displacement", Quantity{&bushing.largest_displacement, "m"}, "METRES",
+                   "the curve goes as far to both sides, such as '10 mm'")
+                .required(),
+            Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
+                   "frequency of the sine whose loss the damping has")
+                .required(),
+            Option("--amplitude", Quantity{&bushing.amplitude, "m"}, "METRES", "amplitude of this sine, such as '1 mm'")
+                .required(),
+            Option("--axis", axis, "AXIS", "axis of the bushing that the component is along: x, y or z")
+                .oneOf({"x", "y", "z"}),
+            Option("--points", bushing.points, "COUNT", "points of the curve, an odd number").within(3, 100001),
+            outputs.table()};
+  }
 };
 
-double positive(const std::string& option, const std::string& text, const std::string& unit) {
-  return quantityOf(option, text, unit, element::Range::positive());
-}
-
 int run(const Options& options) {
-  command::BushingFileOptions bushing;
+  command::BushingFileOptions bushing = options.bushing;
   bushing.axis = options.axis.front();
-  bushing.largest_displacement = positive("--largest-displacement", options.largest_displacement, "m");
-  bushing.frequency = positive("--frequency", options.frequency, "Hz");
-  bushing.amplitude = positive("--amplitude", options.amplitude, "m");
-  bushing.points = options.points;
   if (bushing.points % 2 == 0) {
     throw UsageError(
         fmt::format("--points: {} is even; accepted: an odd number, so that 0 is on the curve", bushing.points));
@@ -57,33 +59,10 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(
-      argc, argv, "export_bushing",
-      "Writes a component as a bushing property file (.bus) of Adams: static curve and one constant of damping; tells "
-      "what the format cannot say of it.",
-      [](CLI::App& app) -> CommandBody {
-        auto options = std::make_shared<Options>();
-        options->component.addTo(app);
-        app.add_option("--output", options->output, "file to write")->required()->type_name("FILE");
-        app.add_option("--largest-displacement", options->largest_displacement,
-                       "the curve goes as far to both sides, such as '10 mm'")
-            ->required()
-            ->type_name("METRES");
-        app.add_option("--frequency", options->frequency, "frequency of the sine whose loss the damping has")
-            ->required()
-            ->type_name("HZ");
-        app.add_option("--amplitude", options->amplitude, "amplitude of this sine, such as '1 mm'")
-            ->required()
-            ->type_name("METRES");
-        app.add_option("--axis", options->axis, "axis of the bushing that the component is along: x, y or z")
-            ->type_name("AXIS")
-            ->capture_default_str()
-            ->check(CLI::IsMember({"x", "y", "z"}));
-        app.add_option("--points", options->points, "points of the curve, an odd number")
-            ->type_name("COUNT")
-            ->capture_default_str()
-            ->check(CLI::Range(3, 100001));
-        options->outputs.addTo(app);
-        return [options] { return run(*options); };
-      });
+  Options options;
+  return runCommand(argc, argv,
+                    {"export_bushing",
+                     "Writes a component as a bushing property file (.bus) of Adams: static curve and one constant of "
+                     "damping; tells what the format cannot say of it."},
+                    options.table(), [&] { return run(options); });
 }

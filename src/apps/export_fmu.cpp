@@ -1,25 +1,27 @@
 // export_fmu: writes a component as a functional mock-up unit (FMI 2.0 or 3.0, co-simulation).
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/component_options.h"
-#include "apps/output_options.h"
+#include "command_line/command.h"
+#include "command_line/component_options.h"
+#include "command_line/output_options.h"
 #include "fmi/export.h"
 #include "log/new_file.h"
-#include "rubber_suspension/io/component_file.h"
 
 namespace {
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 struct Options {
   ComponentOptions component;
   std::string output;
   int fmi = 2;
   OutputOptions outputs;
+
+  OptionTable table() {
+    return {component.table(), Option("--output", output, "FILE", "FMU to write").required(),
+            Option("--fmi", fmi, "VERSION", "version of the standard, 2 or 3").oneOf({"2", "3"}), outputs.table()};
+  }
 };
 
 int run(const Options& options) {
@@ -36,18 +38,10 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  Options options;
   return runCommand(
-      argc, argv, "export_fmu",
-      "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable.",
-      [](CLI::App& app) -> CommandBody {
-        auto options = std::make_shared<Options>();
-        options->component.addTo(app);
-        app.add_option("--output", options->output, "FMU to write")->required()->type_name("FILE");
-        app.add_option("--fmi", options->fmi, "version of the standard, 2 or 3")
-            ->type_name("VERSION")
-            ->check(CLI::IsMember({2, 3}))
-            ->capture_default_str();
-        options->outputs.addTo(app);
-        return [options] { return run(*options); };
-      });
+      argc, argv,
+      {"export_fmu",
+       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable."},
+      options.table(), [&] { return run(options); });
 }

@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <memory>
 
 #include "apps/bench_client.h"
-#include "apps/command.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
 #include "apps/topic_exchange.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
 #include "ros_interface/command_line.h"
 #include "vehicle/components.h"
 #include "vehicle/simulation.h"
@@ -17,6 +15,7 @@
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 using namespace rubber_suspension::vehicle;
 
 namespace {
@@ -34,6 +33,8 @@ struct Options {
   bool stability = false;
   LogOptions log_options;
   OutputOptions outputs;
+
+  OptionTable table();
 };
 
 std::string percentages(const PerStrut& values) {
@@ -137,77 +138,47 @@ int runStability(const Options& options) {
   return kSuccess;
 }
 
-// Each way to run takes some of the options; none is passed over.
-void checkOptions(const CLI::App& app, const Options& options) {
-  if (options.stability != options.track.empty()) {
-    throw UsageError("accepted: one of --track and --stability (see --help)");
-  }
-  if (options.stability) {
-    refuseUnused(app, {"--forces", "--time-step", "--delay", "--output", "--reset"}, "with --stability");
-    refuseUnused(app, {"--columns", "--unit", "--sampling-rate"}, "with --stability");
-  } else {
+int run(ros_interface::RosCommandLine& line, const Options& options) {
+  if (!options.stability) {
     options.log_options.requireUse({options.track});
-  }
-  if (options.forces != "topics") {
-    refuseUnused(app, {"--reset"}, "without --forces topics");
-  }
-  if (options.forces == "implicit") {
-    refuseUnused(app, {"--delay"}, "with --forces implicit");
   }
   options.outputs.check(
       {{"--config", options.config}, {"--track", options.track}},
       {{"--output", options.output, io::FileKind::vehicle_csv}, {"--plot", options.plot, io::FileKind::figure}});
-}
-
-int run(ros_interface::RosCommandLine& line, const Options& options) {
   return options.stability ? runStability(options) : runTrack(line, options);
 }
 
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--config", options.config, "component file with front_primary, rear_primary and secondary")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--track", options.track, "log whose displacement is the height of the track under the front wheel")
-      ->type_name("FILE");
-  app.add_option("--forces", options.forces,
-                 "where the forces come from: library and topics at fixed steps, implicit with iterations")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"library", "topics", "implicit"}))
-      ->capture_default_str();
-  app.add_option("--time-step", options.time_step, "step of the loop")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(1e-6, 0.1))
-      ->capture_default_str();
-  app.add_option("--delay", options.delay, "steps that pass before a force acts; 0 waits for each answer")
-      ->type_name("COUNT")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  app.add_option("--speed", options.speed, "speed of the vehicle")
-      ->type_name("M/S")
-      ->check(CLI::Range(0.1, 1000.0))
-      ->capture_default_str();
-  app.add_option("--output", options.output, "CSV to write: positions, displacements and forces")->type_name("FILE");
-  addPlotOption(app, options.plot, "displacements over time, or of growth over the step,");
-  app.add_option("--reset", options.reset, "service of the node to call first, as simulate/reset")
-      ->type_name("SERVICE");
-  app.add_flag("--stability", options.stability, "print the largest stable step of a loop instead of running");
-  options.log_options.addTo(app);
-  options.outputs.addTo(app);
+// Each way to run takes some of the options; none is passed over.
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--config", config, "FILE", "component file with front_primary, rear_primary and secondary").required(),
+      Option("--track", track, "FILE", "log whose displacement is the height of the track under the front wheel"),
+      Option("--forces", forces, "NAME",
+             "where the forces come from: library and topics at fixed steps, implicit with iterations")
+          .oneOf({"library", "topics", "implicit"}),
+      Option("--time-step", time_step, "SECONDS", "step of the loop").within(1e-6, 0.1),
+      Option("--delay", delay, "COUNT", "steps that pass before a force acts; 0 waits for each answer").within(0, 100),
+      Option("--speed", speed, "M/S", "speed of the vehicle").within(0.1, 1000),
+      Option("--output", output, "FILE", "CSV to write: positions, displacements and forces"),
+      plotOption(plot, "displacements over time, or of growth over the step,"),
+      Option("--reset", reset, "SERVICE", "service of the node to call first, as simulate/reset"),
+      Option("--stability", stability, "print the largest stable step of a loop instead of running"),
+      log_options.table(),
+      outputs.table()};
+  options.oneOf({"--track", "--stability"});
+  options.excludes({"--forces", "--time-step", "--delay", "--output", "--reset"}, {"--stability"});
+  options.excludes(LogOptions::names(), {"--stability"});
+  return options.needs({"--reset"}, {"--forces topics"}).excludes({"--delay"}, {"--forces implicit"});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "half_bogie",
-                    "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
-                    "topics, from the node.",
-                    [&](CLI::App& app) -> CommandBody {
-                      const auto options = std::make_shared<Options>();
-                      addOptions(app, *options);
-                      return [&line, &app, options] {
-                        checkOptions(app, *options);
-                        return run(line, *options);
-                      };
-                    });
+  Options options;
+  return runCommand(line.argc(), line.argv(),
+                    {"half_bogie",
+                     "Simulates a vehicle on rubber components with Simbody, their forces from the library or, over "
+                     "topics, from the node."},
+                    options.table(), [&] { return run(line, options); });
 }

@@ -4,14 +4,13 @@
 #include <ros/node_handle.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "apps/bench_client.h"
-#include "apps/command.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
-#include "apps/warnings.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
+#include "command_line/warnings.h"
+#include "gap/odd_motion.h"
 #include "ros_interface/bench_player.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/play_control.h"
@@ -19,6 +18,7 @@
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -33,75 +33,48 @@ struct Options {
   std::string bag;
   std::string plot;
   std::string reset;
-  std::size_t passes = 1;
-  std::size_t step = 0;
+  std::uint64_t passes = 1;
+  std::uint64_t step = 0;
   bool paused = false;
   OutputOptions outputs;
+
+  OptionTable table();
+  OptionTable recordTable();
 };
 
-void addRecordOptions(CLI::App& app, Options& options) {
-  app.add_option("--output", options.output, "CSV file for the forces: time_s,displacement_m,force_N")
-      ->type_name("FILE");
-  app.add_option("--gap", options.gap_output, "CSV file for the live gap, where the log has a measured force")
-      ->type_name("FILE");
-  app.add_option("--bag", options.bag, "bag for displacements, measured forces, forces and gap")->type_name("FILE");
-  addPlotOption(app, options.plot, "forces over time and displacement");
-  app.add_option(
-         "--folder", options.folder,
-         "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a folder that "
-         "holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 behind NAME")
-      ->type_name("FOLDER");
+OptionTable Options::recordTable() {
+  return {
+      Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N"),
+      Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force"),
+      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap"),
+      plotOption(plot, "forces over time and displacement"),
+      Option("--folder", folder, "FOLDER",
+             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "
+             "folder that holds such records stays as it is: the run goes into the next, RUN_2 behind RUN_1, NAME_2 "
+             "behind NAME")};
 }
 
-void addPlayOptions(CLI::App& app, Options& options) {
-  app.add_option("--playback-speed", options.play.rate,
-                 "multiple of the log's own speed; 0: as fast as the node answers")
-      ->type_name("FACTOR")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--loop", options.passes,
-                 "times to play the logs, 0: until interrupted; time continues and the component keeps its state")
-      ->type_name("COUNT")
-      ->capture_default_str();
-  app.add_option("--step", options.step,
-                 "step by step: samples of each component per call of the service ~step; ~pause with false resumes")
-      ->type_name("COUNT");
-  app.add_flag("--paused", options.paused, "start paused, until the service ~pause is called with false");
-  app.add_option("--in-flight", options.play.in_flight, "samples sent and not yet answered, at most")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  app.add_option("--listeners", options.play.listeners,
-                 "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
-      ->type_name("COUNT")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{100}))
-      ->capture_default_str();
-  app.add_option("--timeout", options.play.answer_timeout, "time to wait for an answer")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--connect-timeout", options.play.connect_timeout, "time to wait for the node")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.add_option("--reset", options.reset,
-                 "service that resets the component before the first sample, such as /simulate/reset")
-      ->type_name("SERVICE");
-}
-
-void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--component", options.components, "names of the components, one or several")
-      ->required()
-      ->type_name("NAME");
-  app.add_option(
-         "--log", options.logs,
-         "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
-      ->required()
-      ->type_name("FILE");
-  options.log_options.addTo(app);
-  addRecordOptions(app, options);
-  addPlayOptions(app, options);
-  options.outputs.addTo(app);
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--component", components, "NAME", "names of the components, one or several").required(),
+      Option("--log", logs, "FILE",
+             "logs to play: text (CSV), .mat, HDF5, or .bag with the node's topics; one per component, or one for all")
+          .required(),
+      log_options.table(),
+      recordTable(),
+      playerTable(play, "node"),
+      Option("--loop", passes, "COUNT",
+             "times to play the logs, 0: until interrupted; time continues and the component keeps its state"),
+      Option("--step", step, "COUNT",
+             "step by step: samples of each component per call of the service ~step; ~pause with false resumes"),
+      Option("--paused", paused, "start paused, until the service ~pause is called with false"),
+      Option("--listeners", play.listeners, "COUNT",
+             "nodes to wait for that listen to <component>/measured_force besides the one that serves it")
+          .within(0, 100),
+      Option("--reset", reset, "SERVICE",
+             "service that resets the component before the first sample, such as /simulate/reset"),
+      outputs.table()};
+  return options.excludes({"--paused"}, {"--step"});
 }
 
 void checkCounts(const Options& options) {
@@ -154,9 +127,6 @@ void checkFiles(const Options& options) {
     options.outputs.checkBesideFolder(inputs, outputs);
   }
   options.log_options.requireUse(options.logs);
-  if (options.paused && options.step > 0) {
-    throw UsageError("--paused has no effect with --step, which begins paused; accepted: one of them");
-  }
 }
 
 // What --output and its like name may lie in the folder, too.
@@ -220,7 +190,7 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
   return kSuccess;
 }
 
-int play(ros_interface::RosCommandLine& line, Options& options) {
+int playAll(ros_interface::RosCommandLine& line, Options& options) {
   checkCounts(options);
   checkFiles(options);
   makeFolder(options);
@@ -253,12 +223,10 @@ int play(ros_interface::RosCommandLine& line, Options& options) {
 
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
-  return runCommand(line.argc(), line.argv(), "play_log",
-                    "Plays logs through a running node and records the forces. The node answers on "
-                    "<component>/force; see launch/replay.launch and launch/bench.launch.",
-                    [&](CLI::App& app) {
-                      const auto options = std::make_shared<Options>();
-                      addOptions(app, *options);
-                      return [&line, options] { return play(line, *options); };
-                    });
+  Options options;
+  return runCommand(line.argc(), line.argv(),
+                    {"play_log",
+                     "Plays logs through a running node and records the forces. The node answers on <component>/force; "
+                     "see launch/replay.launch and launch/bench.launch."},
+                    options.table(), [&] { return playAll(line, options); });
 }

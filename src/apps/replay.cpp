@@ -3,20 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "apps/command.h"
-#include "apps/component_options.h"
-#include "apps/log_options.h"
-#include "apps/output_options.h"
-#include "apps/plot_option.h"
-#include "apps/warnings.h"
-#include "rubber_suspension/io/component_file.h"
+#include "command_line/command.h"
+#include "command_line/component_options.h"
+#include "command_line/log_options.h"
+#include "command_line/output_options.h"
+#include "command_line/warnings.h"
+#include "gap/odd_motion.h"
 
 namespace {
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 struct Options {
   ComponentOptions component;
@@ -25,6 +22,15 @@ struct Options {
   std::string plot;
   LogOptions log_options;
   OutputOptions outputs;
+
+  OptionTable table() {
+    return {component.table(),
+            Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required(),
+            Option("--output", output, "FILE", "CSV to write: time_s,displacement_m,force_N").required(),
+            plotOption(plot, "forces over time and displacement"),
+            log_options.table(),
+            outputs.table()};
+  }
 };
 
 int run(const Options& options) {
@@ -52,20 +58,8 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runCommand(argc, argv, "replay",
-                    "Simulates a component on a recorded log: the same forces as the node, to the last bit.",
-                    [](CLI::App& app) -> CommandBody {
-                      auto options = std::make_shared<Options>();
-                      options->component.addTo(app);
-                      app.add_option("--log", options->log, "log to simulate: text (CSV), .mat, HDF5 or .bag")
-                          ->required()
-                          ->type_name("FILE");
-                      app.add_option("--output", options->output, "CSV to write: time_s,displacement_m,force_N")
-                          ->required()
-                          ->type_name("FILE");
-                      addPlotOption(app, options->plot, "forces over time and displacement");
-                      options->log_options.addTo(app);
-                      options->outputs.addTo(app);
-                      return [options] { return run(*options); };
-                    });
+  Options options;
+  return runCommand(
+      argc, argv, {"replay", "Simulates a component on a recorded log: the same forces as the node, to the last bit."},
+      options.table(), [&] { return run(options); });
 }

@@ -2,13 +2,13 @@
 #include <malloc.h>
 #include <ros/ros.h>
 
-#include "apps/command.h"
+#include "command_line/command.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/simulate_node.h"
 #include "ros_interface/termination.h"
 
 using namespace rubber_suspension;
-using namespace rubber_suspension::apps;
+using namespace rubber_suspension::command_line;
 
 namespace {
 
@@ -38,8 +38,9 @@ int serve(ros_interface::RosCommandLine& line) {
 int main(int argc, char** argv) {
   ros_interface::RosCommandLine line(argc, argv);
   return runCommand(
-      line.argc(), line.argv(), "simulate",
-      "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
-          ros_interface::describeNodeSettings(),
-      [&](CLI::App&) { return [&] { return serve(line); }; });
+      line.argc(), line.argv(),
+      {"simulate",
+       "Publishes <component>/force for every sample on <component>/displacement.\n\nPrivate parameters:\n" +
+           ros_interface::describeNodeSettings()},
+      {}, [&] { return serve(line); });
 }

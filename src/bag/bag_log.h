@@ -1,15 +1,10 @@
-// Logs in ROS bags: the node's topics as a log, and a log as the node's topics.
+// Logs in ROS bags: the node's topics as a log, and a log as the node's topics. Without ROS's own headers, which take
+// long to compile: see bag/bag_writer.h.
 #pragma once
-
-#include <ros/time.h>
-#include <rosbag/bag.h>
-#include <rubber_suspension/Gap.h>
 
 #include <memory>
 #include <string>
 
-#include "log/new_file.h"
-#include "rubber_suspension/element/element.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"
 
@@ -32,39 +27,6 @@ log::Log readAnyLog(const std::string& path, const std::string& component = "", 
 /// The same to be read block by block: a bag is kept, else as log::openLog().
 std::shared_ptr<const log::LogSource> openAnyLog(const std::string& path, const std::string& component,
                                                  const log::LogFormat& format);
-
-/// The time that shifts a log's stamps into those that a ROS header can hold (0 to 2^32 s); 0 where none is needed
-/// [ns].
-std::int64_t headerShift(const log::Log& log);
-
-/// A stamp in [ns] as ROS time. Throws LogError where a header cannot hold it.
-ros::Time toRosTime(std::int64_t stamp);
-
-/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written beside and takes its
-/// name in close(), complete; without that call nothing is left. All calls throw LogError.
-class BagWriter {
- public:
-  BagWriter(const std::string& path, const std::string& component);
-  ~BagWriter();
-  BagWriter(const BagWriter&) = delete;
-  BagWriter& operator=(const BagWriter&) = delete;
-
-  void writeDisplacement(std::int64_t stamp, double displacement);
-  void writeMeasuredForce(std::int64_t stamp, double force);
-  void writeTemperature(std::int64_t stamp, double temperature);
-  void writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force);
-  void writeGap(const Gap& gap);
-  void close();
-
- private:
-  template <class Message>
-  void write(const std::string& topic, const Message& message);
-
-  std::string path_;
-  std::string component_;
-  std::unique_ptr<log::NewFile> new_file_;
-  rosbag::Bag bag_;
-};
 
 /// Write displacement and, if the log has them, measured force and temperature, where that changes. Throws LogError.
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "campaign/manifest.h"
+#include "campaign/record.h"
 #include "log/text.h"
 
 namespace rubber_suspension::campaign {

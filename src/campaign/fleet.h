@@ -9,10 +9,11 @@
 
 #include "campaign/job.h"
 #include "campaign/random_effects.h"
-#include "campaign/record.h"
 #include "campaign/rig_stiffness.h"
 
 namespace rubber_suspension::campaign {
+
+struct Record;
 
 /// How far a parameter of one component is from its configured value: logarithm of the ratio.
 struct ParameterChange {

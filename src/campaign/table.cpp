@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "campaign/record.h"
 #include "log/new_file.h"
 
 namespace rubber_suspension::campaign {

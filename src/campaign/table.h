@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "campaign/manifest.h"
-#include "campaign/record.h"
 
 namespace rubber_suspension::campaign {
+
+struct Record;
 
 struct CollectSummary {
   std::size_t done = 0;

@@ -23,7 +23,7 @@ struct HelpPage {
   std::string firstSentence() const;
 };
 
-/// Take apart what a command prints with --help (apps/help_format.h).
+/// Take apart what a command prints with --help (command_line/help.h).
 HelpPage parseHelp(const std::string& command, const std::string& text);
 
 /// The commands with their first sentences, for a terminal.

@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-#include "bag/bag_log.h"
+#include "bag/header_stamp.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::ros_interface {

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "bag/bag_log.h"
+#include "bag/header_stamp.h"
 #include "element/suggestion.h"
 #include "io/progress.h"
 #include "log/text.h"

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "bag/bag_writer.h"
+
 namespace rubber_suspension::ros_interface {
 namespace {
 
@@ -61,6 +63,8 @@ PlayRecorder::PlayRecorder(const RecordPaths& paths, const std::string& componen
     bag_ = std::make_unique<bag::BagWriter>(paths.bag, component);
   }
 }
+
+PlayRecorder::~PlayRecorder() = default;
 
 void PlayRecorder::add(const log::Log& log, const PlayResult& result) {
   for (std::size_t i = 0; forces_ && i < log.size(); ++i) {

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "bag/bag_log.h"
 #include "log/new_file.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/log/log.h"
+
+namespace rubber_suspension::bag {
+class BagWriter;
+}
 
 namespace rubber_suspension::ros_interface {
 
@@ -32,6 +35,7 @@ std::vector<std::string> recordNames(const std::string& component);
 class PlayRecorder {
  public:
   PlayRecorder(const RecordPaths& paths, const std::string& component);
+  ~PlayRecorder();
 
   /// Add the answered samples of a pass.
   void add(const log::Log& log, const PlayResult& result);

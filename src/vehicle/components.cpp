@@ -2,7 +2,7 @@
 #include "vehicle/components.h"
 
 #include "rubber_suspension/io/component_file.h"
-#include "vehicle/half_bogie.h"
+#include "vehicle/parameters.h"
 
 namespace rubber_suspension::vehicle {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rubber_suspension/component/sample_stream.h"
-#include "vehicle/half_bogie.h"
+#include "vehicle/parameters.h"
 
 namespace rubber_suspension::vehicle {
 

@@ -22,11 +22,6 @@ SimTK::MassProperties solid(double mass, double inertia) {
 
 }  // namespace
 
-const std::array<std::string, kStruts>& strutNames() {
-  static const std::array<std::string, kStruts> names = {"front_primary", "rear_primary", "secondary"};
-  return names;
-}
-
 // The bridge to Simbody, which asks for forces at every stage of every step that it tries.
 class HalfBogie::StrutForces final : public SimTK::Force::Custom::Implementation {
  public:

@@ -1,32 +1,13 @@
 // One side of a bogie as a Simbody model: frame on two primary springs, body on a secondary one, above a track.
+// Simbody's headers take long to compile: include this file only where the model itself is stepped.
 #pragma once
 
 #include <Simbody.h>
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
+#include "vehicle/parameters.h"
 #include "vehicle/track.h"
 
 namespace rubber_suspension::vehicle {
-
-/// The rubber components of the vehicle, in the order of all arrays below.
-constexpr std::size_t kStruts = 3;
-using PerStrut = std::array<double, kStruts>;
-const std::array<std::string, kStruts>& strutNames();  ///< front_primary, rear_primary, secondary
-
-/// Masses and lengths; half of a bogie and a quarter of a body of the Manchester benchmark coach [S. Iwnicki (ed.), The
-/// Manchester Benchmarks for Rail Vehicle Simulation, Vehicle System Dynamics 31 Suppl. (1998)].
-struct VehicleParameters {
-  double frame_mass = 2615.0 / 2;     ///< [kg]
-  double frame_inertia = 1476.0 / 2;  ///< about the lateral axis [kg m^2]
-  double body_mass = 32000.0 / 4;     ///< [kg]
-  double semi_wheelbase = 1.28;       ///< [m]
-  double secondary_damping = 20e3;    ///< hydraulic damper beside the secondary spring [N s/m]
-  double speed = 160.0 / 3.6;         ///< [m/s]
-};
 
 /// Where the vehicle gets the forces of its rubber components from.
 class StrutLaw {
@@ -37,12 +18,9 @@ class StrutLaw {
   virtual double force(std::size_t strut, double time, double compression) = 0;
 };
 
-/// Motion about the equilibrium, so without gravity and preload. Coordinates: height of the frame [m], its pitch [rad]
-/// (positive lifts the front), height of the body [m].
+/// Motion about the equilibrium, so without gravity and preload.
 class HalfBogie {
  public:
-  static constexpr int kCoordinates = 3;
-
   /// Track and law must outlive the vehicle.
   HalfBogie(const VehicleParameters& parameters, const Track& track, StrutLaw& law);
   HalfBogie(const HalfBogie&) = delete;

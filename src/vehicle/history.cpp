@@ -13,13 +13,6 @@
 
 namespace rubber_suspension::vehicle {
 
-void History::add(const HalfBogie& bogie, const SimTK::State& state, const PerStrut& force_now) {
-  time.push_back(state.getTime());
-  position.push_back({state.getQ()[0], state.getQ()[1], state.getQ()[2]});
-  compression.push_back(bogie.compressions(state));
-  force.push_back(force_now);
-}
-
 PerStrut displacementDifference(const History& history, const History& reference) {
   if (history.size() != reference.size() || history.size() == 0) {
     throw std::invalid_argument(

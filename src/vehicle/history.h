@@ -5,20 +5,17 @@
 #include <vector>
 
 #include "rubber_suspension/io/figure.h"
-#include "vehicle/half_bogie.h"
+#include "vehicle/parameters.h"
 
 namespace rubber_suspension::vehicle {
 
 struct History {
-  std::vector<double> time;                                           ///< [s]
-  std::vector<std::array<double, HalfBogie::kCoordinates>> position;  ///< frame [m], its pitch [rad], body [m]
-  std::vector<PerStrut> compression;                                  ///< [m]
-  std::vector<PerStrut> force;                                        ///< [N]
+  std::vector<double> time;           ///< [s]
+  std::vector<Coordinates> position;  ///< [m, rad, m]
+  std::vector<PerStrut> compression;  ///< [m]
+  std::vector<PerStrut> force;        ///< [N]
 
   std::size_t size() const { return time.size(); }
-
-  /// Add a state and the forces that act there.
-  void add(const HalfBogie& bogie, const SimTK::State& state, const PerStrut& force_now);
 };
 
 /// RMS of the difference of the compressions over the RMS of those of `reference`, per component [-]: how differently

@@ -8,6 +8,9 @@
 #include <functional>
 #include <stdexcept>
 
+#include "rubber_suspension/component/trial_stepper.h"
+#include "vehicle/half_bogie.h"
+
 namespace rubber_suspension::vehicle {
 namespace {
 
@@ -59,6 +62,14 @@ class HeldLaw final : public StrutLaw {
   PerStrut held{};
 };
 
+// Add a state and the forces that act there.
+void add(History& history, const HalfBogie& bogie, const State& state, const PerStrut& force) {
+  history.time.push_back(state.getTime());
+  history.position.push_back({state.getQ()[0], state.getQ()[1], state.getQ()[2]});
+  history.compression.push_back(bogie.compressions(state));
+  history.force.push_back(force);
+}
+
 State startOf(const Scene& scene, const HalfBogie& bogie) {
   State state = bogie.restState();
   state.updU() = SimTK::Vector(SimTK::Vec3(scene.kick[0], scene.kick[1], scene.kick[2]));
@@ -80,8 +91,8 @@ Matrix massMatrix(const HalfBogie& bogie, const State& state) {
   SimTK::Matrix mass;
   bogie.matter().calcM(state, mass);
   Matrix result;
-  for (int row = 0; row < HalfBogie::kCoordinates; ++row) {
-    for (int column = 0; column < HalfBogie::kCoordinates; ++column) {
+  for (int row = 0; row < result.rows(); ++row) {
+    for (int column = 0; column < result.cols(); ++column) {
       result(row, column) = mass(row, column);
     }
   }
@@ -124,7 +135,7 @@ class Newmark {
   static constexpr double kConverged = 1e-12;  // [m, rad]; a millionth of a newton at 1 MN/m
 
   void set(const Vector& position, const Vector& speed) {
-    for (int i = 0; i < HalfBogie::kCoordinates; ++i) {
+    for (int i = 0; i < position.size(); ++i) {
       state_.updQ()[i] = position[i];
       state_.updU()[i] = speed[i];
     }
@@ -196,7 +207,7 @@ History runVariableStep(const Scene& scene, const std::vector<component::Compone
     PerStrut force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState()));
     stepTo(integrator, time,
            [&] { force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState())); });
-    history.add(bogie, integrator.getState(), force);
+    add(history, bogie, integrator.getState(), force);
   }
   if (count != nullptr) {
     *count = {integrator.getNumStepsTaken(), integrator.getNumStepsAttempted() - integrator.getNumStepsTaken()};
@@ -211,11 +222,11 @@ History runImplicit(const Scene& scene, const std::vector<component::Component>&
   law.initialise(0.0, bogie.compressions(state));
   Newmark newmark(bogie, law, state);
   History history;
-  history.add(bogie, state, law.accept(0.0, bogie.compressions(state)));
+  add(history, bogie, state, law.accept(0.0, bogie.compressions(state)));
   int sum = 0;
   for (std::int64_t n = 1; n <= scene.steps(); ++n) {
     sum += newmark.step(scene.time(n));
-    history.add(bogie, state, law.accept(state.getTime(), bogie.compressions(state)));
+    add(history, bogie, state, law.accept(state.getTime(), bogie.compressions(state)));
   }
   if (iterations != nullptr) {
     *iterations = sum;
@@ -233,7 +244,7 @@ History runExchange(const Scene& scene, ForceExchange& exchange, int delay, doub
   prepare(integrator, {1e-8, scene.time(1)});
   integrator.initialize(start);
   History history;
-  history.add(bogie, start, law.held);
+  add(history, bogie, start, law.held);
   for (std::int64_t n = 1; n <= scene.steps() && !exceeds(integrator.getState(), stop_at); ++n) {
     stepTo(integrator, scene.time(n));
     exchange.send(n * scene.step, bogie.compressions(integrator.getState()));
@@ -241,7 +252,7 @@ History runExchange(const Scene& scene, ForceExchange& exchange, int delay, doub
       law.held = exchange.receive((n - delay) * scene.step);
       integrator.reinitialize(Stage::Dynamics, false);  // what it has computed with the forces before is of no use
     }
-    history.add(bogie, integrator.getState(), law.held);
+    add(history, bogie, integrator.getState(), law.held);
   }
   return history;
 }

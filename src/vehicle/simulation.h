@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "rubber_suspension/component/trial_stepper.h"
+#include "rubber_suspension/component/component.h"
 #include "vehicle/force_exchange.h"
-#include "vehicle/half_bogie.h"
 #include "vehicle/history.h"
+#include "vehicle/track.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -15,9 +15,9 @@ namespace rubber_suspension::vehicle {
 struct Scene {
   VehicleParameters parameters;
   Track track;
-  double duration = 0.0;                                  ///< [s]
-  std::int64_t step = 1000000;                            ///< between records, and of the fixed steps [ns]
-  std::array<double, HalfBogie::kCoordinates> kick = {};  ///< speeds at the start [m/s, rad/s, m/s]
+  double duration = 0.0;        ///< [s]
+  std::int64_t step = 1000000;  ///< between records, and of the fixed steps [ns]
+  Coordinates kick = {};        ///< speeds at the start [m/s, rad/s, m/s]
 
   std::int64_t steps() const;
   double time(std::int64_t n) const { return 1e-9 * static_cast<double>(n * step); }  ///< [s]

@@ -84,7 +84,7 @@ void takeCrossing(const LinearVehicle& vehicle, double low, double high, Complex
   }
 }
 
-double energy(const VehicleParameters& parameters, const std::array<double, HalfBogie::kCoordinates>& speed) {
+double energy(const VehicleParameters& parameters, const Coordinates& speed) {
   return 0.5 * (parameters.frame_mass * speed[0] * speed[0] + parameters.frame_inertia * speed[1] * speed[1] +
                 parameters.body_mass * speed[2] * speed[2]);
 }
@@ -94,7 +94,7 @@ double meanEnergy(const VehicleParameters& parameters, const History& history, s
   double sum = 0.0;
   for (std::size_t n = from + 1; n < to; ++n) {
     const double dt = history.time[n] - history.time[n - 1];
-    std::array<double, HalfBogie::kCoordinates> speed{};
+    Coordinates speed{};
     for (std::size_t i = 0; i < speed.size(); ++i) {
       speed[i] = (history.position[n][i] - history.position[n - 1][i]) / dt;
     }

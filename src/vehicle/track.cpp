@@ -1,6 +1,8 @@
 // The track below the vehicle.
 #include "vehicle/track.h"
 
+#include <Simbody.h>
+
 namespace rubber_suspension::vehicle {
 namespace {
 
@@ -13,6 +15,10 @@ double sinceStart(const log::Log& log, std::size_t i) {
 
 }  // namespace
 
+struct Track::Spline {
+  SimTK::Spline curve;
+};
+
 Track::Track(const log::Log& log) {
   log::checkLog(log);
   if (log.size() < kFewest) {
@@ -24,7 +30,8 @@ Track::Track(const log::Log& log) {
     time[static_cast<int>(i)] = sinceStart(log, i);
     height[static_cast<int>(i)] = log.displacement[i];
   }
-  spline_ = SimTK::SplineFitter<double>::fitForSmoothingParameter(kCubic, time, height, 0.0).getSpline();
+  spline_ = std::make_shared<Spline>(
+      Spline{SimTK::SplineFitter<double>::fitForSmoothingParameter(kCubic, time, height, 0.0).getSpline()});
   duration_ = sinceStart(log, log.size() - 1);
   first_ = log.displacement.front();
   last_ = log.displacement.back();
@@ -34,7 +41,7 @@ double Track::height(double time) const {
   if (time <= 0.0) {
     return first_;
   }
-  return time >= duration_ ? last_ : spline_.calcValue(time);
+  return time >= duration_ ? last_ : spline_->curve.calcValue(time);
 }
 
 }  // namespace rubber_suspension::vehicle

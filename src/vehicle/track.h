@@ -1,7 +1,7 @@
 // The track below the vehicle: heights over time, smooth between the samples of a log.
 #pragma once
 
-#include <Simbody.h>
+#include <memory>
 
 #include "rubber_suspension/log/log.h"
 
@@ -23,7 +23,9 @@ class Track {
   double duration() const { return duration_; }  ///< [s]
 
  private:
-  SimTK::Spline spline_;
+  struct Spline;
+
+  std::shared_ptr<const Spline> spline_;  // nothing for a level track
   double duration_ = 0.0;
   double first_ = 0.0;
   double last_ = 0.0;

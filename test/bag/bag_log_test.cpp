@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "bag/bag_writer.h"
 #include "io/temporary_file.h"
 
 namespace rubber_suspension {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 
+#include "command_line/command.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "virtual_bench.h"
 
@@ -18,10 +18,22 @@ using closed_loop::VirtualBench;
 
 struct Options {
   int cases = 6;
-  unsigned seed = 1;
+  int seed = 1;
   int threads = 1;
   double least_share = 0.0;
   bool verbose = false;
+
+  command_line::OptionTable table() {
+    using command_line::Option;
+    return {Option("--cases", cases, "COUNT", "number of benches").within(1, 100000),
+            Option("--seed", seed, "NUMBER", "of the first bench").within(0, 1e9),
+            Option("--threads", threads, "COUNT", "of each diagnosis").within(1, 64),
+            Option("--least-share", least_share, "SHARE",
+                   "exit status 1 where proposals shrink a smaller share of the sets, or fewer than random programmes "
+                   "do")
+                .within(0, 1),
+            Option("--verbose", verbose, "each case")};
+  }
 };
 
 struct Tally {
@@ -116,7 +128,7 @@ void runCase(unsigned seed, const Options& options, Tally& tally) {
 int run(const Options& options) {
   Tally tally;
   for (int i = 0; i < options.cases; ++i) {
-    runCase(options.seed + static_cast<unsigned>(i), options, tally);
+    runCase(static_cast<unsigned>(options.seed + i), options, tally);
     std::fflush(stdout);
   }
   fmt::print(
@@ -134,15 +146,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Plays on virtual benches what a diagnosis proposes, and diagnoses again.");
-  app.add_option("--cases", options.cases, "number of benches")->capture_default_str()->check(CLI::Range(1, 100000));
-  app.add_option("--seed", options.seed, "of the first bench")->capture_default_str();
-  app.add_option("--threads", options.threads, "of each diagnosis")->capture_default_str()->check(CLI::Range(1, 64));
-  app.add_option("--least-share", options.least_share,
-                 "exit status 1 where proposals shrink a smaller share of the sets, or fewer than random programmes do")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_flag("--verbose", options.verbose, "each case");
-  CLI11_PARSE(app, argc, argv);
-  return run(options);
+  return command_line::runCommand(
+      argc, argv, {"closed_loop", "Plays on virtual benches what a diagnosis proposes, and diagnoses again."},
+      options.table(), [&] { return run(options); });
 }

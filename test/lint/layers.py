@@ -31,6 +31,7 @@ BELOW = {
     "vehicle": {"element", "component", "response", "estimation", "log", "io"},
     "node": {"element", "component", "response", "estimation", "log", "io", "gap", "measurement"},
     "bag": {"element", "log"},
+    "command_line": {"element", "component", "response", "estimation", "log", "io", "gap", "bag"},
     "ros_interface": {
         "element", "component", "response", "estimation", "log", "io", "gap", "measurement", "fit", "diagnosis", "node",
         "bag"},

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "bag/bag_log.h"
+#include "bag/header_stamp.h"
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <random>
 
+#include "bag/bag_log.h"
 #include "bench.h"
 #include "ros_interface/log_player.h"
 #include "rubber_suspension/gap/replay.h"

@@ -43,7 +43,7 @@ REFUSED = (
     (f"play_log --component a --log {LOG} --rate 2", "no option --rate (did you mean --sampling-rate?)"),
     (f"play_log --component a --log {LOG} --speed 2", "no option --speed (did you mean --playback-speed?)"),
     ("reference man repaly", "no command 'repaly' (did you mean 'replay'?)"),
-    (f"estimate --config {BUSH} --amplitude 2,5mm", "--amplitude: a decimal comma (did you mean '2.5mm'?)"),
+    (f"estimate --config {BUSH} --amplitude 2,5mm", "--amplitude: '2,5mm': a decimal comma (did you mean '2.5mm'?)"),
     (f"estimate --config {BUSH} --amplitude=-2mm", "'-2mm' is out of range; accepted: greater than 0 mm"),
     (f"replay --config {BUSH} --log {LOG} --output o --columns froce=2", "(did you mean 'force'?)"),
 )

@@ -58,7 +58,7 @@ TEST(HalfBogie, DirectionsAreThoseOfVirtualWork) {
   constexpr double kDistance = 1e-6;
   for (std::size_t i = 0; i < kStruts; ++i) {
     const SimTK::Vector direction = bogie.direction(state, i);
-    for (int j = 0; j < HalfBogie::kCoordinates; ++j) {
+    for (int j = 0; j < direction.size(); ++j) {
       SimTK::State above = state;
       SimTK::State below = state;
       above.updQ()[j] += kDistance;

@@ -1,0 +1,108 @@
+// A bag of the node's topics, written sample by sample.
+#include "bag/bag_writer.h"
+
+#include <fmt/format.h>
+#include <rubber_suspension/Displacement.h>
+#include <rubber_suspension/Force.h>
+#include <rubber_suspension/MeasuredForce.h>
+#include <sensor_msgs/Temperature.h>
+
+#include <algorithm>
+
+#include "bag/bag_log.h"
+#include "bag/header_stamp.h"
+
+namespace rubber_suspension::bag {
+
+BagWriter::BagWriter(const std::string& path, const std::string& component) : path_(path), component_(component) {
+  try {
+    new_file_ = std::make_unique<log::NewFile>(path);
+    bag_.open(new_file_->writingPath(), rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(error.what());
+  }
+}
+
+BagWriter::~BagWriter() {
+  try {
+    bag_.close();
+  } catch (const rosbag::BagException&) {  // what was not closed by close() is not kept
+  }
+}
+
+template <class Message>
+void BagWriter::write(const std::string& topic, const Message& message) {
+  try {
+    bag_.write("/" + component_ + topic, std::max(message.header.stamp, ros::TIME_MIN), message);
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  }
+}
+
+void BagWriter::writeDisplacement(std::int64_t stamp, double displacement) {
+  Displacement message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  write("/displacement", message);
+}
+
+void BagWriter::writeMeasuredForce(std::int64_t stamp, double force) {
+  MeasuredForce message;
+  message.header.stamp = toRosTime(stamp);
+  message.force = force;
+  write("/measured_force", message);
+}
+
+void BagWriter::writeTemperature(std::int64_t stamp, double temperature) {
+  sensor_msgs::Temperature message;
+  message.header.stamp = toRosTime(stamp);
+  message.temperature = temperature;
+  write("/temperature", message);
+}
+
+void BagWriter::writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force) {
+  Force message;
+  message.header.stamp = toRosTime(stamp);
+  message.displacement = displacement;
+  message.force = force.total;
+  message.elastic = force.elastic;
+  message.viscous = force.viscous;
+  message.friction = force.friction;
+  write("/force", message);
+}
+
+void BagWriter::writeGap(const Gap& gap) { write("/gap", gap); }
+
+void BagWriter::close() {
+  try {
+    bag_.close();
+    if (new_file_) {
+      new_file_->commit();
+      new_file_.reset();
+    }
+  } catch (const rosbag::BagException& error) {
+    throw log::LogError(fmt::format("{}: cannot be written: {}", path_, error.what()));
+  } catch (const std::runtime_error& error) {
+    throw log::LogError(error.what());
+  }
+}
+
+void writeBagLog(const std::string& path, const std::string& component, const log::Log& log) {
+  log::checkLog(log);
+  BagWriter writer(path, component);
+  const std::int64_t shift = headerShift(log);
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    writer.writeDisplacement(log.stamp[i] + shift, log.displacement[i]);
+    if (!log.force.empty()) {
+      writer.writeMeasuredForce(log.stamp[i] + shift, log.force[i]);
+    }
+    if (!log.temperature.empty() && (i == 0 || log.temperature[i] != log.temperature[i - 1])) {
+      writer.writeTemperature(log.stamp[i] + shift, log.temperature[i]);
+    }
+  }
+  writer.close();
+}
+
+}  // namespace rubber_suspension::bag

@@ -1,0 +1,42 @@
+// A bag of the node's topics, written sample by sample.
+#pragma once
+
+#include <rosbag/bag.h>
+#include <rubber_suspension/Gap.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "log/new_file.h"
+#include "rubber_suspension/element/element.h"
+
+namespace rubber_suspension::bag {
+
+/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written beside and takes its
+/// name in close(), complete; without that call nothing is left. All calls throw LogError.
+class BagWriter {
+ public:
+  BagWriter(const std::string& path, const std::string& component);
+  ~BagWriter();
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
+
+  void writeDisplacement(std::int64_t stamp, double displacement);
+  void writeMeasuredForce(std::int64_t stamp, double force);
+  void writeTemperature(std::int64_t stamp, double temperature);
+  void writeForce(std::int64_t stamp, double displacement, const element::ComponentForce& force);
+  void writeGap(const Gap& gap);
+  void close();
+
+ private:
+  template <class Message>
+  void write(const std::string& topic, const Message& message);
+
+  std::string path_;
+  std::string component_;
+  std::unique_ptr<log::NewFile> new_file_;
+  rosbag::Bag bag_;
+};
+
+}  // namespace rubber_suspension::bag

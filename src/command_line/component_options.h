@@ -1,0 +1,21 @@
+// The options --config and --component, the same for every command that works on one component.
+#pragma once
+
+#include <string>
+
+#include "command_line/option_table.h"
+#include "rubber_suspension/io/component_file.h"
+
+namespace rubber_suspension::command_line {
+
+struct ComponentOptions {
+  std::string config;
+  std::string component;
+
+  OptionTable table();
+
+  /// The component that they name, with a warning where its specification is odd. Throws io::ComponentFileError.
+  io::ComponentDescription read(const std::string& command) const;
+};
+
+}  // namespace rubber_suspension::command_line
