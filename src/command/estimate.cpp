@@ -189,6 +189,37 @@ nlohmann::ordered_json misfitsJson(const std::vector<estimation::PointMisfit>& p
   return json;
 }
 
+std::string sensitivityText(const Sensitivity& sensitivity) {
+  std::string text = fmt::format("\n  sensitivity to each input, changed by {:g} % up and down\n  {:<26}",
+                                 100.0 * sensitivity.share, "");
+  if (sensitivity.rows.empty()) {
+    return "";
+  }
+  for (const double frequency : sensitivity.rows.front().frequencies) {
+    text += fmt::format(" {:>24}", fmt::format("at {:.4g} Hz", frequency));
+  }
+  text += "\n";
+  for (const SensitivityRow& row : sensitivity.rows) {
+    text += fmt::format("  {:<26}", row.input);
+    for (std::size_t i = 0; i < row.stiffness.size(); ++i) {
+      text += fmt::format(" {:>10.3f} %/% {:>6.3f} deg/%", row.stiffness[i], 0.01 * row.loss_angle[i] * kDegrees);
+    }
+    text += row.stiffness.empty() ? " no solution\n" : "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json sensitivityJson(const Sensitivity& sensitivity) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const SensitivityRow& row : sensitivity.rows) {
+    rows.push_back({{"input", row.input},
+                    {"frequency_hz", row.frequencies},
+                    {"stiffness", row.stiffness},
+                    {"loss_angle_rad", row.loss_angle}});
+  }
+  return {{"share", sensitivity.share}, {"inputs", rows}};
+}
+
 nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
   nlohmann::ordered_json json = {{"type", element.type}};
   for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
@@ -210,20 +241,24 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
   for (const element::ElementDescription& element : report.elements) {
     elements.push_back(elementJson(element));
   }
-  return {{"component", report.description.name},
-          {"model", estimation::toString(report.description.model())},
-          {"describes", estimation::toString(report.description.written().describes())},
-          {"specification", numbers(report.description.written())},
-          {"base", numbers(report.description.specification())},
-          {"points", misfitsJson(report.description.resolved().points)},
-          {"elements", elements},
-          {"notes", report.notes},
-          {"linear", report.linear},
-          {"working_point", pointJson(report.working_point)},
-          {"over_frequency", pointsJson(report.over_frequency)},
-          {"over_amplitude", pointsJson(report.over_amplitude)},
-          {"product_m_hz", report.product},
-          {"at_constant_product", pointsJson(report.over_product)}};
+  nlohmann::ordered_json json = {{"component", report.description.name},
+                                 {"model", estimation::toString(report.description.model())},
+                                 {"describes", estimation::toString(report.description.written().describes())},
+                                 {"specification", numbers(report.description.written())},
+                                 {"base", numbers(report.description.specification())},
+                                 {"points", misfitsJson(report.description.resolved().points)},
+                                 {"elements", elements},
+                                 {"notes", report.notes},
+                                 {"linear", report.linear},
+                                 {"working_point", pointJson(report.working_point)},
+                                 {"over_frequency", pointsJson(report.over_frequency)},
+                                 {"over_amplitude", pointsJson(report.over_amplitude)},
+                                 {"product_m_hz", report.product},
+                                 {"at_constant_product", pointsJson(report.over_product)}};
+  if (report.sensitivity) {
+    json["sensitivity"] = sensitivityJson(*report.sensitivity);
+  }
+  return json;
 }
 
 using Quantity = double (*)(const response::SweepPoint&);
@@ -241,15 +276,42 @@ struct Column {
   Quantity x;
 };
 
-io::Curve curveOf(const EstimateReport& report, const Column& column, Quantity y, int colour) {
+// Several components differ by the style of their lines, too: for those who do not see colours, and in print.
+const char* styleOf(int index, std::size_t count) {
+  static constexpr const char* kStyles[] = {"-", "--", "-.", ":"};
+  return count > 1 ? kStyles[static_cast<std::size_t>(index) % std::size(kStyles)] : "-";
+}
+
+io::Curve curveThrough(const std::vector<response::SweepPoint>& points, Quantity x, Quantity y, int colour) {
   io::Curve curve;
-  curve.label = report.description.name;
   curve.colour = colour;
-  for (const response::SweepPoint& point : report.*column.points) {
-    curve.x.push_back(column.x(point));
+  for (const response::SweepPoint& point : points) {
+    curve.x.push_back(x(point));
     curve.y.push_back(y(point));
   }
   return curve;
+}
+
+io::Curve curveOf(const EstimateReport& report, const Column& column, Quantity y, int colour, const char* style) {
+  io::Curve curve = curveThrough(report.*column.points, column.x, y, colour);
+  curve.label = report.description.name;
+  curve.style = style;
+  return curve;
+}
+
+// What inputs that are a little off make of the sweep over frequency: a band between two thin lines.
+void addBand(io::Axes& axes, const EstimateReport& report, const Column& column, Quantity y, int colour) {
+  if (!report.sensitivity || column.points != &EstimateReport::over_frequency) {
+    return;
+  }
+  constexpr double kHairline = 0.7;
+  for (const auto* points : {&report.sensitivity->low, &report.sensitivity->high}) {
+    io::Curve curve = curveThrough(*points, column.x, y, colour);
+    curve.style = ":";
+    curve.width = kHairline;
+    axes.curves.push_back(curve);
+  }
+  axes.curves.back().label = fmt::format("each input {:g} % off", 100.0 * report.sensitivity->share);
 }
 
 // "constant amplitude 2 mm"; without the value where that is another one for each component.
@@ -391,6 +453,7 @@ std::string toText(const EstimateReport& report) {
                     report.over_amplitude);
   text += sweepText(fmt::format("at constant product of amplitude and frequency, {:g} mm Hz", report.product * 1e3),
                     report.over_product);
+  text += report.sensitivity ? sensitivityText(*report.sensitivity) : "";
   return text;
 }
 
@@ -423,15 +486,21 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       axes.y_label = stiffness ? "stiffness [kN/mm]" : "loss angle [deg]";
       axes.log_x = true;
       for (std::size_t i = 0; i < reports.size(); ++i) {
-        axes.curves.push_back(curveOf(reports[i], column, stiffness ? stiffnessOf : angleOf, static_cast<int>(i)));
+        const int colour = static_cast<int>(i);
+        const Quantity quantity = stiffness ? stiffnessOf : angleOf;
+        axes.curves.push_back(curveOf(reports[i], column, quantity, colour, styleOf(colour, reports.size())));
+        addBand(axes, reports[i], column, quantity, colour);
       }
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        // Once in the legend, for all components and columns.
-        const bool once = i == 0 && &column == &columns.front();
-        for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
-          axes.curves[mark].label.clear();
+        for (std::size_t mark = first; mark < axes.curves.size() && i > 0; ++mark) {
+          axes.curves[mark].label.clear();  // once for all components
+        }
+      }
+      if (!figure.axes.empty() && (reports.size() > 1 || &column != &columns.front())) {
+        for (io::Curve& curve : axes.curves) {
+          curve.label.clear();  // one legend for all
         }
       }
       figure.axes.push_back(axes);

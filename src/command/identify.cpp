@@ -10,6 +10,7 @@
 #include "command/rig_of_logs.h"
 #include "gap/last_cycles.h"
 #include "rubber_suspension/gap/replay.h"
+#include "rubber_suspension/measurement/bench_check.h"
 
 namespace rubber_suspension::command {
 namespace {
@@ -64,6 +65,31 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
   }
 }
 
+// What is no log of a component at all, as `diagnose` checks it. The component is where the search begins: another
+// stiffness than its own is told and no more.
+std::vector<std::string> checkedOnBench(const io::ComponentDescription& description,
+                                        const std::vector<log::Log>& logs) {
+  constexpr std::size_t kShortestRecord = 100;  // samples
+  std::vector<log::Record> records;
+  for (const log::Log& log : logs) {
+    if (log.size() >= kShortestRecord) {
+      records.push_back(log::makeRecord(log));
+    }
+  }
+  std::vector<std::string> notes;
+  for (const measurement::RigFinding& found : measurement::checkBench(description.allElements(), records)) {
+    const bool of_stiffness = found.finding == measurement::finding::kUnitFactor ||
+                              found.finding == measurement::finding::kOtherComponent ||
+                              found.finding == measurement::finding::kTooShort;
+    const std::string text = fmt::format("{}: {}", found.log, found.text);
+    if (!of_stiffness && found.fatal) {
+      throw log::LogError(text);
+    }
+    notes.push_back(text);
+  }
+  return notes;
+}
+
 }  // namespace
 
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
@@ -73,6 +99,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
       throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
   }
+  const std::vector<std::string> bench = checkedOnBench(description, logs);
   const component::Component component = description.makeComponent();
   for (const log::Log& log : logs) {
     gap::checkTemperature(component, log);
@@ -100,6 +127,13 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     options.rig = std::move(rig.columns);
     result = fit::identify(description.allElements(), repaired, options);
   }
+  if (result.elements.empty()) {
+    throw log::LogError(
+        fmt::format("{}: no element of {} has any force in {}; accepted: logs of a component whose force rises with "
+                    "the displacement",
+                    logs.front().name, description.name, logs.size() == 1 ? "this log" : "these logs"));
+  }
+  result.notes.insert(result.notes.end(), bench.begin(), bench.end());
   for (const measurement::RigFinding& finding : findings) {
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -21,21 +22,40 @@ namespace {
 constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
 
 struct Quantity {
-  const char* name;
-  const char* unit;  // SI
+  std::vector<std::string> names;  // lower case; the first is that of errors
+  const char* unit;                // SI
   bool needed;
 };
 
+// As laboratories write them, in English and in German.
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> table = {{"frequency", "Hz", true},     {"amplitude", "m", true},
-                                              {"stiffness", "N/m", true},    {"loss angle", "rad", true},
-                                              {"preload", "N", false},       {"mean displacement", "m", false},
-                                              {"temperature", "degC", false}};
+  static const std::vector<Quantity> table = {
+      {{"frequency", "frequenz", "f"}, "Hz", true},
+      {{"amplitude"}, "m", true},
+      {{"stiffness", "dynamic stiffness", "steifigkeit", "dynamische steifigkeit", "k"}, "N/m", false},
+      {{"loss angle", "verlustwinkel", "delta"}, "rad", false},
+      {{"tan delta", "loss factor", "verlustfaktor", "tan d"}, "1", false},
+      {{"storage stiffness", "speichersteifigkeit", "k'"}, "N/m", false},
+      {{"loss stiffness", "verluststeifigkeit", "k''"}, "N/m", false},
+      {{"preload", "vorlast"}, "N", false},
+      {{"mean displacement", "mittelweg", "mittlerer weg"}, "m", false},
+      {{"temperature", "temperatur"}, "degC", false}};
   return table;
 }
 
 // Places of these.
-enum : std::size_t { kFrequency, kAmplitude, kStiffness, kLossAngle, kPreload, kMean, kTemperature };
+enum : std::size_t {
+  kFrequency,
+  kAmplitude,
+  kStiffness,
+  kLossAngle,
+  kLossFactor,
+  kStorage,
+  kLoss,
+  kPreload,
+  kMean,
+  kTemperature
+};
 
 // A column that is used: which quantity, and how to make it SI.
 struct Column {
@@ -60,7 +80,9 @@ class TableReader {
       columns_.empty() ? readHeader(line) : readRow(line);
     }
     if (columns_.empty()) {
-      refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
+      refuse(
+          "no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle, in English or "
+          "German");
     }
     return table_;
   }
@@ -97,9 +119,11 @@ class TableReader {
     for (std::size_t i = 0; i < quantities().size(); ++i) {
       const auto times = std::count_if(columns_.begin(), columns_.end(),
                                        [&](const auto& column) { return column && column->quantity == i; });
-      if (times > 1 || (times == 0 && quantities()[i].needed)) {
-        refuse(fmt::format("{}: {}; accepted: one column, with a unit such as '{} [{}]'", quantities()[i].name,
-                           times == 0 ? "missing" : "stands twice", quantities()[i].name, quantities()[i].unit));
+      if (times > 1 || (times == 0 && isNeeded(i))) {
+        const std::string& name = quantities()[i].names.front();
+        refuse(fmt::format("{}: {}; accepted: one column, with a unit such as '{} [{}]'{}", name,
+                           times == 0 ? "missing" : "stands twice", name, quantities()[i].unit,
+                           quantities()[i].needed ? "" : ", or tan delta, or storage and loss stiffness"));
       }
     }
     if (!ignored.empty()) {
@@ -107,11 +131,30 @@ class TableReader {
     }
   }
 
+  bool has(std::size_t quantity) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const auto& column) { return column && column->quantity == quantity; });
+  }
+
+  // K and delta may be given as K' and K'', or tan delta.
+  bool isNeeded(std::size_t quantity) const {
+    const bool parts = has(kStorage) && has(kLoss);
+    const bool factor = has(kLossFactor);
+    return quantities()[quantity].needed || (quantity == kStiffness && !parts && !(has(kStorage) && factor)) ||
+           (quantity == kLossAngle && !parts && !factor);
+  }
+
   // "loss_angle_rad", "loss angle [deg]", "stiffness_N_per_m"; nothing for another column.
   std::optional<Column> columnOf(const std::string& field) const {
     for (std::size_t i = 0; i < quantities().size(); ++i) {
       const Quantity& quantity = quantities()[i];
-      std::string unit = unitBehind(field, quantity.name);
+      std::string unit;
+      for (const std::string& name : quantity.names) {
+        unit = unit.empty() ? unitBehind(field, name) : unit;
+      }
+      if (i == kLossFactor && (unit == "-" || isNamed(field, quantity))) {
+        unit = "1";
+      }
       const std::size_t per = unit.find("_per_");
       if (per != std::string::npos) {
         unit.replace(per, 5, "/");
@@ -126,6 +169,21 @@ class TableReader {
       }
     }
     return std::nullopt;
+  }
+
+  // A column without a unit.
+  static bool isNamed(const std::string& field, const Quantity& quantity) {
+    std::string lower = log::lowerCase(log::trimmed(field));
+    std::replace(lower.begin(), lower.end(), '_', ' ');
+    return std::find(quantity.names.begin(), quantity.names.end(), lower) != quantity.names.end();
+  }
+
+  // A decimal comma, where commas do not separate.
+  std::string pointed(std::string field) const {
+    if (separator_ != ',' && field.find('.') == std::string::npos) {
+      std::replace(field.begin(), field.end(), ',', '.');
+    }
+    return field;
   }
 
   // The unit of a column of this name, "" where it is another column.
@@ -153,9 +211,10 @@ class TableReader {
     std::map<std::size_t, double> values;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (columns_[i]) {
-        const auto number = log::parseNumber(fields[i]);
+        const auto number = log::parseNumber(pointed(fields[i]));
         if (!number) {
-          refuse(fmt::format("{}: {} is no number", quantities()[columns_[i]->quantity].name, log::quoted(fields[i])));
+          refuse(fmt::format("{}: {} is no number", quantities()[columns_[i]->quantity].names.front(),
+                             log::quoted(fields[i])));
         }
         values[columns_[i]->quantity] = columns_[i]->conversion(*number);
       }
@@ -164,8 +223,12 @@ class TableReader {
     fit::TablePoint point;
     point.frequency = values[kFrequency];
     point.amplitude = values[kAmplitude];
-    point.stiffness = values[kStiffness];
-    point.loss_angle = values[kLossAngle];
+    point.loss_angle = has(kLossAngle)    ? values[kLossAngle]
+                       : has(kLossFactor) ? std::atan(values[kLossFactor])
+                                          : std::atan2(values[kLoss], values[kStorage]);
+    point.stiffness = has(kStiffness) ? values[kStiffness]
+                      : has(kLoss)    ? std::hypot(values[kStorage], values[kLoss])
+                                      : values[kStorage] / std::cos(point.loss_angle);
     point.mean = values[kMean];
     if (values.count(kTemperature) > 0) {
       point.temperature = values[kTemperature];

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <complex>
+#include <optional>
 
 #include "estimation/models.h"
 #include "rubber_suspension/element/catalogue.h"
@@ -79,6 +80,20 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   return notes;
 }
 
+// Friction that is at its limit over nearly all of the motion: Coulomb's, at the end of what loss angles allow.
+std::optional<std::string> sharpFrictionNote(Model model, const Specification& specification) {
+  constexpr double kSharp = 0.02;  // of the amplitude
+  for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
+    if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
+      return fmt::format(
+          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: it is nearly Coulomb's, as "
+          "the loss angle is close to the most that this dynamic stiffness allows; rubber has z2 near the amplitude",
+          entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude"));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::string> estimationNotes(Model model, const Specification& specification) {
@@ -94,10 +109,20 @@ std::vector<std::string> estimationNotes(Model model, const Specification& speci
       }
       return notes;
     }
-    case Model::friction_dashpot:
-      return {
+    case Model::friction:
+    case Model::berg: {
+      const auto note = sharpFrictionNote(model, specification);
+      return note ? std::vector<std::string>{*note} : std::vector<std::string>{};
+    }
+    case Model::friction_dashpot: {
+      std::vector<std::string> notes = {
           "dynamic_stiffness holds between the turning points, where the dashpot has no force; the peak of the loop "
           "comes a little earlier and is a little higher"};
+      if (const auto note = sharpFrictionNote(model, specification)) {
+        notes.push_back(*note);
+      }
+      return notes;
+    }
     case Model::multi_maxwell:
       return multiMaxwellNotes(specification);
     default:

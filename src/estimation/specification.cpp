@@ -12,7 +12,6 @@
 #include "estimation/models.h"
 #include "estimation/solvability.h"
 #include "rubber_suspension/element/constants.h"
-#include "rubber_suspension/estimation/whole.h"
 
 namespace rubber_suspension::estimation {
 namespace {
@@ -381,7 +380,7 @@ bool isSolvable(Model model, const Specification& specification) {
 
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
   if (!given.points().empty() || given.describes() == Describes::component) {
-    return estimateTangent(model, resolve(model, given, {}).specification);
+    throw std::invalid_argument("describes: the numbers are not those of a base; accepted: those that resolve() gives");
   }
   checkSpecification(model, given);
   const Specification specification = tangentOf(model, given);

@@ -146,6 +146,7 @@ std::vector<std::string> shiftNames() {
 }
 
 constexpr const char* kVertical = "vertical";
+constexpr const char* kMerge = "<<";
 
 bool startsAsNumber(const std::string& text) {
   return !text.empty() && std::string("+-.0123456789").find(text[0]) != std::string::npos;
@@ -243,6 +244,31 @@ class Loader {
         refuse(entry.first, child(path, entry.first.Scalar()), "stands twice; accepted: once");
       }
     }
+    merge(map, path, 0);
+  }
+
+  // A merge key of YAML, `<<: *anchor` or a list of such: the keys of those maps that the map itself does not have.
+  void merge(YAML::Node map, const std::string& path, int depth) const {
+    constexpr int kDeepest = 10;
+    const YAML::Node sources = std::as_const(map)[kMerge];
+    if (!sources.IsDefined()) {
+      return;
+    }
+    const bool list = sources.IsSequence();
+    for (std::size_t i = 0; i < (list ? sources.size() : 1); ++i) {
+      const YAML::Node source = list ? sources[i] : sources;
+      if (!source.IsMap() || source.is(map) || depth == kDeepest) {
+        refuse(source, child(path, kMerge),
+               fmt::format("{}; accepted: an anchor of another map, or a list of such", kindOf(source)));
+      }
+      merge(source, path, depth + 1);
+      for (const auto& entry : source) {
+        if (entry.first.IsScalar() && !std::as_const(map)[entry.first.Scalar()].IsDefined()) {
+          map[entry.first.Scalar()] = entry.second;
+        }
+      }
+    }
+    map.remove(kMerge);
   }
 
   void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) {
@@ -578,9 +604,10 @@ class Loader {
     refuseScaleOfTemperature(node, path, parameter);
     if (!parameter.range.contains(value)) {
       refuse(node, path,
-             fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
+             fmt::format("{} is {}; accepted: {}{}", log::quoted(node.Scalar()),
                          std::isfinite(value) ? "out of range" : "not finite",
-                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter)));
+                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter),
+                         parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one" : ""));
     }
     return value;
   }
@@ -629,10 +656,11 @@ class Loader {
     return entries;
   }
 
-  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) const {
+  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) {
     if (!node.IsMap()) {
       refuse(node, path, fmt::format("{}; accepted: a map with the key 'type'", kindOf(node)));
     }
+    checkUnique(node, path);
     const YAML::Node type = require(node, path, "type", log::join(elementTypeNames()));
     const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
     if (found == nullptr) {

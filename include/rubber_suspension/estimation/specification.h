@@ -137,8 +137,7 @@ const ModelInfo& modelInfo(Model model);
 /// Throws std::invalid_argument that names key, value and what is accepted.
 void checkSpecification(Model model, const Specification& specification);
 
-/// The elements of the model that meets the specification; of one that describes a component, without elements that are
-/// added (resolve() has them).
+/// The elements of the model that meets the specification of a base; resolve() makes one of any other.
 /// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
 std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
 
