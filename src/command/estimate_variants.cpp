@@ -57,6 +57,9 @@ Specification numbersFor(const Specification& from, const WantedModel& wanted) {
   for (const auto& [key, value] : from.values()) {
     to.erase(key);
   }
+  if (from.describes() == estimation::Describes::unsaid) {
+    to.describe(estimation::Describes::base);  // takes the same working point in every model
+  }
   copyFirst(from, info.required, info.required.size(), to);
   for (const auto& group : info.one_of) {
     copyFirst(from, group, 1, to);

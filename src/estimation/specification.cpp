@@ -103,7 +103,7 @@ const std::vector<NamedModel>& models() {
   return table;
 }
 
-// Keys of every model but `elements`: the working point beside its frequency.
+// Keys of every model that says what it describes: the working point beside its frequency.
 const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
@@ -120,7 +120,7 @@ std::string join(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> acceptedKeys(const ModelInfo& info) {
+std::vector<std::string> acceptedKeys(const ModelInfo& info, bool whole) {
   std::vector<std::string> keys = info.required;
   for (const auto& groups : {info.one_of, info.two_of}) {
     for (const auto& group : groups) {
@@ -129,15 +129,15 @@ std::vector<std::string> acceptedKeys(const ModelInfo& info) {
   }
   keys.insert(keys.end(), info.optional.begin(), info.optional.end());
   for (const std::string& key : kWorkingPoint) {
-    if (info.model != Model::elements && std::find(keys.begin(), keys.end(), key) == keys.end()) {
+    if (whole && std::find(keys.begin(), keys.end(), key) == keys.end()) {
       keys.push_back(key);
     }
   }
   return keys;
 }
 
-void checkKeys(const NamedModel& model, const Specification& specification) {
-  const std::vector<std::string> accepted = acceptedKeys(model.info);
+void checkKeys(const NamedModel& model, const Specification& specification, bool whole) {
+  const std::vector<std::string> accepted = acceptedKeys(model.info, whole && model.info.model != Model::elements);
   for (const auto& [key, value] : specification.values()) {
     if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
       const std::string what = findParameter(key) == nullptr ? "unknown key" + element::didYouMean(key, accepted)
@@ -306,8 +306,6 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
        "stiffness K_max at very high frequency"},
       {"high_frequency", "Hz", element::Role::shape, element::Range::positive(), std::nullopt,
        "upper end f_h of the frequencies of interest"},
-      {"high_frequency_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
-       "stiffness K at f_h and A_n, in place of K_max"},
       {"low_frequency", "Hz", element::Role::shape, element::Range::positive(), std::nullopt,
        "lower end f_l of the frequencies of interest; n_M f_h/10^(n_M-1) if absent"},
       {"maxwell_elements", "1", element::Role::choice, element::Range::closed(2, 20), 5.0,
@@ -318,10 +316,6 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
        {0.0, 1.0, true, false},
        std::nullopt,
        "amplitude A_n at which K_n and loss angle hold, half of peak to peak, in metres"},
-      {"nominal_displacement", "m", element::Role::reference, element::Range::any(), 0.0,
-       "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve"},
-      {"nominal_force", "N", element::Role::reference, element::Range::any(), std::nullopt,
-       "the same by the force that static_curve has there"},
       {"loss_angle", "rad", element::Role::shape, element::Range::open(0.0, 0.5 * element::kPi), std::nullopt,
        "loss angle at the nominal frequency"},
       {"relative_damping",
@@ -338,6 +332,12 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
        {0.0, 1.0, false, true},
        0.2,
        "viscous share of the loss energy at (f_n, A_n)"},
+      {"high_frequency_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
+       "stiffness K at f_h and A_n, in place of K_max"},
+      {"nominal_displacement", "m", element::Role::reference, element::Range::any(), 0.0,
+       "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve"},
+      {"nominal_force", "N", element::Role::reference, element::Range::any(), std::nullopt,
+       "the same by the force that static_curve has there"},
   };
   return table;
 }
@@ -367,7 +367,7 @@ std::string toString(Describes describes) {
 void checkSpecification(Model model, const Specification& given) {
   checkWorkingPoint(given);
   const Specification specification = tangentOf(model, given);
-  checkKeys(entry(model), specification);
+  checkKeys(entry(model), specification, given.describes() != Describes::unsaid || given.curve() != nullptr);
   for (const auto& [key, value] : specification.values()) {
     checkRange(key, value);
   }

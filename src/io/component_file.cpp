@@ -675,7 +675,8 @@ class Loader {
                                         const estimation::Specification* specification) {
     const element::ElementType& type = loadType(node, path);
     std::vector<std::string> keys = namesOf(type.parameters);
-    keys.insert(keys.begin(), {"type", "scale_with"});
+    keys.insert(keys.begin(), "type");
+    keys.emplace_back("scale_with");
     checkKeys(node, path, keys);
     element::ElementDescription description;
     description.type = type.name;
