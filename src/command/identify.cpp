@@ -99,7 +99,6 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
       throw log::LogError(log.name + ": has no measured force, which is needed to find parameters");
     }
   }
-  const std::vector<std::string> bench = checkedOnBench(description, logs);
   const component::Component component = description.makeComponent();
   for (const log::Log& log : logs) {
     gap::checkTemperature(component, log);
