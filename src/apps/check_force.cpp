@@ -57,7 +57,7 @@ OptionTable Options::table() {
       Option("--skip", skip, "SECONDS", "start of the log that is played but not compared").rare().within(0, 1e9),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
-      plotOption(plot, "forces over time and displacement, and of their difference,"),
+      plotOption(plot, "forces over time and displacement, and of their difference,").rare(),
       Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
         return Files{{}, {{"--gtest_output", reportPath(*this), io::FileKind::test_report}}};
       }),

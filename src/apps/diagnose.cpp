@@ -143,7 +143,7 @@ OptionTable Options::table() {
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
-      plotOption(plot, "loops, residuals and the gap"),
+      plotOption(plot, "loops, residuals and the gap").rare(),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
              "amplitudes")

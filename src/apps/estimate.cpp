@@ -107,7 +107,7 @@ OptionTable Options::table() {
           .rare(),
       Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").rare().within(1, 1000),
       Option("--output", output, "FILE",
-             "component file to write, with the parameters found by --from-log, --from-table or from --data-sheet")
+             "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
           .writes(io::FileKind::component_file),
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});

@@ -48,7 +48,9 @@ OptionTable Options::recordTable() {
       Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
           .rare()
           .writes(io::FileKind::gap_csv),
-      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap").writes(io::FileKind::bag),
+      Option("--bag", bag, "FILE", "bag for displacements, measured forces, forces and gap")
+          .rare()
+          .writes(io::FileKind::bag),
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
              "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a "

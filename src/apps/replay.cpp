@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
        {{"The force of a log", "--config component.yaml --log log.csv --output force.csv"},
         {"The same as a picture", "--config component.yaml --log log.csv --output force.csv --plot force.svg"},
         {"Columns without names, in mm and kN",
-         "--config component.yaml --log raw.csv --columns time displacement force --unit mm,kN --output force.csv"}}},
+         "--config component.yaml --log raw.csv --columns time displacement force --unit displacement=mm force=kN "
+         "--output force.csv"}}},
       options.table(), [&] { return run(options); });
 }

@@ -36,8 +36,8 @@ std::string manPage(const HelpPage& page, const std::string& version);
 /// The page rubber-suspension(1): the command that has all others as subcommands.
 std::string manPageOfAll(const std::vector<HelpPage>& pages, const std::string& version);
 
-/// Completion of rubber-suspension for bash, and of rosrun for this package: commands, their options, files, folders, and
-/// components of the file given.
+/// Completion of rubber-suspension for bash, and of rosrun for this package: commands, their options, files, folders,
+/// and components of the file given.
 std::string bashCompletion(const std::vector<HelpPage>& pages);
 
 }  // namespace rubber_suspension::command

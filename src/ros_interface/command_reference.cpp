@@ -31,7 +31,8 @@ CommandOutput outputOf(const std::string& command, const std::string& option) {
 std::string commandReference(const std::vector<std::string>& commands) {
   std::string text =
       "# Reference of the commands\n\n"
-      "Written by the command `reference` from what they print: `rosrun rubber_suspension COMMAND --help-all`. All exit "
+      "Written by the command `reference` from what they print: `rosrun rubber_suspension COMMAND --help-all`. All "
+      "exit "
       "with\n0, with 1 where the data could not be used, with 2 on wrong options; errors are one line on stderr.\n";
   for (const std::string& command : commands) {
     const CommandOutput help = outputOf(command, "--help-all");
