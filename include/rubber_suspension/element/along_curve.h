@@ -1,4 +1,5 @@
-// Maxwell elements, dashpots and sliders whose size follows the displacement: rubber under a preload.
+// Maxwell elements, dashpots and sliders whose size follows the displacement: rubber under a preload. Their make()
+// throws std::invalid_argument for lists that do not go together.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
