@@ -3,7 +3,8 @@
 
 Usage: tests.py FOLDER_OF_THE_PACKAGE BUILD_FOLDER; one line per violation, exit status 1 if there is any.
 With a third argument, a part of test names or '', it runs these one after the other instead, and prints for each the
-seconds of the wall and of the processor that it takes, which are those of the table.
+seconds of the wall and of the processor that it takes. With `write` as a fourth one, those of the processor go into the
+table.
 """
 
 import fnmatch
@@ -52,7 +53,7 @@ def used():
 
 
 def time_tests(build, part):
-    failed = False
+    failed, seconds = False, {}
     for name, test in tests_of(build).items():
         if part not in name or "command" not in test:
             continue
@@ -62,11 +63,31 @@ def time_tests(build, part):
         status = subprocess.run(test["command"], cwd=more["WORKING_DIRECTORY"], env={**os.environ, **environment},
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
         failed |= status not in (0, more.get("SKIP_RETURN_CODE"))
-        print(f"{name}: {time.monotonic() - start:.1f} s, processor {used() - before:.1f} s, exit status {status}",
+        seconds[name] = used() - before
+        print(f"{name}: {time.monotonic() - start:.1f} s, processor {seconds[name]:.1f} s, exit status {status}",
               flush=True)
+    return failed, seconds
+
+
+def write(root, seconds):
+    def with_seconds(row):
+        names = fnmatch.filter(seconds, row[1])
+        total = sum(seconds[name] for name in names)
+        return f"| `{row[1]}` | {row[2]} | {total:.{0 if total > 9.5 else 1}f} |" if names else row[0]
+
+    page = root / "CONTRIBUTING.md"
+    page.write_text(re.sub(ROW.pattern + r" [\d.?]+ \|", with_seconds, page.read_text(), flags=re.MULTILINE))
+
+
+def main():
+    root, build = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+    if len(sys.argv) == 3:
+        return check(root, build)
+    failed, seconds = time_tests(build, sys.argv[3])
+    if sys.argv[4:] == ["write"]:
+        write(root, seconds)
     return failed
 
 
 if __name__ == "__main__":
-    ROOT, BUILD = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
-    sys.exit(time_tests(BUILD, sys.argv[3]) if len(sys.argv) > 3 else check(ROOT, BUILD))
+    sys.exit(main())
