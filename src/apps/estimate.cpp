@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "command/data_sheet.h"
+#include "command/estimate_variants.h"
 #include "command/identify.h"
+#include "command/linear_part.h"
 #include "command/measured_table.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"
@@ -28,6 +31,10 @@ struct Options {
   std::string component;
   bool json = false;
   std::string plot;
+  std::string csv;
+  std::string state_space;
+  std::vector<std::string> models;
+  std::optional<double> sensitivity;    // [-]
   std::vector<double> frequency_range;  // [Hz]
   std::vector<double> amplitude_range;  // [m]
   command::SweepOptions sweeps;
@@ -40,6 +47,8 @@ struct Options {
   OptionTable table();
 };
 
+bool isMat(const std::string& path) { return path.size() > 4 && path.substr(path.size() - 4) == ".mat"; }
+
 // Each way to estimate takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
@@ -51,6 +60,25 @@ OptionTable Options::table() {
       Option("--component", component, "NAME", "name of one component; all if absent"),
       Option("--json", json, "print JSON, in SI units").rare(),
       plotOption(plot, "stiffness and loss angle"),
+      Option("--csv", csv, "FILE",
+             "CSV to write: stiffness, loss angle, K', K'' and the equivalent K_e and C_e of each sweep")
+          .rare()
+          .writes(io::FileKind::characteristics_csv),
+      Option("--state-space", state_space, "FILE",
+             "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
+          .rare()
+          .standsFor([this] {
+            const io::FileKind kind = isMat(state_space) ? io::FileKind::mat : io::FileKind::state_space_json;
+            return Files{{}, {{"--state-space", state_space, kind}}};
+          }),
+      Option(
+          "--models", models, "MODEL",
+          "models to compare, from the numbers of one specification: M1 to M6 or their names, or a number of Maxwell "
+          "elements, such as M1 M2 5")
+          .rare(),
+      Option("--sensitivity", Quantity{&sensitivity, "1", {0.0, 0.5, true, false}}, "SHARE",
+             "change each input by this much and show what it does to stiffness and loss angle, such as '5 %'")
+          .rare(),
       Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ",
              "ends of the range of frequencies, such as 0.5 20")
           .rare()
@@ -83,7 +111,9 @@ OptionTable Options::table() {
           .writes(io::FileKind::component_file),
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});
-  options.excludes({"--component", "--json", "--plot", "--from-log", "--from-table"}, {"--data-sheet"});
+  options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
+  options.excludes({"--csv", "--state-space", "--models", "--sensitivity"},
+                   {"--data-sheet", "--from-log", "--from-table"});
   options.needs({"--hold", "--starts"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
                    {"--data-sheet", "--from-log", "--from-table"});
@@ -110,8 +140,38 @@ command::SweepOptions sweepOptions(const Options& options) {
   return sweeps;
 }
 
+command::EstimateReport reportOf(const io::ComponentDescription& component, const command::SweepOptions& sweeps,
+                                 std::optional<double> sensitivity) {
+  command::EstimateReport report = command::makeEstimateReport(component, sweeps);
+  if (sensitivity) {
+    command::addSensitivity(report, *sensitivity);
+  }
+  return report;
+}
+
+// For a figure: as many points as a curve without kinks takes.
+std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
+                                                   command::SweepOptions sweeps, std::optional<double> sensitivity) {
+  constexpr int kSmooth = 61;
+  sweeps.points = std::max(sweeps.points, kSmooth);
+  std::vector<command::EstimateReport> reports;
+  reports.reserve(components.size());
+  for (const io::ComponentDescription& component : components) {
+    reports.push_back(reportOf(component, sweeps, sensitivity));
+  }
+  return reports;
+}
+
 int convertDataSheet(const Options& options) {
   const std::string text = command::componentFileFromDataSheet(options.data_sheet);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && line[0] == '#';) {
+    printNote("estimate", line.substr(2));
+  }
+  if (!options.plot.empty()) {
+    drawPlot(command::toFigure(smoothReports(io::parseComponentFile(text, options.data_sheet), {}, std::nullopt)),
+             options.plot);
+  }
   if (options.output.empty()) {
     std::cout << text;
   } else {
@@ -148,19 +208,6 @@ int identifyComponent(const Options& options) {
   return kSuccess;
 }
 
-// For a figure: as many points as a curve without kinks takes.
-std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
-                                                   command::SweepOptions sweeps) {
-  constexpr int kSmooth = 61;
-  sweeps.points = std::max(sweeps.points, kSmooth);
-  std::vector<command::EstimateReport> reports;
-  reports.reserve(components.size());
-  for (const io::ComponentDescription& component : components) {
-    reports.push_back(command::makeEstimateReport(component, sweeps));
-  }
-  return reports;
-}
-
 int fitToTable(const Options& options) {
   const auto components = io::loadComponentFile(options.config);
   const io::ComponentDescription& description = io::selectComponent(components, options.component);
@@ -189,20 +236,47 @@ void warnOfAmplitudes(const io::ComponentDescription& component, const command::
   }
 }
 
+void writeFiles(const Options& options, const std::vector<io::ComponentDescription>& components,
+                const std::vector<command::EstimateReport>& reports) {
+  if (!options.csv.empty()) {
+    log::writeNewFile(options.csv, command::toCsv(reports));
+  }
+  if (!options.state_space.empty()) {
+    std::vector<command::LinearPart> parts;
+    for (const io::ComponentDescription& component : components) {
+      parts.push_back(command::linearPartOf(component));
+      const command::LinearPart& part = parts.back();
+      if (!part.tangents.empty()) {
+        printNote("estimate",
+                  fmt::format("{}: taken by their slope: {}", part.component, fmt::join(part.tangents, ", ")));
+      }
+      if (!part.left_out.empty()) {
+        printNote("estimate",
+                  fmt::format("{}: left out of the linear part: {}", part.component, fmt::join(part.left_out, ", ")));
+      }
+    }
+    command::writeLinearParts(parts, options.state_space);
+  }
+}
+
 int estimateComponents(const Options& options) {
   const command::SweepOptions sweeps = sweepOptions(options);
   std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
   if (!options.component.empty()) {
     components = {io::selectComponent(components, options.component, options.config)};
   }
+  if (!options.models.empty()) {
+    components = command::inModels(io::selectComponent(components, options.component, options.config), options.models);
+  }
   std::vector<command::EstimateReport> reports;
   for (const io::ComponentDescription& component : components) {
     warnOf("estimate", component);
     warnOfAmplitudes(component, sweeps);
-    reports.push_back(command::makeEstimateReport(component, sweeps));
+    reports.push_back(reportOf(component, sweeps, options.sensitivity));
   }
+  writeFiles(options, components, reports);
   if (!options.plot.empty()) {
-    drawPlot(command::toFigure(smoothReports(components, sweeps)), options.plot);
+    drawPlot(command::toFigure(smoothReports(components, sweeps, options.sensitivity)), options.plot);
   }
   if (options.json) {
     std::cout << command::toJson(reports);

@@ -41,9 +41,8 @@ int main(int argc, char** argv) {
       argc, argv,
       {"reproduce_paper",
        "Draws figures 3, 4, 5, 6 and 8 of O. Polach, Modelling of rubber components using estimated parameters (IAVSD "
-       "2015), and writes their numbers as CSV. Curves and axes follow the text of the paper; the low frequency (Eq. "
-       "22) "
-       "and the inputs of figure 8 are reconstructions.",
+       "2015), and writes their numbers as CSV. Surfaces are drawn as maps; the low frequency (Eq. 22) and the inputs "
+       "of figure 8 are reconstructions.",
        {{"Into a folder", "--output figures"},
         {"Over files of other kinds, too", "--output figures --force"},
         {"And look at one of them", "--output figures && xdg-open figures/figure_3.svg"}}},

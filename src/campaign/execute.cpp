@@ -236,7 +236,7 @@ io::ComponentDescription Executor::componentOf(const Job& job) {
   }
   io::ComponentDescription description = io::selectComponent(kept->components, job.component);
   if (!job.specification.empty()) {
-    estimation::Specification specification = description.specification();
+    estimation::Specification specification = description.written();
     for (const auto& [name, value] : job.specification) {
       specification.set(name, value);
     }

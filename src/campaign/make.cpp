@@ -321,9 +321,9 @@ class Maker {
     io::ComponentDescription drawn = component;
     std::size_t unsolvable = 0;
     std::size_t run = 0;
-    for (const auto& numbers : drawSpecifications(component.specification(), *group.monte_carlo)) {
+    for (const auto& numbers : drawSpecifications(component.written(), *group.monte_carlo)) {
       ++run;
-      estimation::Specification specification = component.specification();
+      estimation::Specification specification = component.written();
       for (const auto& [name, value] : numbers) {
         specification.set(name, value);
       }

@@ -9,11 +9,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "rubber_suspension/estimation/notes.h"
 #include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::command {
 namespace {
 
+constexpr const char* kNote = "# ";
 constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
 
 const element::ParameterInfo* findParameter(const std::string& name) {
@@ -112,8 +114,15 @@ std::string convert(const std::string& text) {
       sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
   const io::ComponentDescription description(sheet.component, result.model, result.specification);
   std::string file = "# Component file from a data sheet.\n";
-  for (const std::string& note : result.notes) {
-    file += "# " + note + "\n";
+  std::vector<std::string> notes = result.notes;
+  if (!sheet.model) {
+    notes.push_back(fmt::format("model {}, the simplest that takes all of these numbers; say model to choose another",
+                                estimation::toString(result.model)));
+  }
+  const std::vector<std::string> of_estimation = estimation::estimationNotes(result.model, result.specification);
+  notes.insert(notes.end(), of_estimation.begin(), of_estimation.end());
+  for (const std::string& note : notes) {
+    file += kNote + note + "\n";
   }
   file += io::toYaml({description});
   io::parseComponentFile(file, "component file");  // the name, too, has to be one that the node takes

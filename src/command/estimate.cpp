@@ -66,6 +66,44 @@ void addFrictionNote(EstimateReport& report) {
   }
 }
 
+std::optional<double> specifiedLossAngle(const estimation::Specification& specification) {
+  if (const auto angle = specification.find("loss_angle")) {
+    return angle;
+  }
+  const auto damping = specification.find("relative_damping");
+  return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
+}
+
+double nominalDisplacementOf(const io::ComponentDescription& description) {
+  return description.model() == estimation::Model::elements
+             ? 0.0
+             : estimation::nominalDisplacement(description.specification());
+}
+
+// A specification that does not say what it describes is that of the base: what the whole has where it has more.
+void addWholeNote(EstimateReport& report, const component::Component& component) {
+  const io::ComponentDescription& description = report.description;
+  const estimation::Specification& specification = description.written();
+  const auto stiffness = specification.find("dynamic_stiffness");
+  const auto frequency = specification.find("nominal_frequency");
+  if (specification.describes() != estimation::Describes::unsaid || !stiffness || !frequency ||
+      (description.add.empty() && specification.curve() == nullptr)) {
+    return;
+  }
+  response::LoopOptions loops;
+  loops.mean = nominalDisplacementOf(description);
+  const double amplitude = specification.valueOr("nominal_amplitude", 1e-3);
+  const response::Characteristics whole =
+      response::characteristicsAt(component, *frequency, amplitude, loops).characteristics;
+  const auto angle = specifiedLossAngle(specification);
+  report.notes.push_back(fmt::format(
+      "the specification is that of the base: the whole has K {:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} "
+      "deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole meets it, with `describes: base` this note "
+      "goes",
+      whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
+      angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
+}
+
 bool allSettled(const EstimateReport& report) {
   bool settled = report.working_point.settled;
   for (const auto* points : {&report.over_frequency, &report.over_amplitude, &report.over_product}) {
@@ -136,6 +174,51 @@ nlohmann::ordered_json pointsJson(const std::vector<response::SweepPoint>& point
   return json;
 }
 
+nlohmann::ordered_json misfitsJson(const std::vector<estimation::PointMisfit>& points) {
+  auto json = nlohmann::ordered_json::array();
+  for (const estimation::PointMisfit& misfit : points) {
+    json.push_back(
+        {{"frequency_hz", misfit.point.frequency},
+         {"amplitude_m", misfit.point.amplitude},
+         {"stiffness_n_per_m", misfit.stiffness},
+         {"stiffness_error", misfit.point.stiffness ? misfit.stiffness / *misfit.point.stiffness - 1.0 : 0.0},
+         {"loss_angle_rad", misfit.loss_angle},
+         {"loss_angle_error_rad", misfit.point.loss_angle ? misfit.loss_angle - *misfit.point.loss_angle : 0.0}});
+  }
+  return json;
+}
+
+std::string sensitivityText(const Sensitivity& sensitivity) {
+  std::string text = fmt::format("\n  sensitivity to each input, changed by {:g} % up and down\n  {:<26}",
+                                 100.0 * sensitivity.share, "");
+  if (sensitivity.rows.empty()) {
+    return "";
+  }
+  for (const double frequency : sensitivity.rows.front().frequencies) {
+    text += fmt::format(" {:>24}", fmt::format("at {:.4g} Hz", frequency));
+  }
+  text += "\n";
+  for (const SensitivityRow& row : sensitivity.rows) {
+    text += fmt::format("  {:<26}", row.input);
+    for (std::size_t i = 0; i < row.stiffness.size(); ++i) {
+      text += fmt::format(" {:>10.3f} %/% {:>6.3f} deg/%", row.stiffness[i], 0.01 * row.loss_angle[i] * kDegrees);
+    }
+    text += row.stiffness.empty() ? " no solution\n" : "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json sensitivityJson(const Sensitivity& sensitivity) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const SensitivityRow& row : sensitivity.rows) {
+    rows.push_back({{"input", row.input},
+                    {"frequency_hz", row.frequencies},
+                    {"stiffness", row.stiffness},
+                    {"loss_angle_rad", row.loss_angle}});
+  }
+  return {{"share", sensitivity.share}, {"inputs", rows}};
+}
+
 nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
   nlohmann::ordered_json json = {{"type", element.type}};
   for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
@@ -146,25 +229,35 @@ nlohmann::ordered_json elementJson(const element::ElementDescription& element) {
 }
 
 nlohmann::ordered_json reportJson(const EstimateReport& report) {
-  nlohmann::ordered_json specification = nlohmann::ordered_json::object();
-  for (const auto& [key, value] : report.description.specification().values()) {
-    specification[key] = value;
-  }
+  const auto numbers = [](const estimation::Specification& specification) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const auto& [key, value] : specification.values()) {
+      json[key] = value;
+    }
+    return json;
+  };
   auto elements = nlohmann::ordered_json::array();
   for (const element::ElementDescription& element : report.elements) {
     elements.push_back(elementJson(element));
   }
-  return {{"component", report.description.name},
-          {"model", estimation::toString(report.description.model())},
-          {"specification", specification},
-          {"elements", elements},
-          {"notes", report.notes},
-          {"linear", report.linear},
-          {"working_point", pointJson(report.working_point)},
-          {"over_frequency", pointsJson(report.over_frequency)},
-          {"over_amplitude", pointsJson(report.over_amplitude)},
-          {"product_m_hz", report.product},
-          {"at_constant_product", pointsJson(report.over_product)}};
+  nlohmann::ordered_json json = {{"component", report.description.name},
+                                 {"model", estimation::toString(report.description.model())},
+                                 {"describes", estimation::toString(report.description.written().describes())},
+                                 {"specification", numbers(report.description.written())},
+                                 {"base", numbers(report.description.specification())},
+                                 {"points", misfitsJson(report.description.resolved().points)},
+                                 {"elements", elements},
+                                 {"notes", report.notes},
+                                 {"linear", report.linear},
+                                 {"working_point", pointJson(report.working_point)},
+                                 {"over_frequency", pointsJson(report.over_frequency)},
+                                 {"over_amplitude", pointsJson(report.over_amplitude)},
+                                 {"product_m_hz", report.product},
+                                 {"at_constant_product", pointsJson(report.over_product)}};
+  if (report.sensitivity) {
+    json["sensitivity"] = sensitivityJson(*report.sensitivity);
+  }
+  return json;
 }
 
 using SweepQuantity = double (*)(const response::SweepPoint&);
@@ -180,15 +273,43 @@ struct FigureColumn {
   SweepQuantity x;
 };
 
-io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
+// Several components differ by the style of their lines, too: for those who do not see colours, and in print.
+const char* styleOf(int index, std::size_t count) {
+  static constexpr const char* kStyles[] = {"-", "--", "-.", ":"};
+  return count > 1 ? kStyles[static_cast<std::size_t>(index) % std::size(kStyles)] : "-";
+}
+
+io::Curve curveThrough(const std::vector<response::SweepPoint>& points, SweepQuantity x, SweepQuantity y, int colour) {
   io::Curve curve;
-  curve.label = report.description.name;
   curve.colour = colour;
-  for (const response::SweepPoint& point : report.*column.points) {
-    curve.x.push_back(column.x(point));
+  for (const response::SweepPoint& point : points) {
+    curve.x.push_back(x(point));
     curve.y.push_back(y(point));
   }
   return curve;
+}
+
+io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour,
+                  const char* style) {
+  io::Curve curve = curveThrough(report.*column.points, column.x, y, colour);
+  curve.label = report.description.name;
+  curve.style = style;
+  return curve;
+}
+
+// What inputs that are a little off make of the sweep over frequency: a band between two thin lines.
+void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
+  if (!report.sensitivity || column.points != &EstimateReport::over_frequency) {
+    return;
+  }
+  constexpr double kHairline = 0.7;
+  for (const auto* points : {&report.sensitivity->low, &report.sensitivity->high}) {
+    io::Curve curve = curveThrough(*points, column.x, y, colour);
+    curve.style = ":";
+    curve.width = kHairline;
+    axes.curves.push_back(curve);
+  }
+  axes.curves.back().label = fmt::format("each input {:g} % off", 100.0 * report.sensitivity->share);
 }
 
 // "constant amplitude 2 mm"; without the value where that is another one for each component.
@@ -206,7 +327,7 @@ std::string constantTitle(const std::string& what, const std::string& unit, cons
 class SpecificationMarks {
  public:
   SpecificationMarks(const EstimateReport& report, int colour)
-      : report_(report), specification_(report.description.specification()), colour_(colour) {}
+      : report_(report), specification_(report.description.written()), colour_(colour) {}
 
   void add(io::Axes& axes, const FigureColumn& column, bool stiffness) const {
     const bool over_amplitude = column.points == &EstimateReport::over_amplitude;
@@ -217,7 +338,7 @@ class SpecificationMarks {
     const double low = column.x(points.front());
     const double high = column.x(points.back());
     if (!stiffness) {
-      if (const auto angle = lossAngle(); angle && !over_amplitude) {
+      if (const auto angle = specifiedLossAngle(specification_); angle && !over_amplitude) {
         point(axes, "specified at f_n", "o", "nominal_frequency", *angle * kDegrees, low, high);
       }
       return;
@@ -229,21 +350,13 @@ class SpecificationMarks {
     }
     level(axes, "K_max", "-.", "maximum_stiffness", low, high);
     point(axes, "K_n at f_n", "o", "nominal_frequency", specified("dynamic_stiffness"), low, high);
-    point(axes, "K_max at f_h", "s", "high_frequency", specified("maximum_stiffness"), low, high);
+    point(axes, "K at f_h", "s", "high_frequency", specified("high_frequency_stiffness"), low, high);
   }
 
  private:
   // [kN/mm]; not a number where the specification has none.
   double specified(const char* name) const {
     return specification_.valueOr(name, std::numeric_limits<double>::quiet_NaN()) * 1e-6;
-  }
-
-  std::optional<double> lossAngle() const {
-    if (const auto angle = specification_.find("loss_angle")) {
-      return angle;
-    }
-    const auto damping = specification_.find("relative_damping");
-    return damping ? std::optional<double>(std::atan(2.0 * *damping)) : std::nullopt;
   }
 
   void level(io::Axes& axes, const char* label, const char* style, const char* name, double low, double high) const {
@@ -278,13 +391,18 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
   report.description = description;
   report.elements = component.elements();
   report.notes = estimation::estimationNotes(description.model(), description.specification());
+  const std::vector<std::string>& found = description.resolved().notes;
+  report.notes.insert(report.notes.end(), found.begin(), found.end());
   report.linear = component.linear();
   report.product = sweeps.product;
   addFrictionNote(report);
+  addWholeNote(report, component);
 
   io::Progress progress("stiffness and loss angle", 3 * static_cast<std::size_t>(options.points) + 1);
+  response::LoopOptions loops;
+  loops.mean = nominalDisplacementOf(description);
   const auto at = [&](double frequency, double amplitude) {
-    const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude);
+    const response::SweepPoint point = response::characteristicsAt(component, frequency, amplitude, loops);
     progress.advance();
     return point;
   };
@@ -305,9 +423,13 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
 std::string toText(const EstimateReport& report) {
   std::string text = fmt::format("component {}, model {}\n", report.description.name,
                                  estimation::toString(report.description.model()));
-  const std::string specification = specificationText(report.description.specification());
-  if (!specification.empty()) {
-    text += "  specification\n" + specification;
+  const estimation::Specification& written = report.description.written();
+  if (const std::string specification = specificationText(written); !specification.empty()) {
+    const std::string describes = estimation::toString(written.describes());
+    text += fmt::format("  specification{}\n", describes.empty() ? "" : " of the " + describes) + specification;
+  }
+  if (report.description.specification().values() != written.values()) {
+    text += "  base\n" + specificationText(report.description.specification());
   }
   text += "  elements\n";
   for (const element::ElementDescription& element : report.elements) {
@@ -329,6 +451,7 @@ std::string toText(const EstimateReport& report) {
                     report.over_amplitude);
   text += sweepText(fmt::format("at constant product of amplitude and frequency, {:g} mm Hz", report.product * 1e3),
                     report.over_product);
+  text += report.sensitivity ? sensitivityText(*report.sensitivity) : "";
   return text;
 }
 
@@ -361,15 +484,21 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       axes.y_label = stiffness ? "stiffness [kN/mm]" : "loss angle [deg]";
       axes.log_x = true;
       for (std::size_t i = 0; i < reports.size(); ++i) {
-        axes.curves.push_back(curveOf(reports[i], column, stiffness ? stiffnessOf : angleOf, static_cast<int>(i)));
+        const int colour = static_cast<int>(i);
+        const SweepQuantity quantity = stiffness ? stiffnessOf : angleOf;
+        axes.curves.push_back(curveOf(reports[i], column, quantity, colour, styleOf(colour, reports.size())));
+        addBand(axes, reports[i], column, quantity, colour);
       }
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        // Once in the legend, for all components and columns.
-        const bool once = i == 0 && &column == &columns.front();
-        for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
-          axes.curves[mark].label.clear();
+        for (std::size_t mark = first; mark < axes.curves.size() && i > 0; ++mark) {
+          axes.curves[mark].label.clear();  // once for all components
+        }
+      }
+      if (!figure.axes.empty() && (reports.size() > 1 || &column != &columns.front())) {
+        for (io::Curve& curve : axes.curves) {
+          curve.label.clear();  // one legend for all
         }
       }
       figure.axes.push_back(axes);

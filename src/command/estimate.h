@@ -23,6 +23,21 @@ struct SweepOptions {
   int points = 13;                          ///< of each sweep
 };
 
+/// What a change of one input does at the lowest, a middle and the highest frequency of the sweep.
+struct SensitivityRow {
+  std::string input;
+  std::vector<double> frequencies;  ///< [Hz]
+  std::vector<double> stiffness;    ///< relative change of K over that of the input [-]; none without a solution
+  std::vector<double> loss_angle;   ///< change over that of the input [rad]
+};
+
+struct Sensitivity {
+  double share;  ///< by which each input was changed, up and down [-]
+  std::vector<SensitivityRow> rows;
+  std::vector<response::SweepPoint> low;  ///< the least stiffness and loss angle at each frequency over all changes
+  std::vector<response::SweepPoint> high;
+};
+
 struct EstimateReport {
   io::ComponentDescription description;
   std::vector<element::ElementDescription> elements;  ///< estimated or listed, then those added
@@ -33,6 +48,7 @@ struct EstimateReport {
   std::vector<response::SweepPoint> over_frequency;
   std::vector<response::SweepPoint> over_amplitude;
   std::vector<response::SweepPoint> over_product;
+  std::optional<Sensitivity> sensitivity;
 };
 
 /// Estimates and computes all sweeps, with a progress bar on a terminal.

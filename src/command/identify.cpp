@@ -128,6 +128,12 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     options.rig = std::move(rig.columns);
     result = fit::identify(description.allElements(), repaired, options);
   }
+  if (result.elements.empty()) {
+    throw log::LogError(
+        fmt::format("{}: no element of {} has any force in {}; accepted: logs of a component whose force rises with "
+                    "the displacement",
+                    logs.front().name, description.name, logs.size() == 1 ? "this log" : "these logs"));
+  }
   result.notes.insert(result.notes.end(), bench_notes.begin(), bench_notes.end());
   for (const measurement::RigFinding& finding : findings) {
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));

@@ -16,9 +16,11 @@
 namespace rubber_suspension::command {
 namespace {
 
-constexpr double kNominalFrequency = 4.0;   // f_n [Hz]
-constexpr double kNominalAmplitude = 2e-3;  // A_n [m]
-constexpr double kProduct = 8e-3;           // P [m Hz]
+constexpr double kFrequency = 4.0;        // f_n [Hz]
+constexpr double kAmplitude = 2e-3;       // A_n [m]
+constexpr double kProduct = 8e-3;         // P [m Hz]
+constexpr double kBreakFrequency = 1.43;  // of M2, as the paper prints it [Hz]
+constexpr double kDegrees = 180.0 / element::kPi;
 
 using Values = std::vector<std::pair<std::string, double>>;
 
@@ -47,21 +49,20 @@ NamedComponent bergModel() {
 }
 
 std::vector<NamedComponent> allModels() {
-  return {
-      {"M1 Kelvin-Voigt", exampleModel(estimation::Model::kelvin_voigt, {{"relative_damping", 0.05}})},
-      {"M2 Maxwell", exampleModel(estimation::Model::maxwell, {{"break_frequency", 1.43}})},
-      {"M3 Maxwell, dashpot",
-       exampleModel(estimation::Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
-      {"M4 friction", exampleModel(estimation::Model::friction,
-                                   {{"nominal_amplitude", kNominalAmplitude}, {"relative_damping", 0.05}})},
-      {"M5 friction, dashpot", exampleModel(estimation::Model::friction_dashpot,
-                                            {{"nominal_amplitude", kNominalAmplitude}, {"relative_damping", 0.05}})},
-      bergModel()};
+  return {{"M1 Kelvin-Voigt", exampleModel(estimation::Model::kelvin_voigt, {{"relative_damping", 0.05}})},
+          {"M2 Maxwell", exampleModel(estimation::Model::maxwell, {{"break_frequency", kBreakFrequency}})},
+          {"M3 Maxwell, dashpot",
+           exampleModel(estimation::Model::maxwell_dashpot, {{"break_frequency", 0.5}, {"relative_damping", 0.05}})},
+          {"M4 friction",
+           exampleModel(estimation::Model::friction, {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
+          {"M5 friction, dashpot", exampleModel(estimation::Model::friction_dashpot,
+                                                {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}})},
+          bergModel()};
 }
 
 std::vector<NamedComponent> maxwellModels() {
   std::vector<NamedComponent> models;
-  for (const double break_frequency : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+  for (const double break_frequency : {0.5, 1.0, kBreakFrequency, 2.0, 4.0, 8.0}) {
     models.push_back({fmt::format("M2, f_b = {:g} Hz", break_frequency),
                       exampleModel(estimation::Model::maxwell, {{"break_frequency", break_frequency}})});
   }
@@ -69,7 +70,8 @@ std::vector<NamedComponent> maxwellModels() {
 }
 
 std::vector<NamedComponent> multiMaxwellModels() {
-  std::vector<NamedComponent> models;
+  std::vector<NamedComponent> models = {
+      {"M2, n_M = 1", exampleModel(estimation::Model::maxwell, {{"maximum_stiffness", 4.9e6}})}};
   for (const int count : {3, 5}) {
     models.push_back(
         {fmt::format("M2, n_M = {}", count),
@@ -97,17 +99,23 @@ std::vector<double> amplitudes() {
   return values;
 }
 
-io::Axes sweepAxes(const PaperFigure& figure, bool over_amplitude, const std::string& y_label,
-                   double (*y)(const response::SweepPoint&)) {
+double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
+double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
+
+using Quantity = double (*)(const response::SweepPoint&);
+
+enum class Over { frequency, amplitude };
+
+io::Axes sweepAxes(const std::vector<PaperCurve>& curves, Over over, const std::string& y_label, Quantity y) {
   io::Axes axes;
-  axes.x_label = over_amplitude ? "amplitude [mm]" : "frequency [Hz]";
+  axes.x_label = over == Over::amplitude ? "amplitude [mm]" : "frequency [Hz]";
   axes.y_label = y_label;
   axes.log_x = true;
-  for (const PaperCurve& paper_curve : figure.curves) {
+  for (const PaperCurve& paper_curve : curves) {
     io::Curve curve;
     curve.label = paper_curve.label;
     for (const response::SweepPoint& point : paper_curve.points) {
-      curve.x.push_back(over_amplitude ? point.amplitude * 1e3 : point.frequency);
+      curve.x.push_back(over == Over::amplitude ? point.amplitude * 1e3 : point.frequency);
       curve.y.push_back(y(point));
     }
     axes.curves.push_back(curve);
@@ -115,86 +123,108 @@ io::Axes sweepAxes(const PaperFigure& figure, bool over_amplitude, const std::st
   return axes;
 }
 
-void drawSweeps(PaperFigure& figure, bool over_amplitude) {
+// A row of axes, stiffness on the left and loss angle on the right.
+void addRow(PaperFigure& figure, Over over, const std::vector<PaperCurve>& curves) {
+  figure.figure.axes.push_back(sweepAxes(curves, over, "stiffness [kN/mm]", stiffnessOf));
+  figure.figure.axes.push_back(sweepAxes(curves, over, "loss angle [deg]", angleOf));
+  figure.curves.insert(figure.curves.end(), curves.begin(), curves.end());
+}
+
+PaperFigure titled(int number, const std::string& title) {
+  PaperFigure figure{number, fmt::format("Figure {}: {}", number, title), {}, {}};
   figure.figure.title = figure.title;
-  figure.figure.axes = {sweepAxes(figure, over_amplitude, "stiffness [kN/mm]", stiffnessOf),
-                        sweepAxes(figure, over_amplitude, "loss angle [deg]", angleOf)};
+  return figure;
+}
+
+template <class Sweep>
+std::vector<PaperCurve> curvesOf(const std::vector<NamedComponent>& models, Sweep sweep) {
+  std::vector<PaperCurve> curves;
+  for (const NamedComponent& model : models) {
+    curves.push_back({model.label, sweep(model.component)});
+  }
+  return curves;
+}
+
+// Halfway on a log axis, and as far beyond both ends.
+std::vector<double> edgesOf(const std::vector<double>& centres) {
+  const double half = std::sqrt(centres[1] / centres[0]);
+  std::vector<double> edges = {centres[0] / half};
+  for (const double centre : centres) {
+    edges.push_back(centre * half);
+  }
+  return edges;
+}
+
+io::Axes surface(const PaperCurve& curve, const std::vector<double>& frequencies, std::vector<double> amplitudes,
+                 const std::string& label, Quantity quantity) {
+  io::Axes axes;
+  axes.title = curve.label;
+  axes.x_label = "frequency [Hz]";
+  axes.y_label = "amplitude [mm]";
+  axes.log_x = axes.log_y = true;
+  std::for_each(amplitudes.begin(), amplitudes.end(), [](double& amplitude) { amplitude *= 1e3; });
+  io::HeatMap map{edgesOf(frequencies), edgesOf(amplitudes), {}, label};
+  std::transform(curve.points.begin(), curve.points.end(), std::back_inserter(map.values), quantity);
+  axes.maps = {map};
+  return axes;
+}
+
+PaperFigure surfaceFigure() {
+  PaperFigure figure = titled(3, "stiffness and loss angle over frequency and amplitude");
+  // Eight steps a decade, so that f_n and A_n are among them.
+  const std::vector<double> over_frequency = response::logSpaced(0.04, 40.0, 25);
+  const std::vector<double> over_amplitude = response::logSpaced(0.02e-3, 20e-3, 25);
+  const std::vector<NamedComponent> all = allModels();
+  for (const std::size_t model : {0, 1, 3, 5}) {
+    PaperCurve curve{all[model].label, {}};
+    for (const double amplitude : over_amplitude) {
+      const auto row = response::sweepFrequency(all[model].component, over_frequency, amplitude);
+      curve.points.insert(curve.points.end(), row.begin(), row.end());
+    }
+    figure.figure.axes.push_back(surface(curve, over_frequency, over_amplitude, "stiffness [kN/mm]", stiffnessOf));
+    figure.figure.axes.push_back(surface(curve, over_frequency, over_amplitude, "loss angle [deg]", angleOf));
+    figure.curves.push_back(curve);
+  }
+  return figure;
+}
+
+PaperFigure modelFigure() {
+  PaperFigure figure = titled(
+      4, fmt::format("models over frequency at {:g} mm, and over amplitude at {:g} Hz", kAmplitude * 1e3, kFrequency));
+  const std::vector<NamedComponent> models = allModels();
+  addRow(figure, Over::frequency, curvesOf(models, [](const component::Component& component) {
+           return response::sweepFrequency(component, frequencies(), kAmplitude);
+         }));
+  addRow(figure, Over::amplitude, curvesOf(models, [](const component::Component& component) {
+           return response::sweepAmplitude(component, amplitudes(), kFrequency);
+         }));
+  return figure;
 }
 
 PaperFigure breakFrequencyFigure() {
-  PaperFigure figure{
-      3,
-      fmt::format("Figure 3: M2 for several break frequencies, all through K_n at {:g} Hz", kNominalFrequency),
-      {},
-      {}};
-  for (const NamedComponent& model : maxwellModels()) {
-    figure.curves.push_back(
-        {model.label, response::sweepFrequency(model.component, frequencies(), kNominalAmplitude), {}});
-  }
-  drawSweeps(figure, false);
+  PaperFigure figure =
+      titled(6, fmt::format("M2 for several break frequencies, all through K_n at {:g} Hz", kFrequency));
+  addRow(figure, Over::frequency, curvesOf(maxwellModels(), [](const component::Component& component) {
+           return response::sweepFrequency(component, frequencies(), kAmplitude);
+         }));
   return figure;
 }
 
 PaperFigure productFigure(int number, const std::string& title, const std::vector<NamedComponent>& models) {
-  PaperFigure figure{number, fmt::format("Figure {}: {}, A f = {:g} mm Hz", number, title, kProduct * 1e3), {}, {}};
-  for (const NamedComponent& model : models) {
-    figure.curves.push_back(
-        {model.label, response::sweepConstantProduct(model.component, frequencies(), kProduct), {}});
-  }
-  drawSweeps(figure, false);
-  return figure;
-}
-
-PaperFigure amplitudeFigure() {
-  PaperFigure figure{5, fmt::format("Figure 5: models over amplitude at {:g} Hz", kNominalFrequency), {}, {}};
-  for (const NamedComponent& model : allModels()) {
-    figure.curves.push_back(
-        {model.label, response::sweepAmplitude(model.component, amplitudes(), kNominalFrequency), {}});
-  }
-  drawSweeps(figure, true);
-  return figure;
-}
-
-// A model per panel: the loop at the working point is nearly the same ellipse for all that meet it.
-PaperFigure loopFigure() {
-  PaperFigure figure{
-      6,
-      fmt::format("Figure 6: loops of the models at {:g} Hz and {:g} mm", kNominalFrequency, kNominalAmplitude * 1e3),
-      {},
-      {}};
-  figure.figure.title = figure.title;
-  figure.figure.columns = 3;
-  for (const NamedComponent& model : allModels()) {
-    const response::SettledLoop loop =
-        response::simulateSettledLoop(model.component, kNominalFrequency, kNominalAmplitude);
-    figure.curves.push_back({model.label, {}, loop});
-    io::Curve curve;
-    for (std::size_t i = 0; i <= loop.force.size(); ++i) {
-      curve.x.push_back(loop.displacement[i % loop.force.size()] * 1e3);
-      curve.y.push_back(loop.force[i % loop.force.size()] * 1e-3);
-    }
-    io::Axes axes;
-    axes.title = model.label;
-    axes.x_label = "displacement [mm]";
-    axes.y_label = "force [kN]";
-    axes.curves = {curve};
-    figure.figure.axes.push_back(axes);
-  }
+  PaperFigure figure = titled(number, fmt::format("{}, A f = {:g} mm Hz", title, kProduct * 1e3));
+  addRow(figure, Over::frequency, curvesOf(models, [](const component::Component& component) {
+           return response::sweepConstantProduct(component, frequencies(), kProduct);
+         }));
   return figure;
 }
 
 // Quotes a label, which may hold commas.
 std::string csvText(const PaperFigure& figure) {
-  const bool loops = !figure.curves.at(0).loop.force.empty();
-  std::string text =
-      loops ? "curve,displacement_m,force_n\n" : "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad\n";
+  std::string text = "curve,frequency_hz,amplitude_m,stiffness_n_per_m,loss_angle_rad\n";
   for (const PaperCurve& curve : figure.curves) {
     for (const response::SweepPoint& point : curve.points) {
       text += fmt::format("\"{}\",{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.label, point.frequency, point.amplitude,
                           point.characteristics.stiffness, point.characteristics.loss_angle);
-    }
-    for (std::size_t i = 0; i < curve.loop.force.size(); ++i) {
-      text += fmt::format("\"{}\",{:.17g},{:.17g}\n", curve.label, curve.loop.displacement[i], curve.loop.force[i]);
     }
   }
   return text;
@@ -209,8 +239,9 @@ std::string basePath(const std::string& folder, int number) {
 }  // namespace
 
 std::vector<PaperFigure> paperFigures() {
-  return {breakFrequencyFigure(), productFigure(4, "models over frequency", allModels()), amplitudeFigure(),
-          loopFigure(), productFigure(8, "three and five Maxwell elements beside M6", multiMaxwellModels())};
+  return {surfaceFigure(), modelFigure(), productFigure(5, "models over frequency", allModels()),
+          breakFrequencyFigure(),
+          productFigure(8, "one, three and five Maxwell elements and M6", multiMaxwellModels())};
 }
 
 std::vector<std::string> paperFigurePaths(const std::string& folder) {

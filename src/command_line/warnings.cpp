@@ -7,7 +7,7 @@
 namespace rubber_suspension::command_line {
 
 void warnOf(const std::string& command, const io::ComponentDescription& description) {
-  for (const std::string& warning : estimation::specificationWarnings(description.specification())) {
+  for (const std::string& warning : estimation::specificationWarnings(description.written())) {
     printWarning(command, description.name + ": " + warning);
   }
 }

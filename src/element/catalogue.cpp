@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "element/suggestion.h"
+#include "rubber_suspension/element/along_curve.h"
 #include "rubber_suspension/element/arrhenius_shift.h"
 #include "rubber_suspension/element/asymmetric_stiffness.h"
 #include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/bouc_wen.h"
 #include "rubber_suspension/element/bump_stop.h"
 #include "rubber_suspension/element/coulomb_friction.h"
 #include "rubber_suspension/element/creep.h"
@@ -20,6 +22,7 @@
 #include "rubber_suspension/element/free_play.h"
 #include "rubber_suspension/element/friction_behind_play.h"
 #include "rubber_suspension/element/inertia.h"
+#include "rubber_suspension/element/inertia_track.h"
 #include "rubber_suspension/element/iwan.h"
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/element/maxwell_behind_play.h"
@@ -99,9 +102,14 @@ const std::vector<ElementType>& elementTypes() {
       thixotropicMaxwellType(),
       maxwellBehindPlayType(),
       powerDashpotBehindPlayType(),
+      maxwellAlongCurveType(),
+      dashpotAlongCurveType(),
+      slidersAlongCurveType(),
       springpotType(),
       creepType(),
+      inertiaTrackType(),
       bergFrictionType(),
+      boucWenType(),
       coulombFrictionType(),
       iwanType(),
       iwanTableType(),

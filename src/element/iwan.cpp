@@ -20,6 +20,8 @@ int sliderCount(const ElementDescription& description) {
   return static_cast<int>(count);
 }
 
+}  // namespace
+
 std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& description) {
   const std::vector<double>& yield = description.list("yield_displacement");
   const std::vector<double>& stiffness = description.list("stiffness");
@@ -34,8 +36,6 @@ std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& descriptio
   }
   return sliders;
 }
-
-}  // namespace
 
 std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement, int count) {
   const int middle = count / 2;

@@ -23,27 +23,29 @@ void checkLengths(const std::vector<double>& displacement, const std::vector<dou
   }
 }
 
-void checkOrder(const std::vector<double>& displacement, const std::vector<double>& force) {
+void checkOrder(const std::vector<double>& displacement, const std::vector<double>& force, bool monotone) {
   for (std::size_t i = 1; i < displacement.size(); ++i) {
     if (!(displacement[i] > displacement[i - 1])) {
       refuseValue(kTableName, "displacement", displacement[i], "m",
                   fmt::format("greater than {:g}, the value before it", displacement[i - 1]));
     }
-    if (!(force[i] >= force[i - 1])) {
-      refuseValue(kTableName, "force", force[i], "N", fmt::format("at least {:g}, the value before it", force[i - 1]));
+    if (monotone && !(force[i] >= force[i - 1])) {
+      refuseValue(kTableName, "force", force[i], "N",
+                  fmt::format("at least {:g}, the value before it, or monotone: 0", force[i - 1]));
     }
   }
 }
 
 }  // namespace
 
-SpringTable::SpringTable(std::vector<double> displacement, std::vector<double> force)
-    : displacement_(std::move(displacement)), force_(std::move(force)) {
+SpringTable::SpringTable(std::vector<double> displacement, std::vector<double> force, bool monotone)
+    : displacement_(std::move(displacement)), force_(std::move(force)), monotone_(monotone) {
   checkLengths(displacement_, force_);
-  checkOrder(displacement_, force_);
+  checkOrder(displacement_, force_, monotone_);
   const double at_zero = this->force(0.0);
-  if (std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
-    refuseValue(kTableName, "force", at_zero, "N at displacement 0", "0 there; give a preload as force_offset");
+  if (monotone_ && std::abs(at_zero) > kRelativeOffset * std::max(std::abs(force_.front()), std::abs(force_.back()))) {
+    refuseValue(kTableName, "force", at_zero, "N at displacement 0",
+                "0 there (give a preload as force_offset), or monotone: 0");
   }
 }
 
@@ -59,10 +61,12 @@ ElementType springTableType() {
       kTableName,
       "Spring with a characteristic given by points, linear between them, with the end slopes beyond.",
       {{"displacement", "m", Role::choice, Range::any(), std::nullopt, "displacements of the points, increasing", true},
-       {"force", "N", Role::scale, Range::any(), std::nullopt,
-        "forces of the points, not decreasing, 0 at displacement 0", true}},
+       {"force", "N", Role::scale, Range::any(), std::nullopt, "forces of the points", true},
+       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0), 1.0,
+        "1: the forces do not decrease and are 0 at displacement 0; 0: any forces"}},
       [](const ElementDescription& description) -> ElementPointer {
-        return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"));
+        return std::make_shared<const SpringTable>(description.list("displacement"), description.list("force"),
+                                                   description.value("monotone") != 0.0);
       }};
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace rubber_suspension::element {
 namespace {
@@ -41,6 +42,46 @@ std::optional<std::string> nearestWithin(const std::string& word, const std::vec
   return nearest;
 }
 
+// How papers write what component files spell out.
+const std::vector<std::pair<std::string, std::string>>& symbols() {
+  static const std::vector<std::pair<std::string, std::string>> table = {{"m1", "kelvin_voigt"},
+                                                                         {"m2", "maxwell"},
+                                                                         {"m3", "maxwell_dashpot"},
+                                                                         {"m4", "friction"},
+                                                                         {"m5", "friction_dashpot"},
+                                                                         {"m6", "berg"},
+                                                                         {"kst", "static_stiffness"},
+                                                                         {"kn", "dynamic_stiffness"},
+                                                                         {"kdyn", "dynamic_stiffness"},
+                                                                         {"kmax", "maximum_stiffness"},
+                                                                         {"kh", "high_frequency_stiffness"},
+                                                                         {"fn", "nominal_frequency"},
+                                                                         {"fh", "high_frequency"},
+                                                                         {"fl", "low_frequency"},
+                                                                         {"an", "nominal_amplitude"},
+                                                                         {"dn", "relative_damping"},
+                                                                         {"delta", "loss_angle"},
+                                                                         {"deltan", "loss_angle"},
+                                                                         {"fb", "break_frequency"},
+                                                                         {"nm", "maxwell_elements"}};
+  return table;
+}
+
+std::optional<std::string> spelledOut(const std::string& word, const std::vector<std::string>& known) {
+  std::string bare;
+  for (const char c : word) {
+    if (c != '_' && c != ' ') {
+      bare += lower(c);
+    }
+  }
+  for (const auto& [symbol, name] : symbols()) {
+    if (symbol == bare && std::find(known.begin(), known.end(), name) != known.end()) {
+      return name;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::size_t editDistance(const std::string& one, const std::string& other) {
@@ -66,6 +107,9 @@ std::size_t editDistance(const std::string& one, const std::string& other) {
 std::optional<std::string> nearestWord(const std::string& word, const std::vector<std::string>& known) {
   if (word.empty() || std::find(known.begin(), known.end(), word) != known.end()) {
     return std::nullopt;
+  }
+  if (auto name = spelledOut(word, known)) {
+    return name;
   }
   if (auto nearest = nearestWithin(word, known)) {
     return nearest;

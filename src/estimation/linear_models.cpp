@@ -48,7 +48,44 @@ std::optional<Obstacle> storageObstacle(const Specification& specification) {
                                    inputText(specification, "static_stiffness"))};
 }
 
+double breakFrequencyForHighStiffness(const Specification& specification) {
+  const auto added = [&](const char* key) {
+    const double stiffness = specification.at(key);
+    const double k_st = specification.at("static_stiffness");
+    return (stiffness - k_st) * (stiffness + k_st);
+  };
+  const double f_n = specification.at("nominal_frequency");
+  const double f_h = specification.at("high_frequency");
+  // K^2 - K_st^2 is in proportion to f^2/(f^2 + f_b^2).
+  const double ratio = added("dynamic_stiffness") / added("high_frequency_stiffness") * (f_h / f_n) * (f_h / f_n);
+  return std::sqrt((f_h * f_h - ratio * f_n * f_n) / (ratio - 1.0));
+}
+
+double highStiffnessOfOne(const Specification& specification, double break_frequency) {
+  const double k_st = specification.at("static_stiffness");
+  const std::complex<double> ratio(0.0, specification.at("high_frequency") / break_frequency);
+  return std::abs(k_st + maxwellStiffness(specification, break_frequency) * ratio / (1.0 + ratio));
+}
+
+std::optional<Obstacle> highFrequencyObstacle(const Specification& specification) {
+  if (specification.at("nominal_frequency") >= specification.at("high_frequency")) {
+    return Obstacle{"high_frequency", "is not above " + inputText(specification, "nominal_frequency")};
+  }
+  if (specification.at("high_frequency_stiffness") <= specification.at("dynamic_stiffness")) {
+    return Obstacle{"high_frequency_stiffness", "is not above " + inputText(specification, "dynamic_stiffness")};
+  }
+  return std::nullopt;
+}
+
 std::optional<Obstacle> maxwellObstacle(const Specification& specification) {
+  if (specification.has("high_frequency_stiffness")) {
+    auto obstacle = highFrequencyObstacle(specification);
+    // A break frequency far above f_h makes a dashpot, and with it the steepest rise.
+    if (!obstacle && !std::isfinite(breakFrequencyForHighStiffness(specification))) {
+      obstacle = Obstacle{"high_frequency_stiffness", "rises more from f_n to f_h than one Maxwell element can"};
+    }
+    return obstacle;
+  }
   const bool by_angle = specification.has("loss_angle") || specification.has("relative_damping");
   return by_angle ? storageObstacle(specification) : std::nullopt;
 }
@@ -83,8 +120,9 @@ std::vector<element::ElementDescription> estimateMaxwell(const Specification& sp
     break_frequency = breakFrequencyForMaximum(specification);
     stiffness = specification.at("maximum_stiffness") - k_st;
   } else {
-    break_frequency = specification.has("break_frequency") ? specification.at("break_frequency")
-                                                           : breakFrequencyForLossAngle(specification);
+    break_frequency = specification.has("break_frequency")            ? specification.at("break_frequency")
+                      : specification.has("high_frequency_stiffness") ? breakFrequencyForHighStiffness(specification)
+                                                                      : breakFrequencyForLossAngle(specification);
     stiffness = maxwellStiffness(specification, break_frequency);
   }
   return {{"spring", {{"stiffness", {k_st}}}},

@@ -22,8 +22,25 @@ double lossAngle(const Specification& specification);
 /// What all models ask of their stiffnesses: K_st < K_n < K_max, and none more than ten times K_st.
 std::optional<Obstacle> stiffnessObstacle(const Specification& specification);
 
+/// The specification with the tangent of its curve at the working point in place of the curve.
+Specification tangentOf(Model model, const Specification& specification);
+
+/// Whether the numbers of a base, which pass checkSpecification(), have a solution.
+bool isSolvable(Model model, const Specification& specification);
+
+/// The elements of a model around its static curve: the curve for the first spring and, where it scales, Maxwell
+/// elements and dashpots in proportion to its slope over that at the working point [m].
+std::vector<element::ElementDescription> alongCurve(const StaticCurve& curve, double nominal_displacement,
+                                                    std::vector<element::ElementDescription> elements);
+
+/// The curve as an element.
+element::ElementDescription springOf(const StaticCurve& curve);
+
 /// "key 4.2e+06 N/m", for reasons that compare two inputs.
 std::string inputText(const Specification& specification, const std::string& key);
+
+/// All inputs as they stand in a component file on one line.
+std::string flowMap(const Specification& specification);
 
 /// The input, or the default of its table.
 double valueOrDefault(const Specification& specification, std::string_view key);
@@ -35,6 +52,16 @@ double breakFrequencyForMaximum(const Specification& specification);
 /// Break frequency [Hz] at which one Maxwell element meets K_n and the loss angle together:
 /// f_b = f_n K_n sin(delta)/(K_n cos(delta) - K_st), as its loss and its storage stiffness relate as f_b to f_n.
 double breakFrequencyForLossAngle(const Specification& specification);
+
+/// Break frequency [Hz] at which one Maxwell element meets K_n at f_n and high_frequency_stiffness at f_h; not a number
+/// where none does.
+double breakFrequencyForHighStiffness(const Specification& specification);
+
+/// |K*(f_h)| [N/m] of one Maxwell element of this break frequency [Hz] that meets K_n.
+double highStiffnessOfOne(const Specification& specification, double break_frequency);
+
+/// What high_frequency_stiffness asks of the others: f_n < f_h, K_n < K(f_h).
+std::optional<Obstacle> highFrequencyObstacle(const Specification& specification);
 
 /// The storage stiffness K_n cos(delta) has to exceed K_st, else nothing is left for a Maxwell element.
 std::optional<Obstacle> storageObstacle(const Specification& specification);
@@ -57,6 +84,10 @@ std::vector<element::ElementDescription> estimateBerg(const Specification& speci
 // M2 with n_M elements (multi_maxwell.cpp).
 std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification);
 std::vector<element::ElementDescription> estimateMultiMaxwell(const Specification& specification);
+
+/// The Maxwell elements of a band (high_frequency, low_frequency, maxwell_elements) with this sum of their stiffnesses
+/// [N/m] and this alpha.
+std::vector<element::ElementDescription> multiMaxwellElements(const Specification& band, double relaxing, double alpha);
 
 /// The frequencies [Hz] over which the Maxwell elements are spread.
 struct Band {

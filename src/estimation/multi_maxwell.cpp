@@ -20,6 +20,8 @@ using Complex = std::complex<double>;
 
 // Keeps the roots away from alpha = 0 and infinity, where some elements vanish.
 constexpr double kBandMargin = 1e-9;
+// The same of a search over K_max, which takes alpha to its ends.
+constexpr double kEndMargin = 1e-6;
 // Steps of the scan for a high frequency that gives a loss angle.
 constexpr int kBandSteps = 60;
 
@@ -223,7 +225,39 @@ Solution solveForMaximum(const Inputs& inputs) {
   return {high_frequency, std::move(break_frequencies), k_st + added, alpha};
 }
 
+// K_max at which the model that meets K_n has the stiffness asked for at f_h, which rises with K_max. Its ends are
+// those of one Maxwell element with the last and with the first break frequency.
+Inputs withMaximumStiffness(Inputs inputs, const std::vector<double>& break_frequencies) {
+  const double k_st = inputs.static_stiffness;
+  const double high_frequency = inputs.high_frequency.value();
+  const double target = inputs.specification.at("high_frequency_stiffness");
+  const std::vector<Complex> of_each_high = relativeStiffnesses(break_frequencies, high_frequency);
+  const auto mismatch = [&](double maximum) {
+    inputs.maximum_stiffness = maximum;
+    const double alpha = alphaForStiffness(inputs, break_frequencies);
+    return std::abs(k_st + (maximum - k_st) * relativeStiffness(alpha, of_each_high)) - target;
+  };
+  const auto maximumOfOne = [&](double break_frequency) {
+    const double ratio = break_frequency / inputs.nominal_frequency;
+    const double added = (inputs.dynamic_stiffness - k_st) * (inputs.dynamic_stiffness + k_st) * ratio * ratio;
+    return std::sqrt(inputs.dynamic_stiffness * inputs.dynamic_stiffness + added);
+  };
+  boost::uintmax_t iterations = 200;
+  const auto bracket =
+      boost::math::tools::toms748_solve(mismatch, maximumOfOne(break_frequencies.front() * (1.0 + kEndMargin)),
+                                        maximumOfOne(break_frequencies.back() * (1.0 - kEndMargin)),
+                                        boost::math::tools::eps_tolerance<double>(50), iterations);
+  inputs.maximum_stiffness = 0.5 * (bracket.first + bracket.second);
+  return inputs;
+}
+
 Solution solve(const Inputs& inputs) {
+  if (inputs.specification.has("high_frequency_stiffness")) {
+    std::vector<double> break_frequencies = breakFrequencies(inputs, inputs.high_frequency.value());
+    const Inputs solved = withMaximumStiffness(inputs, break_frequencies);
+    const double alpha = alphaForStiffness(solved, break_frequencies);
+    return {solved.high_frequency.value(), std::move(break_frequencies), solved.maximum_stiffness.value(), alpha};
+  }
   if (!inputs.maximum_stiffness.has_value()) {
     return solveForMaximum(inputs);
   }
@@ -251,6 +285,25 @@ Obstacle notEmbraced(const std::string& key, const Inputs& inputs, double freque
           fmt::format("needs a break frequency of {:.6g} Hz on average, which is outside those of the {} elements, "
                       "{:.6g} to {:.6g} Hz",
                       frequency, b.size(), b.front(), b.back())};
+}
+
+std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
+  for (auto obstacle : {highFrequencyObstacle(inputs.specification), orderObstacle(inputs)}) {
+    if (obstacle) {
+      return obstacle;
+    }
+  }
+  const std::vector<double> b = breakFrequencies(inputs, inputs.high_frequency.value());
+  const double low = highStiffnessOfOne(inputs.specification, b.front() * (1.0 + 20.0 * kEndMargin));
+  const double high = highStiffnessOfOne(inputs.specification, b.back() * (1.0 - 20.0 * kEndMargin));
+  const double target = inputs.specification.at("high_frequency_stiffness");
+  if (low < target && target < high) {
+    return std::nullopt;
+  }
+  const WrittenUnit unit = inputs.specification.writtenUnit("high_frequency_stiffness");
+  return Obstacle{"high_frequency_stiffness",
+                  fmt::format("is not reached by {} elements that meet K_n, which have {:.6g} to {:.6g} {} there",
+                              b.size(), low / unit.size, high / unit.size, unit.name)};
 }
 
 std::optional<Obstacle> stiffnessTargetObstacle(const Inputs& inputs) {
@@ -282,6 +335,9 @@ std::optional<Obstacle> angleTargetObstacle(const Inputs& inputs) {
 
 std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification) {
   const Inputs inputs(specification);
+  if (specification.has("high_frequency_stiffness")) {
+    return highStiffnessObstacle(inputs);
+  }
   if (!inputs.loss_angle) {
     return stiffnessTargetObstacle(inputs);
   }
@@ -296,29 +352,48 @@ std::optional<Obstacle> multiMaxwellObstacle(const Specification& specification)
                                             inputs.elements, inputText(specification, "nominal_frequency"))};
 }
 
-Band multiMaxwellBand(const Specification& specification) {
+Band multiMaxwellBand(const Specification& given) {
+  const Specification specification = tangentOf(Model::multi_maxwell, given);
   const Inputs inputs(specification);
   const double high_frequency = solve(inputs).high_frequency;
   return {lowFrequency(inputs, high_frequency), high_frequency};
+}
+
+namespace {
+
+std::vector<element::ElementDescription> maxwellElements(const std::vector<double>& break_frequencies, double relaxing,
+                                                         double alpha) {
+  std::vector<element::ElementDescription> elements(break_frequencies.size());
+  const auto add = [](element::ElementDescription& element, const char* last_name, double value) {
+    element.values.emplace_hint(element.values.end(), last_name, std::vector<double>(1, value));
+  };
+  forEachShare(alpha, break_frequencies.size(), [&](std::size_t i, double share) {
+    elements[i].type = "maxwell";
+    add(elements[i], "break_frequency", break_frequencies[i]);
+    add(elements[i], "stiffness", share * relaxing);
+  });
+  return elements;
+}
+
+}  // namespace
+
+std::vector<element::ElementDescription> multiMaxwellElements(const Specification& band, double relaxing,
+                                                              double alpha) {
+  Specification specification = band;
+  for (const char* key : {"static_stiffness", "dynamic_stiffness", "nominal_frequency"}) {
+    specification.set(key, 0.0);  // take no part
+  }
+  const Inputs inputs(specification);
+  return maxwellElements(breakFrequencies(inputs, band.at("high_frequency")), relaxing, alpha);
 }
 
 std::vector<element::ElementDescription> estimateMultiMaxwell(const Specification& specification) {
   const Inputs inputs(specification);
   const Solution solution = solve(inputs);
   const double k_st = inputs.static_stiffness;
-  const std::vector<double>& break_frequencies = solution.break_frequencies;
-  const auto add = [](element::ElementDescription& element, const char* last_name, double value) {
-    element.values.emplace_hint(element.values.end(), last_name, std::vector<double>(1, value));
-  };
-  std::vector<element::ElementDescription> elements(1 + break_frequencies.size());
-  elements[0].type = "spring";
-  add(elements[0], "stiffness", k_st);
-  forEachShare(solution.alpha, break_frequencies.size(), [&](std::size_t i, double share) {
-    element::ElementDescription& element = elements[1 + i];
-    element.type = "maxwell";
-    add(element, "break_frequency", break_frequencies[i]);
-    add(element, "stiffness", share * (solution.maximum_stiffness - k_st));
-  });
+  std::vector<element::ElementDescription> elements =
+      maxwellElements(solution.break_frequencies, solution.maximum_stiffness - k_st, solution.alpha);
+  elements.insert(elements.begin(), {"spring", {{"stiffness", {k_st}}}});
   return elements;
 }
 

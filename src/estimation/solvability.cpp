@@ -5,33 +5,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "estimation/models.h"
 
 namespace rubber_suspension::estimation {
 namespace {
 
-constexpr double kReach = 1e4;           // how far the scan goes from the given value, as a factor
-constexpr int kPointsPerDecade = 60;     // of the scan
-constexpr int kNearPointsPerDecade = 8;  // of the distance to another input of the same unit
+struct ScanDensity {
+  double decades;              // how far the scan goes from the given value, to either side
+  int points_per_decade;       // of the scan
+  int near_points_per_decade;  // of the distance to another input of the same unit
+  double tolerance;            // of an edge
+};
+
+ScanDensity densityOf(Scan scan) {
+  return scan == Scan::fine ? ScanDensity{4.0, 60, 8, 1e-12} : ScanDensity{2.0, 12, 2, 1e-7};
+}
 
 bool isCount(const element::ParameterInfo& input) { return input.name == "maxwell_elements"; }
 
-void addScanPoints(std::vector<double>& points, double value) {
-  const int steps = static_cast<int>(std::lround(2.0 * std::log10(kReach))) * kPointsPerDecade;
+void addScanPoints(std::vector<double>& points, double value, const ScanDensity& density) {
+  const int steps = static_cast<int>(std::lround(2.0 * density.decades)) * density.points_per_decade;
   for (int i = 0; i <= steps; ++i) {
-    points.push_back(value / kReach * std::pow(10.0, static_cast<double>(i) / kPointsPerDecade));
+    points.push_back(value * std::pow(10.0, static_cast<double>(i) / density.points_per_decade - density.decades));
   }
 }
 
 // Intervals may begin at another input, such as K_n just above K_st, and be narrow.
-void addPointsNear(std::vector<double>& points, double value) {
-  for (int i = 1; i <= 6 * kNearPointsPerDecade; ++i) {
-    const double distance = std::pow(10.0, -static_cast<double>(i) / kNearPointsPerDecade);
+void addPointsNear(std::vector<double>& points, double value, const ScanDensity& density) {
+  for (int i = 1; i <= 6 * density.near_points_per_decade; ++i) {
+    const double distance = std::pow(10.0, -static_cast<double>(i) / density.near_points_per_decade);
     points.push_back(value * (1.0 + distance));
     points.push_back(value * (1.0 - distance));
   }
 }
 
-std::vector<double> scanPoints(const Specification& specification, const element::ParameterInfo& input) {
+std::vector<double> scanPoints(const Specification& specification, const element::ParameterInfo& input,
+                               const ScanDensity& density) {
   std::vector<double> points;
   if (isCount(input)) {
     for (double count = input.range.lower; count <= input.range.upper; count += 1.0) {
@@ -39,10 +50,10 @@ std::vector<double> scanPoints(const Specification& specification, const element
     }
     return points;
   }
-  addScanPoints(points, specification.at(input.name));
+  addScanPoints(points, specification.at(input.name), density);
   for (const element::ParameterInfo& other : specificationParameters()) {
     if (other.unit == input.unit && specification.has(other.name)) {
-      addPointsNear(points, specification.at(other.name));
+      addPointsNear(points, specification.at(other.name), density);
     }
   }
   points.erase(std::remove_if(points.begin(), points.end(), [&](double x) { return !input.range.contains(x); }),
@@ -52,8 +63,8 @@ std::vector<double> scanPoints(const Specification& specification, const element
 }
 
 // The edge between a value without and a value with a solution.
-double edge(double without, double with, const std::function<bool(double)>& solvable) {
-  while (std::abs(with - without) > 1e-12 * std::abs(with)) {
+double edge(double without, double with, const std::function<bool(double)>& solvable, double tolerance) {
+  while (std::abs(with - without) > tolerance * std::abs(with)) {
     const double middle = 0.5 * (without + with);
     (solvable(middle) ? with : without) = middle;
   }
@@ -74,16 +85,76 @@ std::string describe(const std::vector<element::Range>& intervals, const element
   return fmt::format("{} {}{}{}", input.name, text, unit.name == "1" ? "" : " ", unit.name == "1" ? "" : unit.name);
 }
 
+// A value inside an interval near one of its ends, of few digits.
+double roundedInside(const element::Range& interval, double end) {
+  constexpr double kInside = 0.01;
+  const double width = std::min(interval.upper - interval.lower, std::abs(end));
+  const double value = end + (end == interval.lower ? kInside : -kInside) * width;
+  const double unit = std::pow(10.0, std::floor(std::log10(0.5 * kInside * width)));
+  return std::round(value / unit) * unit;
+}
+
+// The specification with one input changed that is nearest to what was given.
+class Nearest {
+ public:
+  Nearest(const Specification& specification, const Solvable& solvable)
+      : specification_(specification), solvable_(solvable) {}
+
+  void offer(const element::ParameterInfo& input, const std::vector<element::Range>& intervals) {
+    const double given = specification_.at(input.name);
+    for (const element::Range& interval : intervals) {
+      const double end = given < interval.lower ? interval.lower : interval.upper;
+      const double distance = std::abs(std::log(end / given));
+      if (distance < distance_) {
+        offer(input.name, isCount(input) ? end : roundedInside(interval, end), distance);
+      }
+    }
+  }
+
+  std::string text() const {
+    return std::isfinite(distance_) ? "; nearest: specification: {" + flowMap(nearest_) + "}" : "";
+  }
+
+ private:
+  void offer(const std::string& name, double value, double distance) {
+    Specification changed = specification_;
+    changed.set(name, value);
+    if (solvable_(changed)) {
+      nearest_ = changed;
+      distance_ = distance;
+    }
+  }
+
+  const Specification& specification_;
+  const Solvable& solvable_;
+  Specification nearest_;
+  double distance_ = std::numeric_limits<double>::infinity();
+};
+
+// Of numbers that the search may move: not a displacement that may be 0.
+bool isSearched(const element::ParameterInfo& input) { return input.range.lower >= 0.0; }
+
 }  // namespace
 
+std::string flowMap(const Specification& specification) {
+  std::string text;
+  for (const element::ParameterInfo& input : specificationParameters()) {
+    if (specification.has(input.name)) {
+      text += (text.empty() ? "" : ", ") + inputText(specification, input.name);
+    }
+  }
+  return text;
+}
+
 std::vector<element::Range> solvableIntervals(const Specification& specification, const element::ParameterInfo& input,
-                                              const Solvable& solvable) {
+                                              const Solvable& solvable, Scan scan) {
+  const ScanDensity density = densityOf(scan);
   const auto withValue = [&](double value) {
     Specification changed = specification;
     changed.set(input.name, value);
     return solvable(changed);
   };
-  const std::vector<double> points = scanPoints(specification, input);
+  const std::vector<double> points = scanPoints(specification, input, density);
   std::vector<element::Range> intervals;
   bool inside = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -91,7 +162,7 @@ std::vector<element::Range> solvableIntervals(const Specification& specification
       if (!inside) {
         const double lower = isCount(input) ? points[i]
                              : i == 0       ? input.range.lower
-                                            : edge(points[i - 1], points[i], withValue);
+                                            : edge(points[i - 1], points[i], withValue, density.tolerance);
         intervals.push_back(isCount(input) ? element::Range::closed(lower, lower)
                                            : element::Range::open(lower, input.range.upper));
       } else if (isCount(input)) {
@@ -100,7 +171,7 @@ std::vector<element::Range> solvableIntervals(const Specification& specification
       inside = true;
     } else if (inside) {
       if (!isCount(input)) {
-        intervals.back().upper = edge(points[i], points[i - 1], withValue);
+        intervals.back().upper = edge(points[i], points[i - 1], withValue, density.tolerance);
       }
       inside = false;
     }
@@ -108,18 +179,21 @@ std::vector<element::Range> solvableIntervals(const Specification& specification
   return intervals;
 }
 
-std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable) {
+std::string describeSolvableInputs(const Specification& specification, const Solvable& solvable, Scan scan) {
   std::string text;
+  Nearest nearest(specification, solvable);
   for (const element::ParameterInfo& input : specificationParameters()) {
-    if (!specification.has(input.name)) {
+    if (!specification.has(input.name) || !isSearched(input)) {
       continue;
     }
-    const std::vector<element::Range> intervals = solvableIntervals(specification, input, solvable);
+    const std::vector<element::Range> intervals = solvableIntervals(specification, input, solvable, scan);
     if (!intervals.empty()) {
       text += (text.empty() ? "" : "; ") + describe(intervals, input, specification.writtenUnit(input.name));
+      nearest.offer(input, intervals);
     }
   }
-  return text;
+  return text.empty() ? "no value of any single input with the others kept"
+                      : text + " (each with the others kept)" + nearest.text();
 }
 
 }  // namespace rubber_suspension::estimation

@@ -43,8 +43,8 @@ const std::vector<NamedModel>& models() {
       {{Model::maxwell,
         "M2: spring and one Maxwell element",
         {"static_stiffness", "dynamic_stiffness", "nominal_frequency"},
-        {{"break_frequency", "loss_angle", "relative_damping", "maximum_stiffness"}},
-        {},
+        {{"break_frequency", "loss_angle", "relative_damping", "maximum_stiffness", "high_frequency_stiffness"}},
+        {"high_frequency"},
         {}},
        "maxwell",
        maxwellObstacle,
@@ -90,7 +90,7 @@ const std::vector<NamedModel>& models() {
         "reconstruction of the paper's illegible Eq. 22",
         {"static_stiffness", "dynamic_stiffness", "nominal_frequency"},
         {},
-        {"maxwell_elements", "low_frequency"},
+        {"maxwell_elements", "low_frequency", "high_frequency_stiffness"},
         {{"maximum_stiffness", "high_frequency", "loss_angle"}}},
        "multi_maxwell",
        multiMaxwellObstacle,
@@ -102,6 +102,9 @@ const std::vector<NamedModel>& models() {
   };
   return table;
 }
+
+// Keys of every model that says what it describes: the working point beside its frequency.
+const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
 
@@ -117,7 +120,7 @@ std::string join(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> acceptedKeys(const ModelInfo& info) {
+std::vector<std::string> acceptedKeys(const ModelInfo& info, bool whole) {
   std::vector<std::string> keys = info.required;
   for (const auto& groups : {info.one_of, info.two_of}) {
     for (const auto& group : groups) {
@@ -125,24 +128,18 @@ std::vector<std::string> acceptedKeys(const ModelInfo& info) {
     }
   }
   keys.insert(keys.end(), info.optional.begin(), info.optional.end());
+  for (const std::string& key : kWorkingPoint) {
+    if (whole && std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      keys.push_back(key);
+    }
+  }
   return keys;
 }
 
-bool contains(const std::vector<std::string>& keys, const std::string& key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-bool isAccepted(const ModelInfo& info, const std::string& key) {
-  const auto has = [&](const std::vector<std::string>& group) { return contains(group, key); };
-  return contains(info.required, key) || contains(info.optional, key) ||
-         std::any_of(info.one_of.begin(), info.one_of.end(), has) ||
-         std::any_of(info.two_of.begin(), info.two_of.end(), has);
-}
-
-void checkKeys(const NamedModel& model, const Specification& specification) {
+void checkKeys(const NamedModel& model, const Specification& specification, bool whole) {
+  const std::vector<std::string> accepted = acceptedKeys(model.info, whole && model.info.model != Model::elements);
   for (const auto& [key, value] : specification.values()) {
-    if (!isAccepted(model.info, key)) {
-      const std::vector<std::string> accepted = acceptedKeys(model.info);
+    if (std::find(accepted.begin(), accepted.end(), key) == accepted.end()) {
       const std::string what = findParameter(key) == nullptr ? "unknown key" + element::didYouMean(key, accepted)
                                                              : "not an input of model " + model.name;
       throw std::invalid_argument(
@@ -194,6 +191,25 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
   }
 }
 
+// high_frequency_stiffness stands for maximum_stiffness and needs its frequency.
+void checkHighFrequency(const NamedModel& model, const Specification& specification) {
+  const bool stiffness = specification.has("high_frequency_stiffness");
+  if (stiffness && !specification.has("high_frequency")) {
+    throw std::invalid_argument(
+        "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
+  }
+  if (!stiffness && model.info.model == Model::maxwell) {
+    throw std::invalid_argument(
+        "high_frequency: not an input of model maxwell without high_frequency_stiffness; accepted: both");
+  }
+  for (const char* other : {"maximum_stiffness", "loss_angle"}) {
+    if (stiffness && specification.has(other)) {
+      throw std::invalid_argument(fmt::format(
+          "{0}: given beside high_frequency_stiffness, which takes its place; accepted: one of both", other));
+    }
+  }
+}
+
 void checkPresence(const NamedModel& model, const Specification& specification) {
   for (const std::string& key : model.info.required) {
     if (!specification.has(key)) {
@@ -204,8 +220,13 @@ void checkPresence(const NamedModel& model, const Specification& specification) 
   for (const auto& group : model.info.one_of) {
     checkGroup(model, specification, group, 1);
   }
+  if (specification.has("high_frequency_stiffness") || specification.has("high_frequency")) {
+    checkHighFrequency(model, specification);
+  }
   for (const auto& group : model.info.two_of) {
-    checkGroup(model, specification, group, 2);
+    if (!specification.has("high_frequency_stiffness")) {
+      checkGroup(model, specification, group, 2);
+    }
   }
 }
 
@@ -219,9 +240,45 @@ std::optional<Obstacle> findObstacle(const NamedModel& model, const Specificatio
 [[noreturn]] void refuse(const NamedModel& model, const Specification& specification, const Obstacle& obstacle) {
   const std::string remedy = describeSolvableInputs(
       specification, [&](const Specification& changed) { return !findObstacle(model, changed).has_value(); });
-  throw std::invalid_argument(fmt::format(
-      "{} {}; accepted: {}", inputText(specification, obstacle.key), obstacle.reason,
-      remedy.empty() ? "no value of any single input with the others kept" : remedy + " (each with the others kept)"));
+  throw std::invalid_argument(
+      fmt::format("{} {}; accepted: {}", inputText(specification, obstacle.key), obstacle.reason, remedy));
+}
+
+}  // namespace
+
+Specification tangentOf(Model model, const Specification& specification) {
+  if (specification.curve() == nullptr) {
+    return specification;
+  }
+  const char* key = model == Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
+  if (specification.has(key)) {
+    throw std::invalid_argument(
+        fmt::format("{}: given beside static_curve, whose tangent it is; accepted: one of both", key));
+  }
+  Specification tangent = specification;
+  const double stiffness = specification.curve()->tangentAt(nominalDisplacement(specification));
+  if (!(stiffness > 0.0)) {
+    throw std::invalid_argument(fmt::format(
+        "static_curve: its tangent at the working point, {:g} m, is {:.6g} N/m; accepted: a nominal_displacement or "
+        "nominal_force where it rises",
+        nominalDisplacement(specification), stiffness));
+  }
+  tangent.set(key, stiffness);
+  tangent.eraseCurve();
+  return tangent;
+}
+
+namespace {
+
+void checkWorkingPoint(const Specification& specification) {
+  if (specification.curve() != nullptr) {
+    specification.curve()->check();
+  } else if (specification.has("nominal_force")) {
+    throw std::invalid_argument("nominal_force: given without static_curve; accepted: nominal_displacement");
+  }
+  if (specification.has("nominal_force") && specification.has("nominal_displacement")) {
+    throw std::invalid_argument("nominal_force: given beside nominal_displacement; accepted: one of both");
+  }
 }
 
 }  // namespace
@@ -275,26 +332,150 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
        {0.0, 1.0, false, true},
        0.2,
        "viscous share of the loss energy at (f_n, A_n)"},
+      {"high_frequency_stiffness", "N/m", element::Role::shape, element::Range::positive(), std::nullopt,
+       "stiffness K at f_h and A_n, in place of K_max"},
+      {"nominal_displacement", "m", element::Role::reference, element::Range::any(), 0.0,
+       "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve"},
+      {"nominal_force", "N", element::Role::reference, element::Range::any(), std::nullopt,
+       "the same by the force that static_curve has there"},
   };
   return table;
 }
 
 const ModelInfo& modelInfo(Model model) { return entry(model).info; }
 
-void checkSpecification(Model model, const Specification& specification) {
-  checkKeys(entry(model), specification);
+double nominalDisplacement(const Specification& specification) {
+  if (!specification.preloads().empty() && !specification.has("nominal_displacement") &&
+      !specification.has("nominal_force")) {
+    Specification first = specification;
+    first.setPreloads({});
+    for (const auto& [key, value] : specification.preloads().front()) {
+      first.set(key, value);
+    }
+    return nominalDisplacement(first);
+  }
+  if (const auto force = specification.find("nominal_force"); force && specification.curve() != nullptr) {
+    return specification.curve()->displacementAt(*force);
+  }
+  return specification.valueOr("nominal_displacement", 0.0);
+}
+
+std::string toString(Describes describes) {
+  return describes == Describes::unsaid ? "" : describes == Describes::base ? "base" : "component";
+}
+
+void checkSpecification(Model model, const Specification& given) {
+  checkWorkingPoint(given);
+  const Specification specification = tangentOf(model, given);
+  checkKeys(entry(model), specification, given.describes() != Describes::unsaid || given.curve() != nullptr);
   for (const auto& [key, value] : specification.values()) {
     checkRange(key, value);
   }
   checkPresence(entry(model), specification);
 }
 
-std::vector<element::ElementDescription> estimate(Model model, const Specification& specification) {
-  checkSpecification(model, specification);
+bool isSolvable(Model model, const Specification& specification) {
+  return !findObstacle(entry(model), tangentOf(model, specification)).has_value();
+}
+
+std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
+  if (!given.points().empty() || given.describes() == Describes::component) {
+    throw std::invalid_argument("describes: the numbers are not those of a base; accepted: those that resolve() gives");
+  }
+  checkSpecification(model, given);
+  const Specification specification = tangentOf(model, given);
   if (const auto obstacle = findObstacle(entry(model), specification)) {
     refuse(entry(model), specification, *obstacle);
   }
   return entry(model).elements(specification);
+}
+
+namespace {
+
+// The specification of one block, with the tangent of the curve there.
+Specification blockOf(Model model, const Specification& given, const Specification::Values& block) {
+  Specification specification = given;
+  specification.setPreloads({});
+  for (const char* place : {"nominal_displacement", "nominal_force"}) {
+    specification.erase(place);
+  }
+  for (const auto& [key, value] : block) {
+    specification.set(key, value);
+  }
+  checkSpecification(model, specification);
+  return specification;
+}
+
+// Maxwell elements and dashpots of all blocks, element by element: linear in the displacement between blocks.
+std::vector<element::ElementDescription> joined(const std::vector<double>& displacement,
+                                                const std::vector<std::vector<element::ElementDescription>>& blocks) {
+  std::vector<element::ElementDescription> result;
+  for (std::size_t i = 1; i < blocks.front().size(); ++i) {
+    const std::string scale = blocks.front()[i].type == "maxwell" ? "stiffness" : "damping";
+    element::ElementDescription element{blocks.front()[i].type + "_along_curve", {{"displacement", displacement}}};
+    for (const auto& block : blocks) {
+      if (scale == "stiffness" &&
+          std::abs(block[i].value("break_frequency") / blocks.front()[i].value("break_frequency") - 1.0) > 1e-9) {
+        throw std::invalid_argument(
+            "preloads: their break frequencies differ; accepted: break_frequency, or model multi_maxwell with "
+            "high_frequency, outside of the blocks");
+      }
+      element.values[scale].push_back(block[i].value(scale));
+    }
+    if (scale == "stiffness") {
+      element.values["break_frequency"] = {blocks.front()[i].value("break_frequency")};
+    }
+    result.push_back(element);
+  }
+  return result;
+}
+
+void checkPreloads(Model model, const Specification& given) {
+  if (given.curve() == nullptr) {
+    throw std::invalid_argument("preloads: given without static_curve; accepted: both");
+  }
+  if (given.describes() == Describes::component || !given.points().empty()) {
+    throw std::invalid_argument("preloads: they describe the base; accepted: describes: base, and no points");
+  }
+  if (model == Model::friction || model == Model::friction_dashpot || model == Model::berg) {
+    throw std::invalid_argument(fmt::format(
+        "preloads: the friction of model {} is that at any preload; accepted: kelvin_voigt, maxwell, maxwell_dashpot, "
+        "multi_maxwell",
+        toString(model)));
+  }
+}
+
+std::vector<element::ElementDescription> estimatePreloads(Model model, const Specification& given) {
+  checkPreloads(model, given);
+  std::map<double, std::vector<element::ElementDescription>> by_displacement;
+  for (const Specification::Values& block : given.preloads()) {
+    const Specification specification = blockOf(model, given, block);
+    by_displacement[nominalDisplacement(specification)] = estimateTangent(model, specification);
+  }
+  if (by_displacement.size() != given.preloads().size()) {
+    throw std::invalid_argument("preloads: two blocks at one displacement; accepted: one of each");
+  }
+  std::vector<double> displacement;
+  std::vector<std::vector<element::ElementDescription>> blocks;
+  for (auto& [place, elements] : by_displacement) {
+    displacement.push_back(place);
+    blocks.push_back(std::move(elements));
+  }
+  std::vector<element::ElementDescription> elements = joined(displacement, blocks);
+  elements.insert(elements.begin(), springOf(*given.curve()));
+  return elements;
+}
+
+}  // namespace
+
+std::vector<element::ElementDescription> estimate(Model model, const Specification& specification) {
+  if (!specification.preloads().empty()) {
+    return estimatePreloads(model, specification);
+  }
+  std::vector<element::ElementDescription> elements = estimateTangent(model, specification);
+  return specification.curve() == nullptr
+             ? elements
+             : alongCurve(*specification.curve(), nominalDisplacement(specification), std::move(elements));
 }
 
 double lossAngle(const Specification& specification) {
@@ -334,8 +515,11 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   if (orNone(k_max) <= orNone(k_n)) {
     return Obstacle{"maximum_stiffness", "is not above " + inputText(specification, "dynamic_stiffness")};
   }
-  for (const auto& [key, value] : {std::make_pair("dynamic_stiffness", k_n), {"maximum_stiffness", k_max}}) {
-    if (orNone(value) > kLargestStiffnessRatio * orNone(k_st)) {
+  const std::optional<double> k_h = specification.find("high_frequency_stiffness");
+  for (const auto& [key, value] :
+       {std::make_pair("dynamic_stiffness", k_n), {"maximum_stiffness", k_max}, {"high_frequency_stiffness", k_h}}) {
+    // What is derived for a base may be any part of a component.
+    if (specification.describes() != Describes::base && orNone(value) > kLargestStiffnessRatio * orNone(k_st)) {
       return Obstacle{key, fmt::format("is more than {:g} times {}, which no rubber component reaches",
                                        kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
     }

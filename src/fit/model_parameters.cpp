@@ -29,7 +29,8 @@ double ModelParameters::bound(Eigen::Index i) const {
 }
 
 ModelParameters::ModelParameters(const io::ComponentDescription& description, Level level)
-    : description_(level == Level::elements ? asElements(description) : description) {
+    : description_(level == Level::elements || !description.specification().preloads().empty() ? asElements(description)
+                                                                                               : description) {
   const estimation::Model model = description_.model();
   if (model == estimation::Model::maxwell || model == estimation::Model::maxwell_dashpot ||
       model == estimation::Model::multi_maxwell) {
@@ -51,7 +52,10 @@ void ModelParameters::add(Slot slot, const std::string& name) {
 void ModelParameters::addRelaxation() {
   std::vector<double> break_frequencies;
   std::vector<double> stiffnesses;
-  for (const element::ElementDescription& element : description_.elements()) {
+  // The static curve, where there is one, is measured: it stays.
+  const bool curve = description_.specification().curve() != nullptr;
+  for (const element::ElementDescription& element :
+       estimation::estimateTangent(description_.model(), description_.specification())) {
     if (element.type == "spring") {
       relaxation_.static_stiffness = element.value("stiffness");
     } else if (element.type == "dashpot") {
@@ -69,7 +73,9 @@ void ModelParameters::addRelaxation() {
     relaxation_.band_ratio = break_frequencies[1] / break_frequencies[0];
   }
   for (const char* key : {"static_stiffness", "relaxing_stiffness", "break_frequency"}) {
-    add({Slot::relaxation, 0, key, 0}, key);
+    if (!curve || std::string(key) != "static_stiffness") {
+      add({Slot::relaxation, 0, key, 0}, key);
+    }
   }
   if (relaxation_.elements > 1) {
     add({Slot::relaxation, 0, "alpha", 0}, "alpha");
@@ -137,7 +143,10 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
     weight *= relaxation.alpha;
     frequency /= relaxation.band_ratio;
   }
-  specification.set("static_stiffness", relaxation.static_stiffness);
+  if (specification.curve() == nullptr) {
+    specification.set("static_stiffness", relaxation.static_stiffness);
+  }
+  specification.erase("high_frequency_stiffness");
   specification.set("dynamic_stiffness", std::abs(dynamic));
   specification.erase("relative_damping");
   specification.erase("loss_angle");
@@ -152,6 +161,7 @@ estimation::Specification ModelParameters::specificationOf(const Relaxation& rel
     return specification;
   }
   specification.erase("maximum_stiffness");
+  specification.erase("high_frequency");
   specification.set("break_frequency", relaxation.break_frequency);
   if (description_.model() == estimation::Model::maxwell_dashpot) {
     specification.set("loss_angle", std::arg(dynamic));

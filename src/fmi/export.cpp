@@ -111,6 +111,10 @@ ComponentData dataOf(const io::ComponentDescription& description) {
   data.name = description.name;
   data.model = description.model();
   data.specification = description.specification();
+  if (data.specification.curve() != nullptr) {  // which no variable of the FMU changes
+    data.model = estimation::Model::elements;
+    data.specification = {};
+  }
   if (data.model == estimation::Model::elements) {
     data.elements = completed(description.elements());
   }

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "element/suggestion.h"
 #include "io/cancellation.h"
@@ -146,6 +147,7 @@ std::vector<std::string> shiftNames() {
 }
 
 constexpr const char* kVertical = "vertical";
+constexpr const char* kMerge = "<<";
 
 bool startsAsNumber(const std::string& text) {
   return !text.empty() && std::string("+-.0123456789").find(text[0]) != std::string::npos;
@@ -246,6 +248,31 @@ class Loader {
         refuse(entry.first, child(path, entry.first.Scalar()), "stands twice; accepted: once");
       }
     }
+    merge(map, path, 0);
+  }
+
+  // A merge key of YAML, `<<: *anchor` or a list of such: the keys of those maps that the map itself does not have.
+  void merge(YAML::Node map, const std::string& path, int depth) const {
+    constexpr int kDeepest = 10;
+    const YAML::Node sources = std::as_const(map)[kMerge];
+    if (!sources.IsDefined()) {
+      return;
+    }
+    const bool list = sources.IsSequence();
+    for (std::size_t i = 0; i < (list ? sources.size() : 1); ++i) {
+      const YAML::Node source = list ? sources[i] : sources;
+      if (!source.IsMap() || source.is(map) || depth == kDeepest) {
+        refuse(source, child(path, kMerge),
+               fmt::format("{}; accepted: an anchor of another map, or a list of such", kindOf(source)));
+      }
+      merge(source, path, depth + 1);
+      for (const auto& entry : source) {
+        if (entry.first.IsScalar() && !std::as_const(map)[entry.first.Scalar()].IsDefined()) {
+          map[entry.first.Scalar()] = entry.second;
+        }
+      }
+    }
+    map.remove(kMerge);
   }
 
   void checkKeys(const YAML::Node& map, const std::string& path, const std::vector<std::string>& names) {
@@ -290,9 +317,6 @@ class Loader {
     }
     checkUnique(node, "");
     ComponentDescription description = loadContent(node, loadModel(node));
-    if (const YAML::Node add = node["add"]) {
-      description.add = loadEntries(add, "add");
-    }
     if (const YAML::Node rig = node["rig"]) {
       description.rig = loadRig(rig);
     }
@@ -325,7 +349,7 @@ class Loader {
   ComponentDescription loadContent(const YAML::Node& node, estimation::Model model) {
     if (model != estimation::Model::elements) {
       checkKeys(node, "", {"model", "specification", "add", "rig", "temperature", "valid_displacement"});
-      return loadSpecification(require(node, "", "specification", "a map"), model);
+      return loadSpecification(require(node, "", "specification", "a map"), model, node["add"]);
     }
     checkKeys(node, "", {"model", "elements", "add", "rig", "temperature", "valid_displacement"});
     std::vector<element::ElementDescription> elements =
@@ -333,7 +357,14 @@ class Loader {
     if (elements.empty()) {
       refuse(node["elements"], "elements", "an empty list; accepted: at least one element");
     }
-    return {component_, std::move(elements)};
+    ComponentDescription description(component_, std::move(elements));
+    description.add = loadAdded(node["add"], {});
+    return description;
+  }
+
+  std::vector<element::ElementDescription> loadAdded(const YAML::Node& add,
+                                                     const estimation::Specification& specification) {
+    return add.IsDefined() ? loadEntries(add, "add", &specification) : std::vector<element::ElementDescription>{};
   }
 
   RigTolerances loadRig(const YAML::Node& node) {
@@ -444,36 +475,148 @@ class Loader {
     }
   }
 
-  ComponentDescription loadSpecification(const YAML::Node& node, estimation::Model model) {
+  ComponentDescription loadSpecification(const YAML::Node& node, estimation::Model model, const YAML::Node& add) {
     if (!node.IsMap()) {
       refuse(node, "specification", fmt::format("{}; accepted: a map", kindOf(node)));
     }
-    const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
-    checkKeys(node, "specification", namesOf(table));
-    estimation::Specification specification;
-    estimation::Specification::Units units;
-    for (const auto& entry : node) {
-      const std::string& key = entry.first.Scalar();
-      const element::ParameterInfo& parameter = *element::findParameter(table, key);
-      specification.set(key, loadNumber(entry.second, child("specification", key), parameter));
-      if (const std::string unit = log::unitOfQuantity(entry.second.Scalar()); !unit.empty()) {
-        units[key] = {unit, log::UnitConversion(unit, parameter.unit)(1.0)};
+    estimation::Specification specification =
+        loadNumbers(node, "specification", {"describes", "static_curve", "scale_with", "points", "preloads"});
+    loadDescribed(node, specification);
+    const bool fitted = !specification.points().empty() || !specification.preloads().empty();
+    for (const std::string& key : estimation::modelInfo(model).required) {
+      const char* of_curve = model == estimation::Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
+      if (!fitted && !(specification.curve() != nullptr && key == of_curve)) {
+        require(node, "specification", key,
+                accepted(*element::findParameter(estimation::specificationParameters(), key)));
       }
     }
-    specification.writeIn(std::move(units));
-    for (const std::string& key : estimation::modelInfo(model).required) {
-      require(node, "specification", key, accepted(*element::findParameter(table, key)));
-    }
+    std::vector<element::ElementDescription> added = loadAdded(add, specification);
     try {
-      return {component_, model, std::move(specification)};
+      return {component_, model, std::move(specification), std::move(added)};
     } catch (const std::invalid_argument& error) {
       refuseSpecification(node, error.what());
     }
   }
 
+  estimation::Specification loadNumbers(const YAML::Node& node, const std::string& path,
+                                        const std::vector<std::string>& others) {
+    const std::vector<element::ParameterInfo>& table = estimation::specificationParameters();
+    std::vector<std::string> keys = namesOf(table);
+    keys.insert(keys.end(), others.begin(), others.end());
+    checkKeys(node, path, keys);
+    estimation::Specification specification;
+    estimation::Specification::Units units;
+    for (const element::ParameterInfo& parameter : table) {
+      const YAML::Node value = node[parameter.name];
+      if (!value.IsDefined()) {
+        continue;
+      }
+      specification.set(parameter.name, loadNumber(value, child(path, parameter.name), parameter));
+      if (const std::string unit = log::unitOfQuantity(value.Scalar()); !unit.empty()) {
+        units[parameter.name] = {unit, log::UnitConversion(unit, parameter.unit)(1.0)};
+      }
+    }
+    specification.writeIn(std::move(units));
+    return specification;
+  }
+
+  // What a specification has beside numbers.
+  void loadDescribed(const YAML::Node& node, estimation::Specification& specification) {
+    if (const YAML::Node describes = node["describes"]) {
+      specification.describe(loadWord(describes, "specification.describes", {"component", "base"}) == 0
+                                 ? estimation::Describes::component
+                                 : estimation::Describes::base);
+    }
+    if (const YAML::Node curve = node["static_curve"]) {
+      specification.setCurve(loadCurve(curve, node["scale_with"]));
+    } else if (const YAML::Node scale = node["scale_with"]) {
+      refuse(scale, "specification.scale_with", "given without static_curve; accepted: both");
+    }
+    if (const YAML::Node points = node["points"]) {
+      specification.setPoints(loadMaps<estimation::SpecifiedPoint>(
+          points, "specification.points", [&](const auto& point, const auto& path) { return loadPoint(point, path); }));
+    }
+    if (const YAML::Node preloads = node["preloads"]) {
+      specification.setPreloads(loadMaps<estimation::Specification::Values>(
+          preloads, "specification.preloads",
+          [&](const auto& block, const auto& path) { return loadNumbers(block, path, {}).values(); }));
+    }
+  }
+
+  // The index of a word among those accepted.
+  std::size_t loadWord(const YAML::Node& node, const std::string& path, const std::vector<std::string>& words) const {
+    const auto found = node.IsScalar() ? std::find(words.begin(), words.end(), node.Scalar()) : words.end();
+    if (found == words.end()) {
+      refuse(node, path,
+             fmt::format("{}{}; accepted: {}", kindOf(node), hintOf(node, words), fmt::join(words, " or ")));
+    }
+    return static_cast<std::size_t>(found - words.begin());
+  }
+
+  estimation::StaticCurve loadCurve(const YAML::Node& node, const YAML::Node& scale) {
+    const std::string path = "specification.static_curve";
+    if (!node.IsMap()) {
+      refuse(node, path, fmt::format("{}; accepted: a map with the lists displacement and force", kindOf(node)));
+    }
+    checkKeys(node, path, {"displacement", "force", "monotone"});
+    estimation::StaticCurve curve;
+    for (const auto& [key, unit, list] :
+         {std::tuple("displacement", "m", &curve.displacement), std::tuple("force", "N", &curve.force)}) {
+      const element::ParameterInfo row{key, unit, element::Role::choice, element::Range::any(), {}, "", true};
+      *list = loadNumbers(require(node, path, key, "a list"), child(path, key), row);
+    }
+    if (const YAML::Node monotone = node["monotone"]) {
+      curve.monotone = loadWord(monotone, child(path, "monotone"), {"false", "true"}) == 1;
+    }
+    curve.scales = !scale.IsDefined() || loadWord(scale, "specification.scale_with", {"static_curve", "none"}) == 0;
+    try {
+      curve.check();
+    } catch (const std::invalid_argument& error) {
+      refuse(node, "", std::string("specification.") + error.what());
+    }
+    return curve;
+  }
+
+  // A list of maps, each read by `load` from its node and path.
+  template <class Entry, class Load>
+  std::vector<Entry> loadMaps(const YAML::Node& node, const std::string& path, Load load) {
+    if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumElements) {
+      refuse(node, path, fmt::format("{}; accepted: a list of 1 to {} maps", kindOf(node), kMaximumElements));
+    }
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const std::string place = fmt::format("{}[{}]", path, i);
+      if (!node[i].IsMap()) {
+        refuse(node[i], place, fmt::format("{}; accepted: a map", kindOf(node[i])));
+      }
+      entries.push_back(load(node[i], place));
+    }
+    return entries;
+  }
+
+  estimation::SpecifiedPoint loadPoint(const YAML::Node& node, const std::string& path) {
+    checkKeys(node, path, {"frequency", "amplitude", "stiffness", "loss_angle", "weight"});
+    const auto number = [&](const char* key, const char* row) -> std::optional<double> {
+      const YAML::Node value = node[key];
+      element::ParameterInfo parameter{"", "1", element::Role::choice, element::Range::positive(), {}, ""};
+      if (row != nullptr) {
+        parameter = *element::findParameter(estimation::specificationParameters(), row);
+      }
+      return value.IsDefined() ? std::optional<double>(loadNumber(value, child(path, key), parameter)) : std::nullopt;
+    };
+    require(node, path, "frequency", "a frequency");
+    estimation::SpecifiedPoint point;
+    point.frequency = number("frequency", "nominal_frequency").value_or(0.0);
+    point.amplitude = number("amplitude", "nominal_amplitude").value_or(0.0);
+    point.stiffness = number("stiffness", "dynamic_stiffness");
+    point.loss_angle = number("loss_angle", "loss_angle");
+    point.weight = number("weight", nullptr).value_or(1.0);
+    return point;
+  }
+
   // The message begins with the key that is to blame, whose line it gets; without one, that of the whole map.
   [[noreturn]] void refuseSpecification(const YAML::Node& map, const std::string& message) const {
-    const YAML::Node value = map[message.substr(0, message.find(':'))];
+    const YAML::Node value = map[message.substr(0, message.find_first_of(":.[ "))];
     refuse(value.IsDefined() ? value : map, "", "specification." + message);
   }
 
@@ -500,9 +643,10 @@ class Loader {
     }
     if (!parameter.range.contains(value)) {
       refuse(node, path,
-             fmt::format("{} is {}; accepted: {}", log::quoted(node.Scalar()),
+             fmt::format("{} is {}; accepted: {}{}", log::quoted(node.Scalar()),
                          std::isfinite(value) ? "out of range" : "not finite",
-                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter)));
+                         acceptedIn(log::unitOfQuantity(node.Scalar()), parameter),
+                         parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one" : ""));
     }
     return value;
   }
@@ -535,7 +679,9 @@ class Loader {
     return values;
   }
 
-  std::vector<element::ElementDescription> loadEntries(const YAML::Node& node, const std::string& path) {
+  // Entries may scale along the curve of a specification, where there is one.
+  std::vector<element::ElementDescription> loadEntries(const YAML::Node& node, const std::string& path,
+                                                       const estimation::Specification* specification = nullptr) {
     if (!node.IsSequence()) {
       refuse(node, path, fmt::format("{}; accepted: a list of elements", kindOf(node)));
     }
@@ -544,15 +690,16 @@ class Loader {
     }
     std::vector<element::ElementDescription> entries;
     for (std::size_t i = 0; i < node.size(); ++i) {
-      entries.push_back(loadEntry(node[i], fmt::format("{}[{}]", path, i)));
+      entries.push_back(loadEntry(node[i], fmt::format("{}[{}]", path, i), specification));
     }
     return entries;
   }
 
-  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) const {
+  const element::ElementType& loadType(const YAML::Node& node, const std::string& path) {
     if (!node.IsMap()) {
       refuse(node, path, fmt::format("{}; accepted: a map with the key 'type'", kindOf(node)));
     }
+    checkUnique(node, path);
     const YAML::Node type = require(node, path, "type", log::join(elementTypeNames()));
     const element::ElementType* found = type.IsScalar() ? element::findElementType(type.Scalar()) : nullptr;
     if (found == nullptr) {
@@ -563,11 +710,13 @@ class Loader {
     return *found;
   }
 
-  element::ElementDescription loadEntry(const YAML::Node& node, const std::string& path) {
+  element::ElementDescription loadEntry(const YAML::Node& node, const std::string& path,
+                                        const estimation::Specification* specification) {
     checkCancelled();
     const element::ElementType& type = loadType(node, path);
     std::vector<std::string> keys = namesOf(type.parameters);
     keys.insert(keys.begin(), "type");
+    keys.emplace_back("scale_with");
     checkKeys(node, path, keys);
     element::ElementDescription description;
     description.type = type.name;
@@ -580,10 +729,22 @@ class Loader {
     }
     try {
       element::makeElement(description);
+      return scaled(description, node["scale_with"], child(path, "scale_with"), specification);
     } catch (const std::invalid_argument& error) {
       refuse(node, path, error.what());
     }
-    return description;
+  }
+
+  element::ElementDescription scaled(const element::ElementDescription& description, const YAML::Node& scale,
+                                     const std::string& path, const estimation::Specification* specification) const {
+    if (!scale.IsDefined() || loadWord(scale, path, {"static_curve", "none"}) == 1) {
+      return description;
+    }
+    const estimation::StaticCurve* curve = specification == nullptr ? nullptr : specification->curve();
+    if (curve == nullptr) {
+      refuse(scale, path, "the component has no static_curve; accepted: none, or a static_curve in its specification");
+    }
+    return estimation::scaledAlong(*curve, estimation::nominalDisplacement(*specification), description);
   }
 
   std::string source_;
@@ -596,12 +757,16 @@ class Loader {
 // The shortest text that reads back as the same number.
 std::string number(double value) { return fmt::format("{}", value); }
 
+std::string listYaml(const std::vector<double>& values) {
+  std::vector<std::string> numbers(values.size());
+  std::transform(values.begin(), values.end(), numbers.begin(), number);
+  return fmt::format("[{}]", log::join(numbers));
+}
+
 std::string flowMap(const element::ElementDescription& description) {
   std::string text = fmt::format("{{type: {}", description.type);
   for (const auto& [name, values] : description.values) {
-    std::vector<std::string> numbers(values.size());
-    std::transform(values.begin(), values.end(), numbers.begin(), number);
-    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
+    text += fmt::format(", {}: {}", name, values.size() == 1 ? number(values[0]) : listYaml(values));
   }
   return text + "}";
 }
@@ -633,8 +798,28 @@ std::string rigYaml(const RigTolerances& tolerances) {
   return text;
 }
 
-std::string specificationYaml(const estimation::Specification& specification) {
+std::string curveYaml(const estimation::StaticCurve& curve) {
+  return fmt::format(
+      "      static_curve:\n        displacement: {}  # [m]\n        force: {}  # [N]\n{}      scale_with: {}\n",
+      listYaml(curve.displacement), listYaml(curve.force), curve.monotone ? "        monotone: true\n" : "",
+      curve.scales ? "static_curve" : "none");
+}
+
+// `added`: then it has to say that it describes the base.
+std::string specificationYaml(const estimation::Specification& specification, bool added) {
   std::string text = "    specification:\n";
+  if (added || specification.describes() != estimation::Describes::unsaid) {
+    text += "      describes: base\n";
+  }
+  text += specification.curve() == nullptr ? "" : curveYaml(*specification.curve());
+  for (const estimation::Specification::Values& block : specification.preloads()) {
+    text += &block == &specification.preloads().front() ? "      preloads:\n" : "";
+    std::vector<std::string> numbers;
+    for (const auto& [key, value] : block) {
+      numbers.push_back(fmt::format("{}: {}", key, number(value)));
+    }
+    text += fmt::format("        - {{{}}}\n", log::join(numbers));
+  }
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
       text += fmt::format("      {}: {}{}\n", parameter.name, number(specification.at(parameter.name)),
@@ -649,8 +834,9 @@ std::string specificationYaml(const estimation::Specification& specification) {
 ComponentFileError::ComponentFileError(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 
 ComponentDescription::ComponentDescription(std::string component, estimation::Model model,
-                                           estimation::Specification specification)
-    : name(std::move(component)), model_(model) {
+                                           estimation::Specification specification,
+                                           std::vector<element::ElementDescription> added)
+    : name(std::move(component)), add(std::move(added)), model_(model) {
   specify(std::move(specification));
 }
 
@@ -658,8 +844,10 @@ void ComponentDescription::specify(estimation::Specification specification) {
   if (model_ == estimation::Model::elements) {
     throw std::logic_error("the model elements has no specification");
   }
-  elements_ = estimation::estimate(model_, specification);
-  specification_ = std::move(specification);
+  estimation::Resolved resolved = estimation::resolve(model_, specification, add);
+  elements_ = estimation::estimate(model_, resolved.specification);
+  resolved_ = std::move(resolved);
+  written_ = std::move(specification);
 }
 
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {
@@ -732,8 +920,9 @@ std::string toYaml(const std::vector<ComponentDescription>& components) {
                       log::quoted(component.name), kMaximumNameLength));
     }
     text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
-    text += component.model() == estimation::Model::elements ? entriesYaml("elements", component.elements())
-                                                             : specificationYaml(component.specification());
+    text += component.model() == estimation::Model::elements
+                ? entriesYaml("elements", component.elements())
+                : specificationYaml(component.specification(), !component.add.empty());
     text += entriesYaml("add", component.add);
     text += component.temperature ? temperatureYaml(*component.temperature) : "";
     text += component.rig ? rigYaml(*component.rig) : "";

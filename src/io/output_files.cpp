@@ -57,6 +57,8 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},
       {FileKind::characteristics_csv, "a table of characteristics", {"frequency_Hz,amplitude_m,"}, {}},
       {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'"}},
+      {FileKind::state_space_json, "a state-space model", {"{"}, {"rubber_suspension/state_space/"}},
+      {FileKind::mat, "a state-space model", {"rubber_suspension"}, {}},
   };
   return table[static_cast<std::size_t>(kind)];
 }

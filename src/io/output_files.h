@@ -30,6 +30,8 @@ enum class FileKind {
   fmu,                  ///< functional mock-up unit
   characteristics_csv,  ///< stiffness and loss angle over frequency, amplitude and preload
   bushing_file,         ///< bushing property file of Adams
+  state_space_json,     ///< the linear part of components
+  mat,                  ///< MATLAB file
 };
 
 /// A file that a command reads, with the option that names it.

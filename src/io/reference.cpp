@@ -93,6 +93,25 @@ std::string temperatureSection() {
          "| `vertical` | `proportional` (b_T = T/T_0), `none` (default), or a coefficient in 1/K |\n";
 }
 
+std::string describedKeys() {
+  return "\nThe working point (`nominal_amplitude`, `nominal_displacement`, `nominal_force`) is for any model that "
+         "says what "
+         "its\nspecification describes or has a `static_curve`. Beside numbers:\n\n"
+         "| key | meaning |\n|---|---|\n"
+         "| `describes` | `component`: the whole, with the static curve and what is added; `base`: the model alone "
+         "(the "
+         "default, with a note where something is added) |\n"
+         "| `static_curve` | `{displacement: [...], force: [...], monotone: false}` in place of `static_stiffness` |\n"
+         "| `scale_with` | `static_curve` (default): Maxwell elements and dashpots of the model follow the slope of "
+         "the "
+         "curve; `none`. In entries of `add` it asks for the same of Maxwell elements, dashpots and sliders |\n"
+         "| `points` | list of `{frequency, amplitude, stiffness, loss_angle, weight}` in place of the model's "
+         "numbers, "
+         "which are fitted |\n"
+         "| `preloads` | list of maps of the keys above, each with a `nominal_displacement` or `nominal_force` on the "
+         "curve |\n";
+}
+
 }  // namespace
 
 std::string parameterReference() {
@@ -123,7 +142,7 @@ std::string parameterReference() {
       "| choice | a count, a switch, a dead band, the span or the points over which a law is realised | no |\n"
       "| reference | the point at which another value holds, which would do as well | no |\n\n"
       "A value at an end of its accepted range (a coefficient of 0, say) is kept, and so is a list.\n";
-  text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters());
+  text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters()) + describedKeys();
   text +=
       "\n## Keys of `rig`, and of the option `--rig KEY=VALUE` of a diagnosis\n\n"
       "Standard deviations of what a rig may do to a log and is no cause in the component, new in each log; 0: it does "

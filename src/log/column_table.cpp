@@ -144,7 +144,7 @@ std::vector<ColumnSegment> segmentsOf(const ColumnTable& table, const LogFormat&
   for (const std::string& group : table.groups) {
     if (seen.insert(group).second) {
       ColumnSegment segment = segmentWhere(table, group);
-      if (looksLikeHeader(segment.names, format)) {
+      if (holdsLog(segment.names, format)) {
         segments.push_back(std::move(segment));
       }
     }

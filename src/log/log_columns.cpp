@@ -273,6 +273,26 @@ Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>&
   }
 }
 
+struct FoundColumns {
+  bool options_fit = true;  // what the user named is there
+  int found = 0;
+  int missing = 0;  // of those that a log needs
+};
+
+FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat& format) {
+  const ColumnFinder finder(header, format);
+  FoundColumns columns;
+  for (const Quantity quantity : allQuantities()) {
+    const std::string& option = columnOption(format, quantity);
+    columns.options_fit = columns.options_fit && (option.empty() || !placesOfOption(header, option).empty());
+    const bool there = !option.empty() || (isWanted(quantity, format) && !finder.find(quantity).empty());
+    const bool needed = quantity == Quantity::displacement || (quantity == Quantity::time && !format.rate);
+    columns.found += there ? 1 : 0;
+    columns.missing += needed && !there ? 1 : 0;
+  }
+  return columns;
+}
+
 void appendPart(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
 }  // namespace
@@ -305,20 +325,13 @@ void requireTimeUnit(Columns& columns, const LogFormat& format) {
 }
 
 bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& format) {
-  const ColumnFinder finder(header, format);
-  int found = 0;
-  int needed = 0;
-  for (const Quantity quantity : allQuantities()) {
-    const std::string& option = columnOption(format, quantity);
-    if (!option.empty() && placesOfOption(header, option).empty()) {
-      return false;
-    }
-    const bool there = !option.empty() || (isWanted(quantity, format) && !finder.find(quantity).empty());
-    found += there ? 1 : 0;
-    const bool is_needed = quantity == Quantity::displacement || (quantity == Quantity::time && !format.rate);
-    needed += is_needed && !there ? 1 : 0;
-  }
-  return needed == 0 || found >= 2;
+  const FoundColumns columns = countColumns(header, format);
+  return columns.options_fit && (columns.missing == 0 || columns.found >= 2);
+}
+
+bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format) {
+  const FoundColumns columns = countColumns(header, format);
+  return columns.options_fit && columns.missing == 0;
 }
 
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,

@@ -49,6 +49,9 @@ void requireTimeUnit(Columns& columns, const LogFormat& format);
 /// others at least displacement and time, or any two.
 bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& format);
 
+/// True where displacement and time, or the format's rate, are there.
+bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format);
+
 /// A note for every column, and every unit of the format, that is not used.
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format);

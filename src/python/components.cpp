@@ -1,6 +1,7 @@
 // Components in Python: loaded, estimated or listed; stepped, and simulated over arrays.
 #include <fmt/format.h>
 #include <pybind11/complex.h>
+#include <pybind11/numpy.h>
 
 #include <cmath>
 #include <memory>
@@ -92,6 +93,23 @@ Array replay(const ComponentDescription& description, const log::Log& log) {
   return toArray(force);
 }
 
+// At one frequency, or an array of the same shape for an array.
+py::object stiffness(const ComponentDescription& description,
+                     const py::array_t<double, py::array::forcecast>& frequency,
+                     const std::optional<double>& temperature) {
+  const component::Component component = description.makeComponent();
+  const auto at = [&](double f) {
+    return temperature ? component.complexStiffness(f, *temperature) : component.complexStiffness(f);
+  };
+  if (!component.linear()) {
+    return py::none();
+  }
+  if (frequency.ndim() == 0) {
+    return py::cast(*at(*frequency.data()));
+  }
+  return py::vectorize([&](double f) { return *at(f); })(frequency);
+}
+
 ComponentDescription estimate(const std::string& model, const std::string& name, const py::kwargs& inputs) {
   const std::optional<estimation::Model> found = estimation::modelFromString(model);
   if (!found || *found == estimation::Model::elements) {
@@ -173,16 +191,10 @@ void addComponents(py::module_& module) {
            "Forces [N] of displacements [m] that are dt [s] apart; at rest at the first of them. Raises ValueError.")
       .def("replay", &replay, py::arg("log"),
            "Forces [N] at the samples of a log, to the last bit as the command replay and the node. Raises LogError.")
-      .def(
-          "stiffness",
-          [](const ComponentDescription& d, double frequency, const std::optional<double>& temperature) {
-            const component::Component component = d.makeComponent();
-            return temperature ? component.complexStiffness(frequency, *temperature)
-                               : component.complexStiffness(frequency);
-          },
-          py::arg("frequency"), py::arg("temperature") = py::none(),
-          "Complex dynamic stiffness [N/m] at a frequency [Hz] and, for a component that shifts with it, a temperature "
-          "[degC]; None of a nonlinear component. Raises ValueError.")
+      .def("stiffness", &stiffness, py::arg("frequency"), py::arg("temperature") = py::none(),
+           "Complex dynamic stiffness [N/m] at a frequency [Hz], or at each of an array, and, for a component that "
+           "shifts with it, a temperature "
+           "[degC]; None of a nonlinear component. Raises ValueError.")
       .def(
           "to_yaml", [](const ComponentDescription& d) { return io::toYaml({d}); }, "The text of a component file.")
       .def("__repr__", [](const ComponentDescription& d) {

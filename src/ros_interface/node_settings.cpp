@@ -192,7 +192,7 @@ void refuseReserved(const std::vector<io::ComponentDescription>& components, con
 
 void warnOfSpecifications(const std::vector<io::ComponentDescription>& components, const std::string& source) {
   for (const io::ComponentDescription& component : components) {
-    for (const std::string& warning : estimation::specificationWarnings(component.specification())) {
+    for (const std::string& warning : estimation::specificationWarnings(component.written())) {
       ROS_WARN("%s: component '%s': %s", source.c_str(), component.name.c_str(), warning.c_str());
     }
   }

@@ -412,12 +412,18 @@ TEST_P(RoleContract, TheForceIsLinearInScales) {
   }
 }
 
+/// For an exponent of 1 alone, the force is linear in this shape.
+bool scalesByChance(const element::ElementDescription& law, const std::string& name) {
+  return law.type == "bouc_wen" && law.value("exponent") == 1.0 && name == "stiffness";
+}
+
 // A tenth less acts on the force, by 1e-5 of it at least, and in another way than by taking a tenth of it.
 TEST_P(RoleContract, ShapesActOnTheForceButDoNotScaleIt) {
   for (const std::string& name : parametersOf(law_, element::Role::shape)) {
     const Eigen::VectorXd changed = walkOf(multiplied(law_, {name}, 0.9));
     EXPECT_GE((changed - force_).cwiseAbs().maxCoeff(), 1e-5 * largest_) << name;
-    EXPECT_GE((changed - 0.9 * force_).cwiseAbs().maxCoeff(), 1e-5 * largest_) << name;
+    EXPECT_TRUE(scalesByChance(law_, name) || (changed - 0.9 * force_).cwiseAbs().maxCoeff() >= 1e-5 * largest_)
+        << name;
   }
 }
 
@@ -482,11 +488,11 @@ TEST_P(LinearContract, SettledSineTendsToComplexStiffness) {
 
 // The dashpot's K* grows without limit; it has a closed form of its own in its test.
 class SampledContract : public Contract {};
-INSTANTIATE_TEST_SUITE_P(ExactLawsWithFiniteStiffness, SampledContract,
-                         typicalElementsThat([](const element::ElementDescription& law) {
-                           return isOneOf(law, {"spring", "maxwell", "springpot", "creep"});
-                         }),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(
+    ExactLawsWithFiniteStiffness, SampledContract, typicalElementsThat([](const element::ElementDescription& law) {
+      return isOneOf(law, {"spring", "maxwell", "springpot", "creep", "inertia_track"}) && linearSubject(law).linear();
+    }),
+    nameOf);
 
 TEST_P(SampledContract, SettledSineOfAnExactStepIsKnown) {
   for (const double frequency : {0.5, 4.0, 25.0}) {

@@ -100,7 +100,8 @@ RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
   const std::vector<Move> path = anyPath();
   for (const element::ElementDescription& description : typicalElements()) {
     const bool one_sided = isOneOf(description, {"asymmetric_stiffness", "spring_table", "bump_stop", "force_offset",
-                                                 "force_drift", "residual", "position_dashpot"}) ||
+                                                 "force_drift", "residual", "position_dashpot", "maxwell_along_curve",
+                                                 "dashpot_along_curve", "sliders_along_curve"}) ||
                            description.values.count("side") != 0;
     if (one_sided) {
       continue;

@@ -51,6 +51,10 @@ inline std::vector<element::ElementDescription> typicalElements() {
       {"asymmetric_stiffness", {{"even_exponential", {-2e5}}, {"exponential_scale", {1e-3}}}},
       {"asymmetric_stiffness", {{"slope_difference", {3e5}}}},
       {"spring_table", {{"displacement", {-4e-3, -1e-3, 0.0, 2e-3, 3e-3}}, {"force", {-2e4, -3e3, 0.0, 6e3, 1e4}}}},
+      {"spring_table",
+       {{"displacement", {-4e-3, -1e-3, 0.0, 1e-3, 3e-3}},
+        {"force", {-3e3, -3.5e3, 0.0, 6e3, 5e3}},
+        {"monotone", {0.0}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {1e-3}}}},
       {"bump_stop", {{"stiffness", {2e7}}, {"gap", {5e-4}}, {"exponent", {1.5}}, {"side", {-1.0}}}},
       {"dashpot", {{"damping", {2e4}}}},
@@ -83,10 +87,28 @@ inline std::vector<element::ElementDescription> typicalElements() {
         {"reference_rate", {0.02}},
         {"exponent", {0.7}},
         {"gap", {2e-4}}}},
+      {"maxwell_along_curve",
+       {{"displacement", {-1e-3, 5e-4, 5e-4, 2e-3}},
+        {"stiffness", {4e5, 1e6, 1.5e6, 3e6}},
+        {"break_frequency", {2.0}}}},
+      {"dashpot_along_curve", {{"displacement", {-1e-3, 2e-3}}, {"damping", {5e3, 2e4}}}},
+      {"sliders_along_curve",
+       {{"displacement", {-1e-3, 2e-3}},
+        {"factor", {0.5, 2.0}},
+        {"yield_displacement", {4e-4, 1e-4}},
+        {"stiffness", {1e6, 5e5}}}},
       {"springpot", {{"stiffness", {1e6}}, {"order", {0.3}}, {"low_frequency", {0.1}}, {"high_frequency", {50.0}}}},
       {"creep", {{"stiffness_per_decade", {2e5}}, {"shortest_time", {0.05}}, {"longest_time", {5.0}}}},
       {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}},
       {"friction", {{"maximum_force", {2e3}}, {"displacement", {3e-4}}, {"dead_band", {2e-5}}}},
+      {"bouc_wen", {{"stiffness", {2e6}}, {"beta", {600.0}}, {"gamma", {300.0}}}},
+      {"bouc_wen", {{"stiffness", {2e6}}, {"beta", {0.1}}, {"gamma", {-0.05}}, {"exponent", {2.0}}}},
+      {"bouc_wen", {{"stiffness", {2e6}}, {"beta", {5.0}}, {"gamma", {4.0}}, {"exponent", {1.5}}}},
+      {"inertia_track", {{"mass", {250.0}}, {"damping", {6e3}}, {"stiffness", {1e6}}}},
+      {"inertia_track", {{"mass", {20.0}}, {"damping", {2e4}}, {"stiffness", {1e6}}}},
+      {"inertia_track",
+       {{"inertance", {1e7}}, {"resistance", {2.5e8}}, {"compliance", {2.5e-11}}, {"pumping_area", {5e-3}}}},
+      {"inertia_track", {{"mass", {250.0}}, {"damping", {6e3}}, {"stiffness", {1e6}}, {"free_travel", {2e-4}}}},
       {"coulomb_friction", {{"maximum_force", {2e3}}, {"stiffness", {1e7}}}},
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}}},
       {"iwan", {{"maximum_force", {5e3}}, {"displacement", {1e-3}}, {"sliders", {3.0}}}},
@@ -174,13 +196,15 @@ inline bool isElastic(const element::ElementDescription& description) {
 /// tests).
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
-      isOneOf(description, {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
-                            "position_dashpot", "thinning_dashpot", "power_dashpot_behind_play", "overstress",
-                            "nonlinear_maxwell", "variable_friction", "viscoplastic_friction", "residual"});
+      isOneOf(description,
+              {"self_heating", "series_compliance", "inertia", "free_play", "time_delay", "power_dashpot",
+               "position_dashpot", "thinning_dashpot", "power_dashpot_behind_play", "overstress", "nonlinear_maxwell",
+               "variable_friction", "viscoplastic_friction", "residual", "dashpot_along_curve"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
   const bool smooth = description.type == "dashpot" && description.values.count("order") != 0;
-  return !approximate && !softens_slowly && !smooth;
+  const bool substepped = description.type == "bouc_wen" && description.values.count("exponent") != 0;
+  return !approximate && !softens_slowly && !smooth && !substepped;
 }
 
 }  // namespace rubber_suspension::test

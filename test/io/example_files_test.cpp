@@ -41,7 +41,7 @@ TEST(ExampleFiles, TheExampleHasEveryModelAndEveryKey) {
   for (const io::ComponentDescription& component : io::loadComponentFile(kFolder + "/example.yaml")) {
     models.insert(estimation::toString(component.model()));
     added = added || !component.add.empty();
-    for (const auto& value : component.specification().values()) {
+    for (const auto& value : component.written().values()) {
       keys.insert(value.first);
     }
   }

@@ -21,6 +21,10 @@ class Iwan final : public SliderBank {
       : SliderBank(iwanSliders(maximum_force, displacement, count)) {}
 };
 
+/// Sliders from the lists yield_displacement and stiffness of an entry. Throws std::invalid_argument where they do not
+/// go together.
+std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& description);
+
 /// Sliders one by one, `iwan_table`; its make() throws std::invalid_argument for lists that do not go together.
 class IwanTable final : public SliderBank {
  public:

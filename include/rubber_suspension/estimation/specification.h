@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
+#include "rubber_suspension/estimation/static_curve.h"
 
 namespace rubber_suspension::estimation {
 
@@ -39,7 +40,26 @@ struct WrittenUnit {
   double size;       ///< of it in the SI unit, 1e6 N/m
 };
 
-/// Numbers by the names of specificationParameters() [SI]; loss angles in rad.
+/// Which part of a component its specification describes.
+enum class Describes {
+  unsaid,     ///< the base, with a note where elements are added
+  base,       ///< the elements of the model alone
+  component,  ///< the whole, with the elements that are added
+};
+
+/// The name in a component file; "" for unsaid.
+std::string toString(Describes describes);
+
+/// One measured point of a component, for a fit.
+struct SpecifiedPoint {
+  double frequency = 0.0;            ///< [Hz]
+  double amplitude = 0.0;            ///< [m]; 0: not given
+  std::optional<double> stiffness;   ///< [N/m]
+  std::optional<double> loss_angle;  ///< [rad]
+  double weight = 1.0;
+};
+
+/// Numbers by the names of specificationParameters() [SI]; loss angles in rad. Beside them a static curve or points.
 class Specification {
  public:
   using Values = std::map<std::string, double, std::less<>>;
@@ -60,6 +80,22 @@ class Specification {
   void erase(const std::string& name) { values_.erase(name); }
   const Values& values() const { return values_; }
 
+  Describes describes() const { return describes_; }
+  void describe(Describes what) { describes_ = what; }
+
+  /// In place of static_stiffness; nullptr without one.
+  const StaticCurve* curve() const { return curve_.get(); }
+  void setCurve(StaticCurve curve) { curve_ = std::make_shared<const StaticCurve>(std::move(curve)); }
+  void eraseCurve() { curve_.reset(); }
+
+  /// In place of the numbers of the model; none where it has these.
+  const std::vector<SpecifiedPoint>& points() const { return points_; }
+  void setPoints(std::vector<SpecifiedPoint> points) { points_ = std::move(points); }
+
+  /// Blocks of numbers, each at its own nominal displacement on the static curve, over those of the specification.
+  const std::vector<Values>& preloads() const { return preloads_; }
+  void setPreloads(std::vector<Values> preloads) { preloads_ = std::move(preloads); }
+
   /// The units in which errors and warnings speak of values; SI for those that are not named. They change no value.
   void writeIn(Units units) { units_ = std::make_shared<const Units>(std::move(units)); }
   /// The unit in which to speak of the parameter of that name.
@@ -72,10 +108,17 @@ class Specification {
   }
 
   Values values_;
-  std::shared_ptr<const Units> units_;  // shared, as specifications are copied often
+  Describes describes_ = Describes::unsaid;
+  std::vector<SpecifiedPoint> points_;
+  std::vector<Values> preloads_;
+  std::shared_ptr<const StaticCurve> curve_;  // shared, as specifications are copied often
+  std::shared_ptr<const Units> units_;
 };
 
-/// The table of everything that `specification:` may hold.
+/// Displacement z_0 [m] of the working point. Throws std::invalid_argument where nominal_force has none.
+double nominalDisplacement(const Specification& specification);
+
+/// The table of all numbers that `specification:` may hold.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
 /// What a model takes from its specification.
@@ -94,8 +137,11 @@ const ModelInfo& modelInfo(Model model);
 /// Throws std::invalid_argument that names key, value and what is accepted.
 void checkSpecification(Model model, const Specification& specification);
 
-/// The elements of the model that meets the specification.
+/// The elements of the model that meets the specification of a base; resolve() makes one of any other.
 /// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
 std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
+
+/// The same with a linear spring in place of the static curve: of its tangent, and nothing scaled along it.
+std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& specification);
 
 }  // namespace rubber_suspension::estimation

@@ -10,6 +10,7 @@
 
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/estimation/specification.h"
+#include "rubber_suspension/estimation/whole.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
@@ -25,8 +26,9 @@ class ComponentDescription {
   ComponentDescription(std::string component, std::vector<element::ElementDescription> list)
       : name(std::move(component)), elements_(std::move(list)) {}
 
-  /// Of any other model. Throws std::invalid_argument where the specification has no solution.
-  ComponentDescription(std::string component, estimation::Model model, estimation::Specification specification);
+  /// Of any other model, with what is added. Throws std::invalid_argument where the specification has no solution.
+  ComponentDescription(std::string component, estimation::Model model, estimation::Specification specification,
+                       std::vector<element::ElementDescription> added = {});
 
   std::string name;                              ///< a ROS base name
   std::vector<element::ElementDescription> add;  ///< effects on top
@@ -37,14 +39,21 @@ class ComponentDescription {
 
   estimation::Model model() const { return model_; }
 
-  /// Empty for the model `elements`.
-  const estimation::Specification& specification() const { return specification_; }
+  /// Of the base, whatever the file describes: estimate() makes elements() of it. Empty for the model `elements`.
+  const estimation::Specification& specification() const { return resolved_.specification; }
+
+  /// As it was given: of the whole component, say, or points.
+  const estimation::Specification& written() const { return written_; }
+
+  /// What was found on the way from written() to specification(): notes, misfits of points.
+  const estimation::Resolved& resolved() const { return resolved_; }
 
   /// Those that the model estimates from the specification, or lists; without those added.
   const std::vector<element::ElementDescription>& elements() const { return elements_; }
 
-  /// Give the model another specification. Throws std::invalid_argument where that has no solution, and then leaves the
-  /// description as it was; std::logic_error for the model `elements`, which has none.
+  /// Give the model another specification, of the whole with what is added now or of the base. Throws
+  /// std::invalid_argument where that has no solution, and then leaves the description as it was; std::logic_error for
+  /// the model `elements`, which has none.
   void specify(estimation::Specification specification);
 
   /// The elements of the model, those added, and the shift with temperature.
@@ -59,7 +68,8 @@ class ComponentDescription {
 
  private:
   estimation::Model model_ = estimation::Model::elements;
-  estimation::Specification specification_;
+  estimation::Specification written_;
+  estimation::Resolved resolved_;
   std::vector<element::ElementDescription> elements_;
 };
 

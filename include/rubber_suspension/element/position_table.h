@@ -1,0 +1,74 @@
+// A number that depends on the displacement: linear between points, constant beyond. Throws nothing but in its
+// constructor.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace rubber_suspension::element {
+
+/// Points of a value over displacement. Two points at one displacement make a step, at which the second holds.
+class PositionTable {
+ public:
+  /// Throws std::invalid_argument that names law and parameter on lists of different lengths and on displacements that
+  /// decrease.
+  PositionTable(const std::string& type, std::vector<double> displacement /* [m] */, const std::string& name,
+                std::vector<double> value);
+
+  double at(double displacement) const {
+    return inPiece(static_cast<std::size_t>(std::upper_bound(displacement_.begin(), displacement_.end(), displacement) -
+                                            displacement_.begin()),
+                   displacement);
+  }
+
+  /// Visit the pieces of a straight way in their order: begin and end [m], and the values there.
+  template <class Visit>
+  void along(double begin, double end, Visit visit) const {
+    begin < end ? upwards(begin, end, visit) : downwards(begin, end, visit);
+  }
+
+ private:
+  /// Piece i lies below point i and above the one before it.
+  double inPiece(std::size_t i, double z) const {
+    if (i == 0) {
+      return value_.front();
+    }
+    if (i == value_.size()) {
+      return value_.back();
+    }
+    const double share = (z - displacement_[i - 1]) / (displacement_[i] - displacement_[i - 1]);
+    return value_[i - 1] + share * (value_[i] - value_[i - 1]);
+  }
+
+  template <class Visit>
+  void upwards(double z, double end, Visit visit) const {
+    auto i = static_cast<std::size_t>(std::upper_bound(displacement_.begin(), displacement_.end(), z) -
+                                      displacement_.begin());
+    for (; z < end; ++i) {
+      const double next = i < displacement_.size() ? std::min(end, displacement_[i]) : end;
+      if (next > z) {
+        visit(z, next, inPiece(i, z), inPiece(i, next));
+      }
+      z = next;
+    }
+  }
+
+  template <class Visit>
+  void downwards(double z, double end, Visit visit) const {
+    auto i = static_cast<std::size_t>(std::lower_bound(displacement_.begin(), displacement_.end(), z) -
+                                      displacement_.begin());
+    for (; z > end; --i) {
+      const double next = i > 0 ? std::max(end, displacement_[i - 1]) : end;
+      if (next < z) {
+        visit(z, next, inPiece(i, z), inPiece(i, next));
+      }
+      z = next;
+    }
+  }
+
+  std::vector<double> displacement_;
+  std::vector<double> value_;
+};
+
+}  // namespace rubber_suspension::element

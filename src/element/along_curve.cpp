@@ -1,0 +1,120 @@
+// Maxwell elements, dashpots and sliders whose size follows the displacement.
+#include "rubber_suspension/element/along_curve.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/element/iwan.h"
+#include "rubber_suspension/element/relaxation.h"
+
+namespace rubber_suspension::element {
+namespace {
+
+// (1 - (1 + x) exp(-x))/x^2, tends to 1/2: the mean over a step of a relaxing force that grew in proportion to the time
+// before its end.
+double momentOverStep(double x, const Relaxation& relaxation) {
+  constexpr double kSeries = 0.05;  // beyond, the difference keeps 14 digits
+  return x > kSeries ? (relaxation.mean - relaxation.decay) / x
+                     : 1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 8 - x * (1.0 / 30 - x * (1.0 / 144 - x * (1.0 / 840)))));
+}
+
+// Row of the displacements of all three.
+ParameterInfo pointsParameter() {
+  return {"displacement",
+          "m",
+          Role::choice,
+          Range::any(),
+          std::nullopt,
+          "displacements of the points, not decreasing; constant beyond",
+          true};
+}
+
+PositionTable tableOf(const ElementDescription& description, const std::string& name) {
+  return {description.type, description.list("displacement"), name, description.list(name)};
+}
+
+}  // namespace
+
+PositionTable::PositionTable(const std::string& type, std::vector<double> displacement, const std::string& name,
+                             std::vector<double> value)
+    : displacement_(std::move(displacement)), value_(std::move(value)) {
+  if (displacement_.empty() || displacement_.size() != value_.size()) {
+    throw std::invalid_argument(fmt::format("{}.{}: {} values for {} displacements; accepted: as many as displacements",
+                                            type, name, value_.size(), displacement_.size()));
+  }
+  for (std::size_t i = 1; i < displacement_.size(); ++i) {
+    if (!(displacement_[i] >= displacement_[i - 1])) {
+      refuseValue(type, "displacement", displacement_[i], "m",
+                  fmt::format("at least {:g}, the value before it", displacement_[i - 1]));
+    }
+  }
+}
+
+MaxwellAlongCurve::MaxwellAlongCurve(PositionTable stiffness, double break_frequency)
+    : stiffness_(std::move(stiffness)), rate_(2.0 * kPi * break_frequency) {}
+
+double MaxwellAlongCurve::step(const Motion& motion, double* memory) const {
+  double force = memory[0];
+  if (motion.increment == 0.0) {
+    return memory[0] = force * Relaxation::over(motion.dt * rate_).decay;
+  }
+  stiffness_.along(motion.displacement - motion.increment, motion.displacement,
+                   [&](double begin, double end, double stiffness_before, double stiffness_after) {
+                     const double x = motion.dt * rate_ * ((end - begin) / motion.increment);
+                     const Relaxation relaxation = Relaxation::over(x);
+                     const double gain = stiffness_after * relaxation.mean -
+                                         (stiffness_after - stiffness_before) * momentOverStep(x, relaxation);
+                     force = relaxation.decay * force + gain * (end - begin);
+                   });
+  return memory[0] = force;
+}
+
+double DashpotAlongCurve::step(const Motion& motion, double* /*memory*/) const {
+  double impulse = 0.0;
+  damping_.along(motion.displacement - motion.increment, motion.displacement,
+                 [&](double begin, double end, double damping_before, double damping_after) {
+                   impulse += 0.5 * (damping_before + damping_after) * (end - begin);
+                 });
+  return impulse / motion.dt;
+}
+
+ElementType maxwellAlongCurveType() {
+  return {"maxwell_along_curve",
+          "Maxwell element whose stiffness follows the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
+          {pointsParameter(),
+           {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness k at the points", true},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), std::nullopt, "break frequency f_b"}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const MaxwellAlongCurve>(tableOf(description, "stiffness"),
+                                                             description.value("break_frequency"));
+          }};
+}
+
+ElementType dashpotAlongCurveType() {
+  return {"dashpot_along_curve",
+          "Dashpot whose damping follows the displacement, F = c(z) dz/dt.",
+          {pointsParameter(),
+           {"damping", "N s/m", Role::scale, Range::positive(), std::nullopt, "damping c at the points", true}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const DashpotAlongCurve>(tableOf(description, "damping"));
+          }};
+}
+
+ElementType slidersAlongCurveType() {
+  return {"sliders_along_curve",
+          "Friction sliders whose force follows the displacement: that of iwan_table times a factor b(z).",
+          {pointsParameter(),
+           {"factor", "1", Role::reference, Range::nonNegative(), std::nullopt, "factor b at the points", true},
+           {"yield_displacement", "m", Role::shape, Range::positive(), std::nullopt,
+            "displacement at which each slider starts to slide", true},
+           {"stiffness", "N/m", Role::scale, Range::positive(), std::nullopt, "stiffness of each slider", true}},
+          [](const ElementDescription& description) -> ElementPointer {
+            return std::make_shared<const SlidersAlongCurve>(slidersFromTable(description),
+                                                             tableOf(description, "factor"));
+          }};
+}
+
+}  // namespace rubber_suspension::element

@@ -1,0 +1,143 @@
+// Bouc-Wen hysteresis.
+#include "rubber_suspension/element/bouc_wen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubber_suspension::element {
+namespace {
+
+// Runge-Kutta steps over the length within which the rate changes by its own size. Its error falls with the fourth
+// power; see the header for what is left.
+constexpr double kShareOfBend = 0.06;
+// |q|^n up to which the series in it are used.
+constexpr double kNearZero = 0.125;
+// A rate below this is the limit, but for rounding.
+constexpr double kNoRate = 1e-14;
+
+// Force after relaxing over a way towards 1/coefficient, q' = 1 - coefficient q.
+double relaxedTowardsLimit(double q, double coefficient, double way) {
+  return coefficient == 0.0 ? q + way : q * std::exp(-coefficient * way) - std::expm1(-coefficient * way) / coefficient;
+}
+
+}  // namespace
+
+BoucWen::BoucWen(double stiffness, double beta, double gamma, double exponent)
+    : stiffness_(stiffness),
+      exponent_(exponent),
+      asymmetry_(gamma / beta),
+      scale_(std::pow(stiffness / beta, 1.0 / exponent)),
+      limit_(asymmetry_ > -1.0 ? std::pow(1.0 + asymmetry_, -1.0 / exponent) : std::numeric_limits<double>::infinity()),
+      near_(std::pow(kNearZero, 1.0 / exponent)) {}
+
+// The law along a way in one direction, q being the force over its scale, positive in that direction, and the way that
+// over scale/A: q' = 1 - |q|^n (sign(q) + gamma/beta).
+double BoucWen::rate(double q) const {
+  return 1.0 - std::pow(std::abs(q), exponent_) * (std::copysign(1.0, q) + asymmetry_);
+}
+
+// Way from q = 0 to a small q, with a sign: the integral of 1/q' as a series in |q|^n, as the law bends at zero.
+double BoucWen::wayFromZero(double q) const {
+  const double ratio = (asymmetry_ + std::copysign(1.0, q)) * std::pow(std::abs(q), exponent_);
+  double sum = 1.0;
+  double power = ratio;
+  for (int k = 1; k < 60 && std::abs(power) > 1e-17; ++k, power *= ratio) {
+    sum += power / (exponent_ * k + 1.0);
+  }
+  return q * sum;
+}
+
+// The small q at a way from q = 0, by Newton's method.
+double BoucWen::nearZero(double way) const {
+  double q = std::clamp(way, -near_, near_);
+  for (int i = 0; i < 8; ++i) {
+    const double change = (way - wayFromZero(q)) * rate(q);
+    q += change;
+    if (std::abs(change) < 1e-16) {
+      break;
+    }
+  }
+  return q;
+}
+
+double BoucWen::rungeKutta(double q, double way) const {
+  const double first = rate(q);
+  const double second = rate(q + 0.5 * way * first);
+  const double third = rate(q + 0.5 * way * second);
+  const double fourth = rate(q + way * third);
+  return q + way / 6.0 * (first + 2.0 * (second + third) + fourth);
+}
+
+double BoucWen::afterOfExponentOne(double q, double way) const {
+  if (q < 0.0) {
+    const double unloading = 1.0 - asymmetry_;
+    const double to_zero = unloading > 0.0 ? std::log1p(-unloading * q) / unloading : -q;
+    if (way < to_zero) {
+      return relaxedTowardsLimit(q, unloading, way);
+    }
+    way -= to_zero;
+    q = 0.0;
+  }
+  return relaxedTowardsLimit(q, 1.0 + asymmetry_, way);
+}
+
+double BoucWen::after(double q, double way) const {
+  while (way > 0.0) {
+    if (q >= -near_ && q < near_) {
+      const double begin = wayFromZero(q);
+      const double end = wayFromZero(near_);
+      if (begin + way < end) {
+        return nearZero(begin + way);
+      }
+      way -= end - begin;
+      q = near_;
+      continue;
+    }
+    const double slope = rate(q);
+    if (std::abs(slope) < kNoRate) {
+      break;
+    }
+    const double curved = std::max(1.0, std::abs(1.0 - slope));
+    const double step = std::min(way, kShareOfBend * std::max(1.0, std::abs(q)) / (exponent_ * curved));
+    q = rungeKutta(q, step);
+    way -= step;
+  }
+  return q;
+}
+
+double BoucWen::step(const Motion& motion, double* memory) const {
+  if (motion.increment == 0.0) {
+    return memory[0];
+  }
+  const double direction = std::copysign(1.0, motion.increment);
+  const double q = std::clamp(direction * memory[0] / scale_, -limit_, limit_);
+  const double way = std::abs(motion.increment) * stiffness_ / scale_;
+  return memory[0] = direction * scale_ * (exponent_ == 1.0 ? afterOfExponentOne(q, way) : after(q, way));
+}
+
+ElementType boucWenType() {
+  return {
+      "bouc_wen",
+      "Bouc-Wen hysteresis alone, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; put a spring and "
+      "a dashpot beside it.",
+      {{"stiffness", "N/m", Role::shape, Range::positive(), std::nullopt, "stiffness A from rest"},
+       {"beta", "1/m", Role::shape, Range::positive(), std::nullopt, "beta; for n other than 1 a number in N^(1-n)/m"},
+       {"gamma", "1/m", Role::shape, Range::any(), std::nullopt,
+        "gamma, at most beta in magnitude; for n other than 1 a number in N^(1-n)/m"},
+       {"exponent", "1", Role::choice, Range::closed(1.0, 20.0), 1.0, "n; the larger, the sharper the bend"}},
+      [](const ElementDescription& description) -> ElementPointer {
+        const double beta = description.value("beta");
+        const double gamma = description.value("gamma");
+        if (std::abs(gamma) > beta) {
+          refuseValue(description.type, "gamma", gamma, "1/m",
+                      fmt::format("in [{:g}, {:g}], as beta >= |gamma| keeps it from making energy", -beta, beta));
+        }
+        return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
+                                               description.value("exponent"));
+      }};
+}
+
+}  // namespace rubber_suspension::element

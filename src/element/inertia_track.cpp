@@ -1,0 +1,191 @@
+// Hydraulic mount with an inertia track.
+#include "rubber_suspension/element/inertia_track.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace rubber_suspension::element {
+namespace {
+
+constexpr double kRadiansBetweenEdges = 0.125;
+constexpr double kMostParts = 4096.0;
+constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
+constexpr int kMostEdges = 64;  // of one part; a guard against edges that rounding places on top of each other
+
+// exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
+struct Oscillation {
+  double cosine;
+  double sine;     // over w [s]
+  double missing;  // exp(-a t) (1 - cos(w t))
+
+  Oscillation(double decay, double square, double t) {
+    const double difference = square - decay * decay;
+    const double w = std::sqrt(std::abs(difference));
+    const double damped = std::exp(-decay * t);
+    if (difference > 0.0) {
+      const double half = std::sin(0.5 * w * t);
+      cosine = damped * std::cos(w * t);
+      sine = damped * (w * t > 0.0 ? std::sin(w * t) / w : t);
+      missing = 2.0 * damped * half * half;
+      return;
+    }
+    // exp(-a t) cosh(w t) from the slow root alone, which does not overflow.
+    const double slow = std::exp(-square / (decay + w) * t);
+    const double fall = -std::expm1(-2.0 * w * t);
+    cosine = slow * (1.0 - 0.5 * fall);
+    sine = w * t > 0.0 ? 0.5 * slow * fall / w : damped * t;
+    const double half = 0.5 * w * t < 1.0 ? std::sinh(0.5 * w * t) : 0.0;
+    missing = half > 0.0 ? -2.0 * damped * half * half : damped - cosine;
+  }
+};
+
+}  // namespace
+
+InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double free_travel)
+    : mass_(mass),
+      damping_(damping),
+      stiffness_(stiffness),
+      free_travel_(free_travel),
+      decay_(0.5 * damping / mass),
+      square_(stiffness / mass) {}
+
+double InertiaTrack::initialise(double /*displacement*/, double* memory) const {
+  memory[kDeflection] = memory[kRate] = 0.0;
+  return 0.0;
+}
+
+// de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
+InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
+  const Oscillation oscillation(decay_, square_, dt);
+  const double sine = oscillation.sine;
+  const double kept = oscillation.cosine + decay_ * sine;
+  const double lost = -std::expm1(-decay_ * dt) + oscillation.missing - decay_ * sine;  // 1 - kept
+  const double after_velocity = sine + 2.0 * decay_ * lost / square_;
+  return {kept * flow.deflection - sine * flow.rate + after_velocity * velocity,
+          square_ * sine * flow.deflection + (oscillation.cosine - decay_ * sine) * flow.rate + lost * velocity};
+}
+
+InertiaTrack::Flow InertiaTrack::free(Flow flow, double dt, double velocity) const {
+  const double turn = 2.0 * decay_ * dt;
+  const double travel = dt * (turn > 0.0 ? -std::expm1(-turn) / turn : 1.0);  // of a unit of the rate
+  return {flow.deflection + velocity * dt - flow.rate * travel, flow.rate * std::exp(-turn)};
+}
+
+// Pieces: -1 and 1 beyond the dead zone, 0 in it.
+InertiaTrack::Flow InertiaTrack::along(int piece, Flow flow, double dt, double velocity) const {
+  if (piece == 0) {
+    return free(flow, dt, velocity);
+  }
+  const double edge = piece * free_travel_;
+  const Flow after = coupled({flow.deflection - edge, flow.rate}, dt, velocity);
+  return {after.deflection + edge, after.rate};
+}
+
+// On an edge, the piece that the motion leads to.
+int InertiaTrack::pieceOf(Flow flow, double velocity) const {
+  const double beyond = std::abs(flow.deflection) - free_travel_;
+  const double side = std::copysign(1.0, flow.deflection);
+  return beyond > 0.0 || (beyond == 0.0 && side * (velocity - flow.rate) > 0.0) ? static_cast<int>(side) : 0;
+}
+
+bool InertiaTrack::isIn(int piece, double deflection) const {
+  return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
+}
+
+void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
+  for (int edge = 0; dt > 0.0; ++edge) {
+    const int piece = pieceOf(flow, velocity);
+    const Flow end = along(piece, flow, dt, velocity);
+    if (isIn(piece, end.deflection) || edge == kMostEdges) {
+      flow = end;
+      return;
+    }
+    double before = 0.0;
+    double after = dt;
+    while (after - before > kEdgeTolerance * dt) {
+      const double middle = 0.5 * (before + after);
+      (isIn(piece, along(piece, flow, middle, velocity).deflection) ? before : after) = middle;
+    }
+    flow = along(piece, flow, after, velocity);
+    flow.deflection = std::copysign(free_travel_, piece == 0 ? flow.deflection : piece);
+    dt -= after;
+  }
+}
+
+double InertiaTrack::step(const Motion& motion, double* memory) const {
+  Flow flow{memory[kDeflection], memory[kRate]};
+  const double velocity = motion.increment / motion.dt;
+  if (free_travel_ == 0.0) {
+    flow = coupled(flow, motion.dt, velocity);
+  } else {
+    const double parts = std::clamp(std::ceil(motion.dt * std::sqrt(square_) / kRadiansBetweenEdges), 1.0, kMostParts);
+    for (double part = 0.0; part < parts; part += 1.0) {
+      followDecoupled(flow, motion.dt / parts, velocity);
+    }
+  }
+  memory[kDeflection] = flow.deflection;
+  memory[kRate] = flow.rate;
+  return stiffness_ * (flow.deflection - std::clamp(flow.deflection, -free_travel_, free_travel_));
+}
+
+std::optional<std::complex<double>> InertiaTrack::complexStiffness(double omega) const {
+  if (free_travel_ > 0.0) {
+    return std::nullopt;
+  }
+  const std::complex<double> column(-mass_ * omega * omega, damping_ * omega);
+  return stiffness_ * column / (column + stiffness_);
+}
+
+namespace {
+
+constexpr std::array<const char*, 3> kMechanical = {"mass", "damping", "stiffness"};
+constexpr std::array<const char*, 4> kFluid = {"inertance", "resistance", "compliance", "pumping_area"};
+
+template <class Names>
+std::size_t given(const ElementDescription& description, const Names& names) {
+  return static_cast<std::size_t>(
+      std::count_if(names.begin(), names.end(), [&](const char* name) { return description.value(name) > 0.0; }));
+}
+
+ElementPointer makeInertiaTrack(const ElementDescription& description) {
+  const auto value = [&](const char* name) { return description.value(name); };
+  const std::size_t mechanical = given(description, kMechanical);
+  const std::size_t fluid = given(description, kFluid);
+  const double area = value("pumping_area");
+  if (mechanical == kMechanical.size() && fluid == 0) {
+    return std::make_shared<const InertiaTrack>(value("mass"), value("damping"), value("stiffness"),
+                                                value("free_travel"));
+  }
+  if (fluid == kFluid.size() && mechanical == 0) {
+    return std::make_shared<const InertiaTrack>(value("inertance") * area * area, value("resistance") * area * area,
+                                                area * area / value("compliance"), value("free_travel"));
+  }
+  throw std::invalid_argument(
+      fmt::format("{}: {}; accepted: all of {}, or all of {}, each greater than 0", description.type,
+                  mechanical > 0 && fluid > 0 ? "mechanical and fluid parameters are mixed" : "parameters are missing",
+                  fmt::join(kMechanical, ", "), fmt::join(kFluid, ", ")));
+}
+
+}  // namespace
+
+ElementType inertiaTrackType() {
+  const Range range = Range::nonNegative();
+  return {"inertia_track",
+          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt = F, F = k_h (z - q), by mass, damping and stiffness or by "
+          "the numbers of the fluid; 0: not given.",
+          {{"mass", "kg", Role::shape, range, 0.0, "mass m of the column, referred to the pumping area"},
+           {"damping", "N s/m", Role::shape, range, 0.0, "damping c of the track, referred to the pumping area"},
+           {"stiffness", "N/m", Role::shape, range, 0.0, "stiffness k_h of the upper chamber by its bulge"},
+           {"inertance", "kg/m^4", Role::shape, range, 0.0, "inertance I of the track, m = I A_p^2"},
+           {"resistance", "Pa s/m^3", Role::shape, range, 0.0, "resistance R of the track, c = R A_p^2"},
+           {"compliance", "m^3/Pa", Role::shape, range, 0.0, "compliance C of the upper chamber, k_h = A_p^2/C"},
+           {"pumping_area", "m^2", Role::reference, range, 0.0, "area A_p of the piston that the rubber makes"},
+           {"free_travel", "m", Role::shape, range, 0.0, "free travel d of a decoupler to either side; 0: none"}},
+          makeInertiaTrack};
+}
+
+}  // namespace rubber_suspension::element

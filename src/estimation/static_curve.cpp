@@ -1,0 +1,170 @@
+// The static curve of a component.
+#include "rubber_suspension/estimation/static_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "estimation/models.h"
+#include "rubber_suspension/element/catalogue.h"
+#include "rubber_suspension/element/slider_bank.h"
+
+namespace rubber_suspension::estimation {
+namespace {
+
+// The piece that holds a displacement, the last one from its point on; those at the ends go on beyond.
+std::size_t pieceAt(const std::vector<double>& displacement, double z) {
+  const auto after = std::upper_bound(displacement.begin() + 1, displacement.end() - 1, z);
+  return static_cast<std::size_t>(after - displacement.begin()) - 1;
+}
+
+}  // namespace
+
+std::vector<double> StaticCurve::slopes() const {
+  std::vector<double> slopes;
+  for (std::size_t i = 1; i < displacement.size(); ++i) {
+    slopes.push_back((force[i] - force[i - 1]) / (displacement[i] - displacement[i - 1]));
+  }
+  return slopes;
+}
+
+void StaticCurve::check() const {
+  if (displacement.size() < 2 || force.size() != displacement.size()) {
+    throw std::invalid_argument(fmt::format(
+        "static_curve: {} forces for {} displacements; accepted: as many forces as displacements, at least 2",
+        force.size(), displacement.size()));
+  }
+  for (std::size_t i = 1; i < displacement.size(); ++i) {
+    if (!(displacement[i] > displacement[i - 1])) {
+      throw std::invalid_argument(
+          fmt::format("static_curve: displacement {:g} m after {:g} m; accepted: displacements that increase",
+                      displacement[i], displacement[i - 1]));
+    }
+    const double rise = force[i] - force[i - 1];
+    const std::string place = fmt::format("static_curve: the force {} from {:g} m to {:g} m",
+                                          rise < 0.0 ? "falls" : "does not rise", displacement[i - 1], displacement[i]);
+    if (scales && !(rise > 0.0)) {
+      throw std::invalid_argument(place +
+                                  ", where elements scaled along the curve would make energy; accepted: forces that "
+                                  "rise, or scale_with: none");
+    }
+    if (monotone && rise < 0.0) {
+      throw std::invalid_argument(place + "; accepted with monotone: true: forces that do not fall");
+    }
+  }
+}
+
+double StaticCurve::forceAt(double z) const {
+  const std::size_t i = pieceAt(displacement, z);
+  return force[i] + slopes()[i] * (z - displacement[i]);
+}
+
+double StaticCurve::tangentAt(double z) const {
+  const std::vector<double> slope = slopes();
+  const std::size_t i = pieceAt(displacement, z);
+  return i > 0 && z == displacement[i] ? 0.5 * (slope[i - 1] + slope[i]) : slope[i];
+}
+
+double StaticCurve::displacementAt(double wanted) const {
+  const std::vector<double> slope = slopes();
+  std::vector<double> found;
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    const double z = displacement[i] + (wanted - force[i]) / slope[i];
+    const bool after = i == 0 || z >= displacement[i];
+    const bool before = i + 1 == slope.size() || z < displacement[i + 1];
+    if (std::isfinite(z) && after && before) {
+      found.push_back(z);
+    }
+  }
+  if (found.size() != 1) {
+    throw std::invalid_argument(fmt::format(
+        "nominal_force: static_curve has {} displacements of {:g} N; accepted: a force that it has once, or "
+        "nominal_displacement",
+        found.size(), wanted));
+  }
+  return found.front();
+}
+
+namespace {
+
+// The slope of the curve over that at the working point, with a step at each point of the curve.
+struct SlopeFactor {
+  std::vector<double> displacement;
+  std::vector<double> factor;
+
+  SlopeFactor(const StaticCurve& curve, double nominal_displacement) {
+    const double nominal = curve.tangentAt(nominal_displacement);
+    const std::vector<double> slopes = curve.slopes();
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      displacement.insert(displacement.end(), {curve.displacement[i], curve.displacement[i + 1]});
+      factor.insert(factor.end(), 2, slopes[i] / nominal);
+    }
+  }
+
+  std::vector<double> times(double value) const {
+    std::vector<double> values = factor;
+    std::for_each(values.begin(), values.end(), [&](double& entry) { entry *= value; });
+    return values;
+  }
+};
+
+std::optional<element::ElementDescription> scaledEntry(const SlopeFactor& slope,
+                                                       const element::ElementDescription& entry) {
+  if (entry.type == "maxwell") {
+    return {{"maxwell_along_curve",
+             {{"displacement", slope.displacement},
+              {"stiffness", slope.times(entry.value("stiffness"))},
+              {"break_frequency", {entry.value("break_frequency")}}}}};
+  }
+  if (entry.type == "dashpot") {
+    return {{"dashpot_along_curve",
+             {{"displacement", slope.displacement}, {"damping", slope.times(entry.value("damping"))}}}};
+  }
+  const element::ElementPointer element = element::makeElement(entry);
+  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+  const auto* bank = law == nullptr ? nullptr : dynamic_cast<const element::SliderBank*>(law->get());
+  if (bank == nullptr) {
+    return std::nullopt;
+  }
+  element::ElementDescription scaled{"sliders_along_curve",
+                                     {{"displacement", slope.displacement}, {"factor", slope.factor}}};
+  for (const element::JenkinsSlider& slider : bank->sliders()) {
+    scaled.values["yield_displacement"].push_back(slider.yield_displacement);
+    scaled.values["stiffness"].push_back(slider.stiffness);
+  }
+  return scaled;
+}
+
+}  // namespace
+
+element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal_displacement,
+                                        const element::ElementDescription& entry) {
+  if (auto scaled = scaledEntry(SlopeFactor(curve, nominal_displacement), entry)) {
+    return *scaled;
+  }
+  throw std::invalid_argument(fmt::format(
+      "{}.scale_with: does not scale along a curve; accepted: maxwell, dashpot, coulomb_friction, iwan, iwan_table",
+      entry.type));
+}
+
+element::ElementDescription springOf(const StaticCurve& curve) {
+  return {"spring_table", {{"displacement", curve.displacement}, {"force", curve.force}, {"monotone", {0.0}}}};
+}
+
+std::vector<element::ElementDescription> alongCurve(const StaticCurve& curve, double nominal_displacement,
+                                                    std::vector<element::ElementDescription> elements) {
+  const SlopeFactor slope(curve, nominal_displacement);
+  for (element::ElementDescription& element : elements) {
+    if (element.type == "spring") {
+      element = springOf(curve);
+    } else if (curve.scales && element.type != "friction") {
+      element = scaledEntry(slope, element).value();
+    }
+  }
+  return elements;
+}
+
+}  // namespace rubber_suspension::estimation

@@ -1,0 +1,406 @@
+// The base of a whole component: roots on settled loops.
+#include "rubber_suspension/estimation/whole.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "estimation/models.h"
+#include "estimation/point_fit.h"
+#include "estimation/solvability.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension::estimation {
+namespace {
+
+constexpr double kFromEnd = 1e-9;     // of an interval of K_n: its ends have no solution
+constexpr double kAgreement = 1e-10;  // of the loss and of the high-frequency stiffness
+constexpr int kMostSteps = 40;
+constexpr double kAnyAmplitude = 1e-3;  // [m] of what is linear
+
+// No solution; the obstacle says why.
+struct Unsolvable {
+  Obstacle obstacle;
+  std::string accepted;  // what is known of it without a search; may be empty
+};
+
+using Entries = std::vector<element::ElementDescription>;
+
+const element::ParallelElement* parallelLaw(const element::ElementPointer& element) {
+  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+  return law == nullptr || (*law)->onRig() ? nullptr : law->get();
+}
+
+// What never settles under a sine: drift of the rig, factors that the history changes.
+bool settles(const element::ElementDescription& entry) {
+  const element::Element& law = element::lawOf(element::makeElement(entry));
+  return entry.type != "force_drift" && (law.action() != element::Action::scales_force || law.linear());
+}
+
+// Stiffness [N/m] of an elastic law about a displacement [m].
+double slopeAbout(const element::ParallelElement& law, double displacement) {
+  constexpr double kStep = 1e-7;  // [m]
+  std::vector<double> memory(law.memorySize());
+  const double above = law.initialise(displacement + kStep, memory.data());
+  return (above - law.initialise(displacement - kStep, memory.data())) / (2.0 * kStep);
+}
+
+// Of what is added, the stiffness [N/m] at rest and that at very high frequency, springs and Maxwell elements alone.
+struct AddedStiffness {
+  double at_rest = 0.0;
+  double limit = 0.0;
+
+  AddedStiffness(const Entries& add, double displacement) {
+    constexpr double kNever = 1e-12;  // [rad/s]
+    constexpr double kAlways = 1e12;  // [rad/s]
+    for (const element::ElementDescription& entry : add) {
+      const element::ElementPointer element = element::makeElement(entry);
+      const element::ParallelElement* law = parallelLaw(element);
+      if (law != nullptr && law->linear()) {
+        at_rest += law->complexStiffness(kNever)->real();
+        limit += law->complexStiffness(kAlways)->real();
+      } else if (law != nullptr && law->part() == element::Part::elastic) {
+        at_rest += slopeAbout(*law, displacement);
+        limit += slopeAbout(*law, displacement);
+      }
+    }
+  }
+};
+
+class Whole {
+ public:
+  Whole(Model model, const Specification& given, const Entries& add) : model_(model), given_(given), base_(given) {
+    base_.describe(Describes::base);
+    if (model == Model::kelvin_voigt && given.curve() != nullptr) {
+      throw std::invalid_argument(
+          "describes: component: the spring of model kelvin_voigt is static_curve, which leaves no number to meet a "
+          "stiffness; accepted: base, or another model");
+    }
+    mean_ = nominalDisplacement(given);
+    std::copy_if(add.begin(), add.end(), std::back_inserter(add_), settles);
+    if (!given.has("nominal_amplitude") && !isLinear()) {
+      throw std::invalid_argument(
+          "nominal_amplitude is missing; accepted: the amplitude at which the whole component has K_n, as its static "
+          "curve or what is added is nonlinear");
+    }
+    subtract();
+  }
+
+  // Whether loops take no time: forces that add up, and no Maxwell elements that have to settle along a curve.
+  bool isQuick() const {
+    return given_.curve() == nullptr && std::all_of(add_.begin(), add_.end(), [](const auto& entry) {
+             return parallelLaw(element::makeElement(entry)) != nullptr;
+           });
+  }
+
+  // Throws Unsolvable. `thorough`: also where the quick way does not find it.
+  Specification solve(bool thorough) const {
+    if (loss()) {
+      return solveBoth(
+          thorough, [&](Specification& base, double loss) { return solveLoss(base, loss); }, *loss() - lossOfAdded());
+    }
+    if (given_.has("high_frequency_stiffness")) {
+      return solveBoth(
+          thorough, [&](Specification& base, double stiffness) { return solveHigh(base, stiffness); },
+          given_.at("high_frequency_stiffness") - stiffnessOfAdded(given_.at("high_frequency")));
+    }
+    Specification base = base_;
+    solveStiffness(base, [](Specification&, double) { return true; });
+    return base;
+  }
+
+ private:
+  // Gives a base with this K_n its other numbers; false where there is none.
+  using Complete = std::function<bool(Specification& base, double stiffness)>;
+
+  double frequency() const { return given_.at("nominal_frequency"); }
+  double amplitude() const { return given_.valueOr("nominal_amplitude", kAnyAmplitude); }
+
+  // K_n sin(delta) [N/m].
+  std::optional<double> loss() const {
+    const bool has = given_.has("loss_angle") || given_.has("relative_damping");
+    return has ? std::optional<double>(given_.at("dynamic_stiffness") * std::sin(lossAngle(given_))) : std::nullopt;
+  }
+
+  bool isLinear() const {
+    return given_.curve() == nullptr && std::all_of(add_.begin(), add_.end(), [](const auto& entry) {
+             return element::lawOf(element::makeElement(entry)).linear();
+           });
+  }
+
+  void subtract() {
+    const AddedStiffness added(add_, mean_);
+    for (const auto& [key, stiffness] :
+         {std::pair("static_stiffness", added.at_rest), std::pair("maximum_stiffness", added.limit)}) {
+      if (!given_.has(key) || stiffness == 0.0 || model_ == Model::kelvin_voigt) {
+        continue;
+      }
+      if (!(given_.at(key) > stiffness)) {
+        const WrittenUnit unit = given_.writtenUnit(key);
+        obstacle_ =
+            Obstacle{key, fmt::format("is not above the {:.6g} {} of what is added", stiffness / unit.size, unit.name)};
+        return;
+      }
+      base_.set(key, given_.at(key) - stiffness);
+    }
+  }
+
+  response::Characteristics characteristics(const Entries& base, double at_frequency) const {
+    Entries all = base;
+    all.insert(all.end(), add_.begin(), add_.end());
+    response::LoopOptions options;
+    options.mean = mean_;
+    return response::characteristicsAt(component::Component(all), at_frequency, amplitude(), options).characteristics;
+  }
+
+  double lossStiffness(const response::Characteristics& whole) const {
+    return whole.loss / (element::kPi * amplitude() * amplitude());
+  }
+
+  // What is added, on a spring of K_n.
+  response::Characteristics ofAdded(double at_frequency) const {
+    return characteristics({{"spring", {{"stiffness", {given_.at("dynamic_stiffness")}}}}}, at_frequency);
+  }
+  double lossOfAdded() const { return lossStiffness(ofAdded(frequency())); }
+  double stiffnessOfAdded(double at_frequency) const {
+    return ofAdded(at_frequency).stiffness - given_.at("dynamic_stiffness");
+  }
+
+  // The base's K_n for which the whole has that which is asked for; the rest of the base follows from it.
+  void solveStiffness(Specification& base, const Complete& complete) const {
+    if (obstacle_) {
+      throw Unsolvable{*obstacle_, {}};
+    }
+    const double target = given_.at("dynamic_stiffness");
+    const auto withStiffness = [&](double stiffness) {
+      Specification trial = base;
+      trial.set("dynamic_stiffness", stiffness);
+      return complete(trial, stiffness) ? std::optional<Specification>(std::move(trial)) : std::nullopt;
+    };
+    const auto mismatch = [&](double stiffness) {
+      return characteristics(estimate(model_, withStiffness(stiffness).value()), frequency()).stiffness - target;
+    };
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
+    for (const auto& [from, to] : intervals(base, withStiffness)) {
+      const double at_from = mismatch(from);
+      const double at_to = mismatch(to);
+      lowest = std::min({lowest, target + at_from, target + at_to});
+      highest = std::max({highest, target + at_from, target + at_to});
+      if (at_from * at_to <= 0.0) {
+        boost::uintmax_t iterations = 200;
+        const auto bracket = boost::math::tools::toms748_solve(
+            mismatch, from, to, at_from, at_to, boost::math::tools::eps_tolerance<double>(48), iterations);
+        base = withStiffness(0.5 * (bracket.first + bracket.second)).value();
+        return;
+      }
+    }
+    throw Unsolvable{outOfReach(lowest, highest), accepted(lowest, highest)};
+  }
+
+  Obstacle outOfReach(double lowest, double highest) const {
+    const WrittenUnit unit = given_.writtenUnit("dynamic_stiffness");
+    return {"dynamic_stiffness",
+            highest > 0.0 ? fmt::format("is not reached by the whole component with the other inputs, which can have "
+                                        "{:.6g} to {:.6g} {}",
+                                        lowest / unit.size, highest / unit.size, unit.name)
+                          : "is not reached by the whole component: with what is added, no base has a solution"};
+  }
+
+  std::string accepted(double lowest, double highest) const {
+    const WrittenUnit unit = given_.writtenUnit("dynamic_stiffness");
+    return highest > 0.0 ? fmt::format("dynamic_stiffness in ({:.6g}, {:.6g}) {}", lowest / unit.size,
+                                       highest / unit.size, unit.name)
+                         : "less in add:";
+  }
+
+  // Where a base has a solution, ends left out.
+  template <class WithStiffness>
+  std::vector<std::pair<double, double>> intervals(const Specification& base, const WithStiffness& with) const {
+    constexpr double kFar = 100.0;  // times K_n, where there is no upper end
+    Specification start = base;
+    start.set("dynamic_stiffness", given_.at("dynamic_stiffness"));
+    const element::ParameterInfo& input = *element::findParameter(specificationParameters(), "dynamic_stiffness");
+    const Solvable solvable = [&](const Specification& trial) {
+      const auto complete = with(trial.at("dynamic_stiffness"));
+      return complete && isSolvable(model_, *complete);
+    };
+    std::vector<std::pair<double, double>> found;
+    for (const element::Range& range : solvableIntervals(start, input, solvable, Scan::coarse)) {
+      const double upper = std::min(range.upper, kFar * given_.at("dynamic_stiffness"));
+      const double margin = kFromEnd * (upper - range.lower);
+      found.emplace_back(range.lower + margin, upper - margin);
+    }
+    return found;
+  }
+
+  // Solves for K_n with a loss stiffness [N/m] of the base; returns by how much that of the whole is off.
+  double solveLoss(Specification& base, double loss) const {
+    solveStiffness(base, [&](Specification& trial, double stiffness) {
+      const double sine = loss / stiffness;  // of M1, whose K_n is the storage stiffness, the tangent
+      const double angle = model_ == Model::kelvin_voigt ? std::atan(sine) : std::asin(sine);
+      const bool angular = given_.has("loss_angle");
+      const double damping = 0.5 * std::tan(angle);
+      trial.set(angular ? "loss_angle" : "relative_damping", angular ? angle : damping);
+      return angle > 0.0 && (angular ? angle < 0.5 * element::kPi : damping <= 1.0);  // false of what is not a number
+    });
+    return lossStiffness(characteristics(estimate(model_, base), frequency())) / *this->loss() - 1.0;
+  }
+
+  double solveHigh(Specification& base, double stiffness) const {
+    base.set("high_frequency_stiffness", stiffness);
+    solveStiffness(base, [](Specification&, double) { return true; });
+    return characteristics(estimate(model_, base), given_.at("high_frequency")).stiffness /
+               given_.at("high_frequency_stiffness") -
+           1.0;
+  }
+
+  // A second number beside K_n. Secants from `start`, which is right where forces add up; `wanted` scales the mismatch.
+  template <class Solve>
+  Specification solveBoth(bool thorough, Solve solve, double start) const {
+    const double wanted = loss() ? *loss() : given_.at("high_frequency_stiffness");
+    if (!(start > 0.0)) {
+      throw Unsolvable{tooMuch(), {}};
+    }
+    try {
+      return secants(solve, start, wanted);
+    } catch (const Unsolvable&) {
+      if (!thorough) {
+        throw;
+      }
+      if (auto found = scan(solve, start)) {
+        return *found;
+      }
+      throw;
+    }
+  }
+
+  template <class Solve>
+  Specification secants(Solve solve, double start, double wanted) const {
+    double value = start;
+    double slope = 1.0 / wanted;
+    Specification base = base_;
+    double mismatch = solve(base, value);
+    for (int i = 0; i < kMostSteps && std::abs(mismatch) > kAgreement; ++i) {
+      const double next = std::max(value - mismatch / slope, 0.5 * value);
+      base = base_;
+      const double mismatch_next = solve(base, next);
+      slope = next != value && mismatch_next != mismatch ? (mismatch_next - mismatch) / (next - value) : slope;
+      value = next;
+      mismatch = mismatch_next;
+    }
+    if (!(std::abs(mismatch) <= 1e3 * kAgreement)) {
+      throw Unsolvable{tooMuch(), {}};
+    }
+    return base;
+  }
+
+  template <class Solve>
+  std::optional<Specification> scan(Solve solve, double start) const {
+    const auto mismatch = [&](double logarithm) {
+      Specification base = base_;
+      try {
+        return solve(base, start * std::exp(logarithm));
+      } catch (const Unsolvable&) {
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+    };
+    constexpr int kPoints = 60;
+    const double reach = std::log(50.0);
+    double before = -reach;
+    double mismatch_before = mismatch(before);
+    for (int i = 1; i <= kPoints; ++i) {
+      const double now = -reach + 2.0 * reach * i / kPoints;
+      const double mismatch_now = mismatch(now);
+      if (mismatch_before * mismatch_now <= 0.0) {
+        boost::uintmax_t iterations = 100;
+        const auto bracket =
+            boost::math::tools::toms748_solve(mismatch, before, now, mismatch_before, mismatch_now,
+                                              boost::math::tools::eps_tolerance<double>(44), iterations);
+        Specification base = base_;
+        solve(base, start * std::exp(0.5 * (bracket.first + bracket.second)));
+        return base;
+      }
+      before = now;
+      mismatch_before = mismatch_now;
+    }
+    return std::nullopt;
+  }
+
+  Obstacle tooMuch() const {
+    if (!loss()) {
+      return {"high_frequency_stiffness", "is not reached by the whole component with the other inputs"};
+    }
+    const double least = std::asin(std::clamp(lossOfAdded() / given_.at("dynamic_stiffness"), 0.0, 1.0));
+    return {given_.has("loss_angle") ? "loss_angle" : "relative_damping",
+            fmt::format("is not reached by the whole component: what is added has {:.4g} deg by itself",
+                        least * 180.0 / element::kPi)};
+  }
+
+  Model model_;
+  const Specification& given_;
+  Specification base_;  // K_n and the second number are still those given
+  Entries add_;
+  double mean_ = 0.0;
+  std::optional<Obstacle> obstacle_;
+};
+
+std::vector<std::string> notesOf(const Entries& add) {
+  std::vector<std::string> names;
+  for (const element::ElementDescription& entry : add) {
+    if (!settles(entry)) {
+      names.push_back(entry.type);
+    }
+  }
+  return names.empty() ? std::vector<std::string>{}
+                       : std::vector<std::string>{fmt::format(
+                             "left out of what the specification describes, as it never settles under a sine: {}",
+                             fmt::join(names, ", "))};
+}
+
+bool hasSolution(Model model, const Specification& specification, const Entries& add) {
+  try {
+    Whole(model, specification, add).solve(false);
+    return true;
+  } catch (const Unsolvable&) {
+    return false;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Resolved resolve(Model model, const Specification& specification, const Entries& add) {
+  if (!specification.preloads().empty()) {
+    return {specification, {}, {}};  // of the base; estimate() refuses anything else
+  }
+  if (!specification.points().empty()) {
+    return fitPoints(model, specification, add);
+  }
+  if (specification.describes() != Describes::component || model == Model::elements) {
+    return {specification, {}, {}};
+  }
+  checkSpecification(model, specification);
+  const Whole whole(model, specification, add);
+  try {
+    return {whole.solve(true), notesOf(add), {}};
+  } catch (const Unsolvable& unsolvable) {
+    const bool search = whole.isQuick() || unsolvable.accepted.empty();
+    const std::string remedy =
+        search ? describeSolvableInputs(
+                     specification, [&](const Specification& changed) { return hasSolution(model, changed, add); },
+                     Scan::coarse)
+               : unsolvable.accepted;
+    throw std::invalid_argument(fmt::format("{} {}; accepted: {}", inputText(specification, unsolvable.obstacle.key),
+                                            unsolvable.obstacle.reason, remedy));
+  }
+}
+
+}  // namespace rubber_suspension::estimation

@@ -1,0 +1,110 @@
+// The hydraulic mount: closed forms of its step, its two sets of parameters, its decoupler.
+#include "rubber_suspension/element/inertia_track.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "element/driver.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::test {
+namespace {
+
+constexpr double kMass = 250.0;
+constexpr double kDamping = 6e3;
+constexpr double kStiffness = 1e6;
+
+// Sudden displacement, then rest: the force of a damped oscillator that is let go.
+TEST(InertiaTrack, SwingsFreelyAfterAStep) {
+  const element::InertiaTrack law(kMass, kDamping, kStiffness, 0.0);
+  Driver<element::InertiaTrack> driver(law);
+  driver.step(1e-9, 1e-3);
+  const double decay = 0.5 * kDamping / kMass;
+  const double w = std::sqrt(kStiffness / kMass - decay * decay);
+  for (const double t : {0.01, 0.05, 0.2}) {
+    Driver<element::InertiaTrack> copy = driver;
+    const double expected = kStiffness * 1e-3 * std::exp(-decay * t) * (std::cos(w * t) + decay / w * std::sin(w * t));
+    EXPECT_NEAR(copy.step(t, 1e-3), expected, 1e-6 * kStiffness * 1e-3) << t;  // the step took 1 ns of w t
+  }
+}
+
+// A steady rate v: the column follows at v, and the force is that of the track, c v.
+TEST(InertiaTrack, CarriesTheResistanceAtASteadyRate) {
+  for (const double mass : {250.0, 9.0 /* critical: c^2/(4 k) */, 0.5}) {
+    const element::InertiaTrack law(mass, kDamping, kStiffness, 0.0);
+    Driver<element::InertiaTrack> driver(law);
+    EXPECT_NEAR(driver.step(100.0, 1.0), kDamping * 0.01, 1e-9 * kDamping) << mass;
+  }
+}
+
+TEST(InertiaTrack, TakesTheNumbersOfTheFluid) {
+  const double area = 5e-3;
+  const auto fluid = std::get<std::shared_ptr<const element::ParallelElement>>(element::makeElement(
+      {"inertia_track",
+       {{"inertance", {1e7}}, {"resistance", {2.4e8}}, {"compliance", {2.5e-11}}, {"pumping_area", {area}}}}));
+  const element::InertiaTrack mechanical(kMass, kDamping, kStiffness, 0.0);
+  for (const double omega : {1.0, 60.0, 500.0}) {
+    EXPECT_LE(std::abs(*fluid->complexStiffness(omega) - *mechanical.complexStiffness(omega)), 1e-9 * kStiffness);
+  }
+}
+
+// K* falls to 0 slowly, the loss peaks near sqrt(k_h/m), and k_h is left above.
+TEST(InertiaTrack, HasThePeakOfAHydraulicMount) {
+  const element::InertiaTrack law(kMass, kDamping, kStiffness, 0.0);
+  const double resonance = std::sqrt(kStiffness / kMass);
+  EXPECT_LE(std::abs(*law.complexStiffness(0.01 * resonance)), 5e-3 * kStiffness);  // c w of the track
+  EXPECT_NEAR(std::abs(*law.complexStiffness(100.0 * resonance)), kStiffness, 1e-3 * kStiffness);
+  const auto loss = [&](double ratio) { return law.complexStiffness(ratio * resonance)->imag(); };
+  EXPECT_GT(loss(1.0), loss(0.8));
+  EXPECT_GT(loss(1.0), loss(1.2));
+}
+
+// Integrated in steps a thousand times as small by the semi-implicit Euler method.
+TEST(InertiaTrack, WithADecouplerIsTheEquation) {
+  constexpr double kFree = 2e-4;
+  const element::InertiaTrack law(kMass, kDamping, kStiffness, kFree);
+  Driver<element::InertiaTrack> driver(law);
+  constexpr double kDt = 2e-3;
+  constexpr int kParts = 4000;
+  double q = 0.0;
+  double rate = 0.0;
+  double before = 0.0;
+  double worst = 0.0;
+  double largest = 0.0;
+  for (int i = 1; i <= 400; ++i) {
+    const double z = 1e-3 * std::sin(2.0 * element::kPi * 7.0 * kDt * i);
+    double force = 0.0;
+    for (int part = 1; part <= kParts; ++part) {
+      const double deflection = before + (z - before) * part / kParts - q;
+      force = kStiffness * (deflection - std::clamp(deflection, -kFree, kFree));
+      rate += kDt / kParts * (force - kDamping * rate) / kMass;
+      q += kDt / kParts * rate;
+    }
+    worst = std::max(worst, std::abs(driver.step(kDt, z) - force));
+    largest = std::max(largest, std::abs(force));
+    before = z;
+  }
+  EXPECT_GT(largest, 100.0);
+  EXPECT_LE(worst, 1e-3 * largest);  // of the reference: its steps are 1e-5 rad of the resonance, over 5 periods
+}
+
+TEST(InertiaTrack, WithinItsFreeTravelHasNoForce) {
+  const element::InertiaTrack law(kMass, kDamping, kStiffness, 2e-4);
+  Driver<element::InertiaTrack> driver(law);
+  for (const double z : {1e-4, -1.9e-4, 1.9e-4, 0.0}) {
+    EXPECT_EQ(driver.step(1e-3, z), 0.0);
+  }
+}
+
+TEST(InertiaTrack, NeedsOneSetOfParameters) {
+  const auto make = [](element::ParameterValues values) { element::makeElement({"inertia_track", std::move(values)}); };
+  EXPECT_THROW(make({}), std::invalid_argument);
+  EXPECT_THROW(make({{"mass", {1.0}}, {"damping", {1.0}}}), std::invalid_argument);
+  EXPECT_THROW(make({{"mass", {1.0}}, {"damping", {1.0}}, {"stiffness", {1.0}}, {"compliance", {1.0}}}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::test

@@ -1,0 +1,363 @@
+// Specifications of a whole component: reference values, and for any elements that are added the targets are met.
+#include "rubber_suspension/estimation/whole.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/response/sweep.h"
+
+namespace rubber_suspension {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Entries = std::vector<element::ElementDescription>;
+
+// The same cases in every run, unless the environment asks for others.
+const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0;
+
+constexpr double kDegree = element::kPi / 180.0;
+
+estimation::Specification specificationOf(const std::map<std::string, double>& values,
+                                          estimation::Describes describes = estimation::Describes::component) {
+  estimation::Specification specification;
+  for (const auto& [key, value] : values) {
+    specification.set(key, value);
+  }
+  specification.describe(describes);
+  return specification;
+}
+
+std::map<std::string, double> fiveInputs(double dynamic_stiffness, double amplitude) {
+  return {{"static_stiffness", 3e6},  {"dynamic_stiffness", dynamic_stiffness},
+          {"nominal_frequency", 4.0}, {"maximum_stiffness", 4.9e6},
+          {"high_frequency", 25.0},   {"nominal_amplitude", amplitude}};
+}
+
+const Entries kFriction = {{"friction", {{"maximum_force", {6e3}}, {"displacement", {2.2e-3}}}}};
+
+Entries wholeOf(estimation::Model model, const estimation::Specification& base, const Entries& add) {
+  Entries all = estimation::estimate(model, base);
+  all.insert(all.end(), add.begin(), add.end());
+  return all;
+}
+
+response::Characteristics at(const Entries& elements, double frequency, double amplitude, double mean = 0.0) {
+  response::LoopOptions options;
+  options.mean = mean;
+  return response::characteristicsAt(component::Component(elements), frequency, amplitude, options).characteristics;
+}
+
+std::string refusal(estimation::Model model, const estimation::Specification& specification, const Entries& add) {
+  try {
+    estimation::resolve(model, specification, add);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Computed by an independent program: docs/theory.md. Tolerances are half of the last digit.
+TEST(WholeComponent, OfFiveInputsWithFriction) {
+  const struct { double amplitude, alpha, loss_angle; } rows[] = {{2e-3, 0.506837, 10.8247}, {1e-3, 0.222246, 10.3648}};
+  for (const auto& row : rows) {
+    const auto resolved = estimation::resolve(estimation::Model::multi_maxwell,
+                                              specificationOf(fiveInputs(5e6, row.amplitude)), kFriction);
+    const Entries elements = estimation::estimate(estimation::Model::multi_maxwell, resolved.specification);
+    EXPECT_NEAR(elements[1].value("stiffness") / elements[2].value("stiffness"), row.alpha, 5e-7);
+    const auto whole =
+        at(wholeOf(estimation::Model::multi_maxwell, resolved.specification, kFriction), 4.0, row.amplitude);
+    EXPECT_NEAR(whole.stiffness, 5e6, 5e-3);
+    EXPECT_NEAR(whole.loss_angle / kDegree, row.loss_angle, 5e-5);
+    EXPECT_THAT(resolved.notes, IsEmpty());
+  }
+  const auto resolved =
+      estimation::resolve(estimation::Model::multi_maxwell, specificationOf(fiveInputs(5e6, 2e-3)), kFriction);
+  const Entries elements = estimation::estimate(estimation::Model::multi_maxwell, resolved.specification);
+  const double stiffness[] = {0.06397212, 0.12621836, 0.24903154, 0.49134458, 0.96943340};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(elements[i + 1].value("stiffness"), 1e6 * stiffness[i], 0.1);
+  }
+}
+
+// The base alone has no friction, and the whole is far from what is specified.
+TEST(WholeComponent, OfABaseIsWhatComesOut) {
+  for (const auto& [amplitude, stiffness, angle] :
+       {std::tuple(2e-3, 5.38137e6, 9.0587), std::tuple(1e-3, 5.78245e6, 7.9395)}) {
+    const auto specification = specificationOf(fiveInputs(4.2e6, amplitude), estimation::Describes::base);
+    const auto resolved = estimation::resolve(estimation::Model::multi_maxwell, specification, kFriction);
+    EXPECT_EQ(resolved.specification.values(), specification.values());
+    const auto whole = at(wholeOf(estimation::Model::multi_maxwell, specification, kFriction), 4.0, amplitude);
+    EXPECT_NEAR(whole.stiffness, stiffness, 5.0);
+    EXPECT_NEAR(whole.loss_angle / kDegree, angle, 5e-5);
+  }
+}
+
+TEST(WholeComponent, WithoutASolutionNamesWhatItCanHave) {
+  const auto specification = specificationOf(fiveInputs(4.2e6, 2e-3));
+  const std::string message = refusal(estimation::Model::multi_maxwell, specification, kFriction);
+  EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m is not reached by the whole component"));
+  EXPECT_THAT(message, HasSubstr("4.33623e+06 to 6.08374e+06 N/m"));
+  EXPECT_THAT(message, HasSubstr("dynamic_stiffness in (4.33623e+06, 6.08374e+06) N/m"));
+  EXPECT_THAT(message, HasSubstr("nearest: specification: {"));
+  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 1e-3)), kFriction),
+              HasSubstr("4.73595e+06 to 6.48645e+06 N/m"));
+}
+
+TEST(WholeComponent, NeedsAnAmplitudeWhereItIsNonlinear) {
+  auto values = fiveInputs(5e6, 2e-3);
+  values.erase("nominal_amplitude");
+  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(values), kFriction),
+              HasSubstr("nominal_amplitude is missing"));
+  values["dynamic_stiffness"] = 4.2e6;
+  EXPECT_EQ(refusal(estimation::Model::multi_maxwell, specificationOf(values),
+                    {{"maxwell", {{"stiffness", {2e5}}, {"break_frequency", {1.0}}}}}),
+            "accepted");
+}
+
+// Springs and Maxwell elements that are added are part of K_st and K_max.
+TEST(WholeComponent, SharesItsStiffnessesWithWhatIsAdded) {
+  const Entries add = {{"spring", {{"stiffness", {5e5}}}},
+                       {"maxwell", {{"stiffness", {2e5}}, {"break_frequency", {1.0}}}}};
+  const auto base = estimation::resolve(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), add)
+                        .specification;
+  EXPECT_NEAR(base.at("static_stiffness"), 2.5e6, 1e-3);
+  EXPECT_NEAR(base.at("maximum_stiffness"), 4.2e6, 1e-3);
+  EXPECT_NEAR(at(wholeOf(estimation::Model::multi_maxwell, base, add), 4.0, 2e-3).stiffness, 4.2e6, 1e-2);
+  EXPECT_THAT(refusal(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)),
+                      {{"spring", {{"stiffness", {3.1e6}}}}}),
+              HasSubstr("static_stiffness: 3e+06 N/m is not above the 3.1e+06 N/m of what is added"));
+}
+
+TEST(WholeComponent, LeavesOutWhatNeverSettles) {
+  const Entries add = {{"friction", {{"maximum_force", {6e3}}, {"displacement", {2.2e-3}}}},
+                       {"force_drift", {{"rate", {5.0}}}},
+                       {"self_heating", {{"energy_sensitivity", {1e-3}}, {"time_constant", {20.0}}}},
+                       {"stress_softening", {{"reduction", {0.3}}}}};
+  const auto specification = specificationOf(fiveInputs(5e6, 2e-3));
+  const auto resolved = estimation::resolve(estimation::Model::multi_maxwell, specification, add);
+  EXPECT_THAT(resolved.notes, ElementsAre(HasSubstr("force_drift, self_heating, stress_softening")));
+  EXPECT_EQ(resolved.specification.values(),
+            estimation::resolve(estimation::Model::multi_maxwell, specification, kFriction).specification.values());
+}
+
+/// A base that has a solution, and what is added to it.
+struct Case {
+  estimation::Model model;
+  std::map<std::string, double> base;
+};
+
+double between(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; }
+
+std::map<std::string, double> anyBase(estimation::Model model) {
+  std::map<std::string, double> base = {{"static_stiffness", 3e6},
+                                        {"dynamic_stiffness", 1e6 * between(3.6, 4.4)},
+                                        {"nominal_frequency", between(2.0, 8.0)},
+                                        {"nominal_amplitude", 1e-3 * between(0.5, 3.0)}};
+  using estimation::Model;
+  if (model == Model::multi_maxwell) {
+    base["maximum_stiffness"] = base["dynamic_stiffness"] + 1e6 * between(0.3, 1.0);
+    base["high_frequency"] = base["nominal_frequency"] * between(5.0, 10.0);
+  } else if (model == Model::maxwell && *rc::gen::arbitrary<bool>()) {
+    base["maximum_stiffness"] = base["dynamic_stiffness"] + 1e6 * between(0.3, 1.0);
+  } else {
+    base["loss_angle"] = kDegree * between(2.0, 6.0);
+  }
+  if (model == Model::maxwell_dashpot) {
+    base["break_frequency"] = 0.3;
+  }
+  if (model == Model::berg) {
+    base["break_frequency"] = between(1.0, 3.0);
+  }
+  if (model == Model::kelvin_voigt) {
+    base.erase("static_stiffness");
+  }
+  return base;
+}
+
+/// Each of these has a settled loop; behind the last two the forces do not add up.
+Entries anyAdded(estimation::Model model) {
+  const Entries all = {{"friction", {{"maximum_force", {2e3}}, {"displacement", {5e-4}}}},
+                       {"iwan", {{"maximum_force", {1e3}}, {"displacement", {3e-4}}, {"sliders", {8.0}}}},
+                       {"bouc_wen", {{"stiffness", {1e6}}, {"beta", {900.0}}, {"gamma", {300.0}}}},
+                       {"maxwell", {{"stiffness", {3e5}}, {"break_frequency", {2.0}}}},
+                       {"spring", {{"stiffness", {4e5}}}},
+                       {"dashpot", {{"damping", {2e3}}}},
+                       {"progressive_stiffness", {{"cubic", {5e10}}}},
+                       {"bump_stop", {{"stiffness", {5e6}}, {"gap", {1e-3}}}},
+                       {"inertia_track", {{"mass", {100.0}}, {"damping", {3e3}}, {"stiffness", {4e5}}}},
+                       {"free_play", {{"gap", {5e-5}}}},
+                       {"series_compliance", {{"stiffness", {6e7}}}}};
+  // Slow elements take hundreds of cycles to settle behind a compliance.
+  const int end = static_cast<int>(all.size()) - (model == estimation::Model::multi_maxwell ? 2 : 0);
+  Entries added;
+  for (const int i : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, end))) {
+    if (added.size() < 3) {
+      added.push_back(all[static_cast<std::size_t>(i)]);
+    }
+  }
+  return added;
+}
+
+double addedAtRest(const Entries& added) {
+  double sum = 0.0;
+  for (const element::ElementDescription& entry : added) {
+    sum += entry.type == "spring" ? entry.value("stiffness") : 0.0;
+  }
+  return sum;
+}
+
+double addedLimit(const Entries& added) {
+  double sum = 0.0;
+  for (const element::ElementDescription& entry : added) {
+    const bool counts = entry.type == "spring" || entry.type == "maxwell" || entry.type == "inertia_track";
+    sum += counts ? entry.value("stiffness") : 0.0;
+  }
+  return sum;
+}
+
+// What a base with anything added has is specified: then there is a solution, and the one found has it.
+RC_GTEST_PROP(WholeComponent, MeetsWhatIsSpecifiedForAnyAdd, ()) {
+  using estimation::Model;
+  const Model model = *rc::gen::element(Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
+                                        Model::friction_dashpot, Model::berg, Model::multi_maxwell);
+  const std::map<std::string, double> base = anyBase(model);
+  const Entries added = anyAdded(model);
+  const auto base_specification = specificationOf(base, estimation::Describes::base);
+  try {
+    estimation::estimate(model, base_specification);
+  } catch (const std::invalid_argument&) {
+    RC_DISCARD("no base");
+  }
+  const double frequency = base.at("nominal_frequency");
+  const double amplitude = base.at("nominal_amplitude");
+  const auto target = at(wholeOf(model, base_specification, added), frequency, amplitude);
+  std::map<std::string, double> whole = base;
+  whole["dynamic_stiffness"] = target.stiffness;
+  if (base.count("loss_angle") != 0) {
+    whole["loss_angle"] = target.loss_angle;
+  }
+  if (model != Model::kelvin_voigt) {
+    whole["static_stiffness"] += addedAtRest(added);
+  }
+  if (base.count("maximum_stiffness") != 0) {
+    whole["maximum_stiffness"] += addedLimit(added);
+  }
+  const auto found = estimation::resolve(model, specificationOf(whole), added).specification;
+  const auto reached = at(wholeOf(model, found, added), frequency, amplitude);
+  RC_ASSERT(std::abs(reached.stiffness / target.stiffness - 1.0) <= 1e-6);
+  if (base.count("loss_angle") != 0) {
+    RC_ASSERT(std::abs(reached.loss_angle - target.loss_angle) <= 1e-6);
+  }
+}
+
+// 3.1 kN/mm at 40 Hz is that at 40 Hz, for one Maxwell element (closed form) and for five.
+TEST(HighFrequencyStiffness, IsThatAtItsFrequency) {
+  const std::map<std::string, double> values = {{"static_stiffness", 2e6},
+                                                {"dynamic_stiffness", 2.5e6},
+                                                {"nominal_frequency", 4.0},
+                                                {"high_frequency_stiffness", 3.1e6},
+                                                {"high_frequency", 40.0}};
+  for (const auto model : {estimation::Model::maxwell, estimation::Model::multi_maxwell}) {
+    const Entries elements = estimation::estimate(model, specificationOf(values, estimation::Describes::unsaid));
+    EXPECT_NEAR(at(elements, 40.0, 1e-3).stiffness, 3.1e6, 3.1e-3) << estimation::toString(model);
+    EXPECT_NEAR(at(elements, 4.0, 1e-3).stiffness, 2.5e6, 3.1e-3) << estimation::toString(model);
+  }
+  auto steep = values;
+  steep["high_frequency_stiffness"] = 19e6;
+  steep["high_frequency"] = 5.0;
+  EXPECT_THROW(estimation::estimate(estimation::Model::maxwell, specificationOf(steep, estimation::Describes::base)),
+               std::invalid_argument);
+}
+
+TEST(HighFrequencyStiffness, OfTheWholeComponent) {
+  auto values = fiveInputs(5e6, 2e-3);
+  values.erase("maximum_stiffness");
+  values["high_frequency_stiffness"] = 5.6e6;
+  for (const Entries& added : {kFriction, Entries{kFriction[0], {"progressive_stiffness", {{"cubic", {5e10}}}}}}) {
+    const auto base =
+        estimation::resolve(estimation::Model::multi_maxwell, specificationOf(values), added).specification;
+    const Entries whole = wholeOf(estimation::Model::multi_maxwell, base, added);
+    EXPECT_NEAR(at(whole, 4.0, 2e-3).stiffness, 5e6, 5.0);
+    EXPECT_NEAR(at(whole, 25.0, 2e-3).stiffness, 5.6e6, 5.6);
+  }
+}
+
+estimation::Specification pointsOf(const Entries& truth, const std::vector<std::pair<double, double>>& places) {
+  estimation::Specification specification;
+  std::vector<estimation::SpecifiedPoint> points;
+  for (const auto& [frequency, amplitude] : places) {
+    const auto found = at(truth, frequency, amplitude);
+    points.push_back({frequency, amplitude, found.stiffness, found.loss_angle, 1.0});
+  }
+  specification.setPoints(points);
+  return specification;
+}
+
+// Points that a model makes are met by it, whatever the model.
+TEST(Points, OfAModelAreMet) {
+  using estimation::Model;
+  const std::vector<std::pair<double, double>> places = {{0.5, 1e-3}, {4.0, 2e-3}, {4.0, 5e-4}, {20.0, 2e-4}};
+  for (const Model model : {Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
+                            Model::friction_dashpot, Model::berg, Model::multi_maxwell}) {
+    std::map<std::string, double> truth = fiveInputs(4.2e6, 2e-3);
+    if (model != Model::multi_maxwell) {
+      truth = {{"static_stiffness", 3e6},
+               {"dynamic_stiffness", 4.2e6},
+               {"nominal_frequency", 4.0},
+               {"nominal_amplitude", 2e-3},
+               {"loss_angle", 6.0 * kDegree}};
+    }
+    if (model == Model::maxwell_dashpot || model == Model::berg) {
+      truth["break_frequency"] = 0.9;
+    }
+    const Entries elements = estimation::estimate(model, specificationOf(truth, estimation::Describes::base));
+    auto specification = pointsOf(elements, places);
+    if (model == Model::multi_maxwell) {
+      specification.set("high_frequency", 25.0);
+      specification.set("low_frequency", 5.0 * 25.0 / 1e4);
+    }
+    const auto resolved = estimation::resolve(model, specification, {});
+    ASSERT_EQ(resolved.points.size(), places.size());
+    for (const estimation::PointMisfit& misfit : resolved.points) {
+      EXPECT_NEAR(misfit.stiffness / *misfit.point.stiffness, 1.0, 1e-5) << estimation::toString(model);
+      EXPECT_NEAR(misfit.loss_angle, *misfit.point.loss_angle, 1e-5) << estimation::toString(model);
+    }
+    // The numbers of the base make the same elements.
+    const Entries again = estimation::estimate(model, resolved.specification);
+    for (const auto& [frequency, amplitude] : places) {
+      EXPECT_NEAR(at(again, frequency, amplitude).stiffness / at(elements, frequency, amplitude).stiffness, 1.0, 1e-5)
+          << estimation::toString(model);
+    }
+  }
+}
+
+// Two points that contradict each other: the heavier one is met better, and the misfit is told.
+TEST(Points, AreWeighted) {
+  estimation::Specification specification;
+  specification.setPoints({{4.0, 0.0, 4e6, 0.1, 100.0}, {4.0, 0.0, 5e6, 0.1, 1.0}});
+  const auto resolved = estimation::resolve(estimation::Model::kelvin_voigt, specification, {});
+  // ln K is the weighted mean.
+  EXPECT_NEAR(resolved.points[0].stiffness, std::exp((100.0 * std::log(4e6) + std::log(5e6)) / 101.0), 1.0);
+  EXPECT_EQ(resolved.notes.size(), 2u);
+  EXPECT_THAT(resolved.notes[1], HasSubstr("point 2, 4 Hz"));
+}
+
+TEST(Points, RefusesWhatTheyDoNotDetermine) {
+  estimation::Specification specification;
+  specification.setPoints({{4.0, 1e-3, 4e6, std::nullopt, 1.0}});
+  EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}), HasSubstr("points: 1 numbers for the 3"));
+  specification.set("dynamic_stiffness", 4e6);
+  EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}),
+              HasSubstr("dynamic_stiffness: given beside points"));
+}
+
+}  // namespace
+}  // namespace rubber_suspension
