@@ -261,7 +261,8 @@ int estimateComponents(const Options& options) {
   }
   writeFiles(options, components, reports);
   if (!options.plot.empty()) {
-    io::drawFigure(command::toFigure(smoothReports(components, sweeps, options.sensitivity)), options.plot);
+    const auto legends = options.models.empty() ? command::Legends::in_all_axes : command::Legends::one;
+    io::drawFigure(command::toFigure(smoothReports(components, sweeps, options.sensitivity), legends), options.plot);
   }
   if (options.json) {
     std::cout << command::toJson(reports);
