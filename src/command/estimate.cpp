@@ -464,7 +464,7 @@ std::string toJson(const std::vector<EstimateReport>& reports) {
   return json.dump(2) + "\n";
 }
 
-io::Figure toFigure(const std::vector<EstimateReport>& reports) {
+io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends) {
   io::Figure figure;
   figure.title = reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
                                      : "Stiffness and loss angle";
@@ -492,13 +492,15 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        for (std::size_t mark = first; mark < axes.curves.size() && i > 0; ++mark) {
-          axes.curves[mark].label.clear();  // once for all components
+        // Once in the legend, for all components and columns.
+        const bool once = i == 0 && &column == &columns.front();
+        for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
+          axes.curves[mark].label.clear();
         }
       }
-      if (!figure.axes.empty() && (reports.size() > 1 || &column != &columns.front())) {
-        for (io::Curve& curve : axes.curves) {
-          curve.label.clear();  // one legend for all
+      for (io::Curve& curve : axes.curves) {
+        if (legends == Legends::one && !figure.axes.empty()) {
+          curve.label.clear();
         }
       }
       figure.axes.push_back(axes);
