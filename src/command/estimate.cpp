@@ -148,6 +148,14 @@ std::string sweepText(const std::string& title, const std::vector<response::Swee
 
 std::string specificationText(const estimation::Specification& specification) {
   std::string text;
+  if (const estimation::StaticCurve* curve = specification.curve()) {
+    text += fmt::format("    {:<20} {} points from {:.6g} to {:.6g} m{}\n", "static_curve", curve->displacement.size(),
+                        curve->displacement.front(), curve->displacement.back(),
+                        curve->scales ? ", by whose slope the viscous elements scale" : "");
+  }
+  if (!specification.points().empty()) {
+    text += fmt::format("    {:<20} {}\n", "points", specification.points().size());
+  }
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
       text += fmt::format("    {:<20} {:.6g}{}\n", parameter.name, specification.at(parameter.name),
