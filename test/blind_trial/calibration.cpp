@@ -21,9 +21,9 @@ using diagnosis::NumberInfo;
 using diagnosis::SetPosterior;
 using diagnosis::SetProbability;
 
-constexpr double kPartOfTruth = 0.2;        // of `unknown`, where a listed effect is beside an unlisted one
-constexpr double kValuesOfNone = 0.3;       // of wrong values, where the model is about right as configured
-constexpr double kAccepted = 0.02;          // of the force, by an engineer
+constexpr double kPartOfTruth = 0.2;   // of `unknown`, where a listed effect is beside an unlisted one
+constexpr double kValuesOfNone = 0.3;  // of wrong values, where the model is about right as configured
+constexpr double kAccepted = 0.02;     // of the force, by an engineer
 
 // The unknowns of the fit: the rows of the table, positive ones by their logarithm, then the rates.
 class Unknowns {
