@@ -9,6 +9,7 @@
 
 #include "command/rig_of_logs.h"
 #include "gap/last_cycles.h"
+#include "log/even_blocks.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/measurement/bench_check.h"
 
@@ -73,8 +74,9 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
   constexpr double kLargeFactor = 90.0;
   std::vector<log::Record> records;
   for (const log::Log& log : logs) {
-    if (log.size() >= kFewestSamples) {
-      records.push_back(log::makeRecord(log));
+    const log::Log stretch = log::longestStretch(log);
+    if (stretch.size() >= kFewestSamples) {
+      records.push_back(log::makeRecord(stretch));
     }
   }
   for (const measurement::RigFinding& finding : measurement::checkBench(elements, records)) {

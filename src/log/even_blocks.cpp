@@ -116,6 +116,19 @@ std::vector<std::size_t> stretchesOf(const Log& log) {
   return first;
 }
 
+Log longestStretch(const Log& log) {
+  std::vector<std::size_t> first = stretchesOf(log);
+  if (first.size() == 1) {
+    return log;
+  }
+  first.push_back(log.size());
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    longest = first[i + 1] - first[i] > first[longest + 1] - first[longest] ? i : longest;
+  }
+  return samplesOf(log, first[longest], first[longest + 1] - first[longest]);
+}
+
 void EvenBlocks::handOut(const Take& take) {
   if (even_.displacement.empty()) {
     return;

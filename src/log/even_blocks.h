@@ -60,6 +60,9 @@ class TimeSteps {
 /// The first samples of the stretches of a log between its time gaps: 0, and those behind a time gap.
 std::vector<std::size_t> stretchesOf(const Log& log);
 
+/// The longest of these stretches; the log itself where it has no time gap.
+Log longestStretch(const Log& log);
+
 /// A log at even steps, piece by piece.
 class EvenBlocks {
  public:

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "log/even_blocks.h"
 #include "measurement/perturb.h"
 #include "rubber_suspension/measurement/bench_check.h"
 #include "rubber_suspension/measurement/noise_floor.h"
@@ -54,7 +55,7 @@ TEST(MeasuredLogs, GoThrough) {
   }
   for (const Measured& measured : measuredLogs()) {
     SCOPED_TRACE(std::string(measured.folder) + "/" + measured.file);
-    const log::Log log = log::readLog(folder + "/" + measured.folder + "/" + measured.file);
+    const log::Log log = log::longestStretch(log::readLog(folder + "/" + measured.folder + "/" + measured.file));
     const Faults faults = findFaults(log);
     const log::Record record = log::makeRecord(repaired(log, faults));
     const Mask mask = resampled(faults.usable(), log, record);

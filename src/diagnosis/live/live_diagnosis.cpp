@@ -11,7 +11,6 @@
 
 #include "io/cancellation.h"
 #include "log/even_blocks.h"
-#include "log/samples.h"
 #include "rubber_suspension/component/sample_stream.h"
 #include "rubber_suspension/log/record.h"
 
@@ -59,19 +58,9 @@ log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::si
   return log;
 }
 
-log::Log longestStretch(const log::Log& log) {
-  std::vector<std::size_t> first = log::stretchesOf(log);
-  first.push_back(log.size());
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
-    longest = first[i + 1] - first[i] > first[longest + 1] - first[longest] ? i : longest;
-  }
-  return log::samplesOf(log, first[longest], first[longest + 1] - first[longest]);
-}
-
 // Of how many samples one is enough for the motion: at least so many to a period of the fastest that is no noise.
 std::size_t largestStep(const log::Log& log) {
-  const log::Record record = log::makeRecord(longestStretch(log));
+  const log::Record record = log::makeRecord(log::longestStretch(log));
   const double rate = kSamplesPerPeriod * std::max(record.highest_frequency, record.mean_frequency);
   return rate > 0.0 ? static_cast<std::size_t>(std::max(1.0, std::floor(1.0 / (rate * record.dt)))) : 1;
 }

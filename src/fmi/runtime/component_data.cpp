@@ -73,6 +73,7 @@ ComponentData fromJson(const std::string& text) {
     throw std::invalid_argument("model: unknown");
   }
   data.model = *model;
+  data.specification.describe(estimation::Describes::base);  // the whole was taken apart when the FMU was made
   for (const auto& [name, value] : content.at("specification").items()) {
     data.specification.set(name, value.get<double>());
   }
