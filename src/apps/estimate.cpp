@@ -276,7 +276,8 @@ int estimateComponents(const Options& options) {
   }
   writeFiles(options, components, reports);
   if (!options.plot.empty()) {
-    drawPlot(command::toFigure(smoothReports(components, sweeps, options.sensitivity)), options.plot);
+    const auto legends = options.models.empty() ? command::Legends::in_all_axes : command::Legends::one;
+    drawPlot(command::toFigure(smoothReports(components, sweeps, options.sensitivity), legends), options.plot);
   }
   if (options.json) {
     std::cout << command::toJson(reports);

@@ -20,6 +20,7 @@ BagWriter::BagWriter(const std::string& path, const std::string& component)
     new_file_ = std::make_unique<log::NewFile>(path);
     bag_->open(new_file_->writingPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
+    abandon();
     throw log::LogError(fmt::format("{}: cannot be written: {}", path, error.what()));
   } catch (const std::runtime_error& error) {
     throw log::LogError(error.what());
@@ -30,9 +31,12 @@ BagWriter::~BagWriter() {
   try {
     bag_->close();  // what was not closed by close() is not kept
   } catch (const std::exception&) {
-    static_cast<void>(bag_.release());  // of a full disk: its own destructor would close it again, and throw
+    abandon();
   }
 }
+
+// On a full disk a bag's own destructor would close it again, and throw.
+void BagWriter::abandon() { static_cast<void>(bag_.release()); }
 
 template <class Message>
 void BagWriter::write(const std::string& topic, const Message& message) {

@@ -33,6 +33,8 @@ class BagWriter {
   template <class Message>
   void write(const std::string& topic, const Message& message);
 
+  void abandon();
+
   std::string path_;
   std::string component_;
   std::unique_ptr<log::NewFile> new_file_;

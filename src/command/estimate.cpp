@@ -148,6 +148,14 @@ std::string sweepText(const std::string& title, const std::vector<response::Swee
 
 std::string specificationText(const estimation::Specification& specification) {
   std::string text;
+  if (const estimation::StaticCurve* curve = specification.curve()) {
+    text += fmt::format("    {:<20} {} points from {:.6g} to {:.6g} m{}\n", "static_curve", curve->displacement.size(),
+                        curve->displacement.front(), curve->displacement.back(),
+                        curve->scales ? ", by whose slope the viscous elements scale" : "");
+  }
+  if (!specification.points().empty()) {
+    text += fmt::format("    {:<20} {}\n", "points", specification.points().size());
+  }
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
       text += fmt::format("    {:<20} {:.6g}{}\n", parameter.name, specification.at(parameter.name),
@@ -464,7 +472,7 @@ std::string toJson(const std::vector<EstimateReport>& reports) {
   return json.dump(2) + "\n";
 }
 
-io::Figure toFigure(const std::vector<EstimateReport>& reports) {
+io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends) {
   io::Figure figure;
   figure.title = reports.size() == 1 ? "Stiffness and loss angle of " + reports.front().description.name
                                      : "Stiffness and loss angle";
@@ -492,13 +500,15 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports) {
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        for (std::size_t mark = first; mark < axes.curves.size() && i > 0; ++mark) {
-          axes.curves[mark].label.clear();  // once for all components
+        // Once in the legend, for all components and columns.
+        const bool once = i == 0 && &column == &columns.front();
+        for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
+          axes.curves[mark].label.clear();
         }
       }
-      if (!figure.axes.empty() && (reports.size() > 1 || &column != &columns.front())) {
-        for (io::Curve& curve : axes.curves) {
-          curve.label.clear();  // one legend for all
+      for (io::Curve& curve : axes.curves) {
+        if (legends == Legends::one && !figure.axes.empty()) {
+          curve.label.clear();
         }
       }
       figure.axes.push_back(axes);

@@ -60,7 +60,9 @@ std::string toText(const EstimateReport& report);
 /// {"schema": "rubber_suspension/estimate/1", "components": [...]}, SI units, units in the keys.
 std::string toJson(const std::vector<EstimateReport>& reports);
 
+enum class Legends { in_all_axes, one };
+
 /// K and delta over frequency, amplitude, and at constant product.
-io::Figure toFigure(const std::vector<EstimateReport>& reports);
+io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends = Legends::in_all_axes);
 
 }  // namespace rubber_suspension::command

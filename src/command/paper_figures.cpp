@@ -27,7 +27,7 @@ using Values = std::vector<std::pair<std::string, double>>;
 component::Component exampleModel(estimation::Model model, const Values& further) {
   estimation::Specification specification;
   specification.set("dynamic_stiffness", 4.2e6);
-  specification.set("nominal_frequency", kNominalFrequency);
+  specification.set("nominal_frequency", kFrequency);
   if (model != estimation::Model::kelvin_voigt) {
     specification.set("static_stiffness", 3e6);
   }
@@ -43,7 +43,7 @@ struct NamedComponent {
 };
 
 NamedComponent bergModel() {
-  return {"M6 Berg", exampleModel(estimation::Model::berg, {{"nominal_amplitude", kNominalAmplitude},
+  return {"M6 Berg", exampleModel(estimation::Model::berg, {{"nominal_amplitude", kAmplitude},
                                                             {"relative_damping", 0.05},
                                                             {"break_frequency", 1.45}})};
 }
@@ -94,7 +94,7 @@ std::vector<double> frequencies() {
 
 std::vector<double> amplitudes() {
   std::vector<double> values = response::logSpaced(0.05e-3, 10e-3, 47);
-  values.push_back(kNominalAmplitude);
+  values.push_back(kAmplitude);
   std::sort(values.begin(), values.end());
   return values;
 }

@@ -864,7 +864,7 @@ std::optional<element::Range> ComponentDescription::validDisplacement() const {
   if (valid_displacement) {
     return valid_displacement;
   }
-  if (const std::optional<double> nominal = specification_.find("nominal_amplitude")) {
+  if (const std::optional<double> nominal = written().find("nominal_amplitude")) {
     return element::Range::closed(-kAmplitudes * *nominal, kAmplitudes * *nominal);
   }
   std::optional<element::Range> common;

@@ -17,9 +17,9 @@ namespace py = pybind11;
 /// An array of doubles.
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The values of anything that NumPy makes an array of real numbers, of one dimension. Throws std::invalid_argument that
-/// names the argument where it has another number of dimensions, other contents (complex numbers, dates, structures,
-/// masked values), or a number that is not finite.
+/// The values of anything that NumPy makes an array of real numbers, of one dimension. Throws std::invalid_argument
+/// that names the argument where it has another number of dimensions, other contents (complex numbers, dates,
+/// structures, masked values), or a number that is not finite.
 std::vector<double> toVector(const py::object& values, const std::string& name);
 
 /// An array of its own memory.

@@ -62,8 +62,13 @@ void spinUntilEnd(SimulateNode& node) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   }
   constexpr double kMasterLimit = 0.5;  // [s]
-  node.registerNoMore();
-  if (!roscpp_fixes::masterAnswers(kMasterLimit)) {
+  constexpr double kLeaveLimit = 3.0;   // [s]
+  const std::vector<std::string> services = node.registerNoMore();
+  if (ros::isShuttingDown()) {
+    return;  // a thread of roscpp's is at it
+  }
+  // Where the master has heard it all, or nothing, roscpp's own words are not needed.
+  if (!roscpp_fixes::masterAnswers(kMasterLimit) || roscpp_fixes::leaveMaster(kLeaveLimit, services)) {
     roscpp_fixes::giveUpMaster();
   }
 }
@@ -125,10 +130,21 @@ void SimulateNode::start() {
   advertiseServices();
 }
 
-void SimulateNode::registerNoMore() { registration_.reset(); }
+std::vector<std::string> SimulateNode::registerNoMore() {
+  registration_.reset();
+  return services();
+}
+
+std::vector<std::string> SimulateNode::services() const {
+  std::vector<std::string> names = services_->names();
+  for (const std::string& name : roscpp_fixes::loggerServices()) {
+    names.push_back(name);
+  }
+  return names;
+}
 
 SimulateNode::~SimulateNode() {
-  registerNoMore();
+  registration_.reset();
   if (live_) {
     live_->stop();  // services and diagnostics may ask it until they end
   }
@@ -232,14 +248,7 @@ void SimulateNode::advertiseServices() {
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_,
                                              [this](const std::string& component) { return foundModel(component); });
-  const auto services = [this] {
-    std::vector<std::string> names = services_->names();
-    for (const std::string& name : roscpp_fixes::loggerServices()) {
-      names.push_back(name);
-    }
-    return names;
-  };
-  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>(services, isEnding);
+  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>([this] { return services(); }, isEnding);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -50,8 +50,8 @@ class SimulateNode {
   SimulateNode(const SimulateNode&) = delete;
   SimulateNode& operator=(const SimulateNode&) = delete;
 
-  /// No thread of the node calls the master any more.
-  void registerNoMore();
+  /// No thread of the node calls the master any more. Returns the resolved names of the node's services.
+  std::vector<std::string> registerNoMore();
 
  private:
   void start();
@@ -61,6 +61,7 @@ class SimulateNode {
   void startServing();
   void startThreads();
   void advertiseServices();
+  std::vector<std::string> services() const;
   io::ComponentDescription foundModel(const std::string& component) const;
 
   ros::NodeHandle handle_;

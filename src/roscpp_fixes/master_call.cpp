@@ -54,20 +54,24 @@ XmlRpcValue callArguments(const std::vector<std::string>& arguments) {
   return value;
 }
 
+bool callAny(double limit, const std::string& host, std::uint32_t port, const std::string& method,
+             const XmlRpcValue& arguments, XmlRpcValue& answer, const std::atomic<bool>& stop) {
+  try {
+    return Client(host, port).callWithin(limit, method, arguments, answer, stop);
+  } catch (const XmlRpc::XmlRpcException&) {
+    return false;
+  }
+}
+
 std::optional<int> callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,
                               const XmlRpcValue& arguments, XmlRpcValue& payload, const std::atomic<bool>& stop) {
-  try {
-    XmlRpcValue answer;
-    if (!Client(host, port).callWithin(limit, method, arguments, answer, stop) ||
-        answer.getType() != XmlRpcValue::TypeArray || answer.size() != 3 ||
-        answer[0].getType() != XmlRpcValue::TypeInt) {
-      return std::nullopt;
-    }
-    payload = answer[2];
-    return static_cast<int>(answer[0]);
-  } catch (const XmlRpc::XmlRpcException&) {
+  XmlRpcValue answer;
+  if (!callAny(limit, host, port, method, arguments, answer, stop) || answer.getType() != XmlRpcValue::TypeArray ||
+      answer.size() != 3 || answer[0].getType() != XmlRpcValue::TypeInt) {
     return std::nullopt;
   }
+  payload = answer[2];
+  return static_cast<int>(answer[0]);
 }
 
 std::optional<int> callMaster(double limit, const std::string& method, const XmlRpcValue& arguments,

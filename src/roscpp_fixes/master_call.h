@@ -14,6 +14,10 @@ namespace rubber_suspension::roscpp_fixes {
 /// The arguments of a call, this node's name first.
 XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments);
 
+/// Call a method at host and port within `limit` [s], less once `stop` is set; false where no answer came, or a fault.
+bool callAny(double limit, const std::string& host, std::uint32_t port, const std::string& method,
+             const XmlRpc::XmlRpcValue& arguments, XmlRpc::XmlRpcValue& answer, const std::atomic<bool>& stop);
+
 /// Call a method at host and port within `limit` [s], less once `stop` is set. Returns the status, 1 where it was done,
 /// and in `payload` what came with it; nothing where no answer of that form came.
 std::optional<int> callWithin(double limit, const std::string& host, std::uint32_t port, const std::string& method,

@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <ros/connection_manager.h>
 #include <ros/console.h>
+#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
@@ -45,14 +46,24 @@ bool isListOfTexts(const XmlRpcValue& value) {
   return texts;
 }
 
+std::string serviceUri() {
+  return fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort());
+}
+
+void add(const std::string& method, const std::string& name, const std::string& uri, XmlRpcValue& calls) {
+  XmlRpcValue call;
+  call["methodName"] = method;
+  call["params"] = callArguments({name, uri});
+  calls[calls.size()] = call;
+}
+
 }  // namespace
 
 RegistrationKeeper::RegistrationKeeper(std::function<std::vector<std::string>()> services,
                                        std::function<bool()> is_ending)
     : services_(std::move(services)),
       is_ending_(std::move(is_ending)),
-      service_uri_(
-          fmt::format("rosrpc://{}:{}", ros::network::getHost(), ros::ConnectionManager::instance()->getTCPPort())),
+      service_uri_(serviceUri()),
       thread_([this] { run(); }) {}
 
 RegistrationKeeper::~RegistrationKeeper() {
@@ -137,6 +148,27 @@ void RegistrationKeeper::check() {
   } catch (const XmlRpc::XmlRpcException& error) {
     ROS_WARN("the master answers what no master should: %s", error.getMessage().c_str());
   }
+}
+
+bool leaveMaster(double limit, const std::vector<std::string>& services) {
+  const std::atomic<bool> stop{false};
+  XmlRpcValue calls;
+  calls.setSize(0);
+  for (const auto& [list, method] :
+       {std::pair("getPublications", "unregisterPublisher"), std::pair("getSubscriptions", "unregisterSubscriber")}) {
+    XmlRpcValue topics = askSelf(list, callArguments({}), stop);
+    for (int i = 0; topics.getType() == XmlRpcValue::TypeArray && i < topics.size(); ++i) {
+      add(method, topics[i][0], ownUri(), calls);
+    }
+  }
+  for (const std::string& service : services) {
+    add("unregisterService", service, serviceUri(), calls);
+  }
+  XmlRpcValue arguments;
+  arguments[0] = calls;
+  XmlRpcValue answer;
+  return callAny(limit, ros::master::getHost(), ros::master::getPort(), "system.multicall", arguments, answer, stop) &&
+         answer.getType() == XmlRpcValue::TypeArray && answer.size() == calls.size();
 }
 
 }  // namespace rubber_suspension::roscpp_fixes

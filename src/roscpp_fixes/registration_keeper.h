@@ -45,4 +45,8 @@ class RegistrationKeeper {
   std::thread thread_;
 };
 
+/// Take all topics of this process and these services, by their resolved names, off the master: in one call, where
+/// roscpp makes one for each and takes seconds for hundreds. False where the master did not do it within `limit` [s].
+bool leaveMaster(double limit, const std::vector<std::string>& services);
+
 }  // namespace rubber_suspension::roscpp_fixes

@@ -40,10 +40,13 @@ class MatBytes {
     return text;
   }
 
+  // Up to four bytes stand within the tag.
   static std::string element(std::uint32_t type, const std::string& data) {
+    const auto size = static_cast<std::uint32_t>(data.size());
+    const bool small = size > 0 && size <= 4;
     std::string padded = data;
-    padded.resize((data.size() + 7) / 8 * 8);
-    return words({type, static_cast<std::uint32_t>(data.size())}) + padded;
+    padded.resize(small ? 4 : (data.size() + 7) / 8 * 8);
+    return (small ? words({type | size << 16U}) : words({type, size})) + padded;
   }
 
   static std::string matrix(std::uint32_t kind, std::uint32_t rows, std::uint32_t columns, const std::string& name,
