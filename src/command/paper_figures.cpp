@@ -43,9 +43,9 @@ struct NamedComponent {
 };
 
 NamedComponent bergModel() {
-  return {"M6 Berg", exampleModel(estimation::Model::berg, {{"nominal_amplitude", kAmplitude},
-                                                            {"relative_damping", 0.05},
-                                                            {"break_frequency", 1.45}})};
+  return {"M6 Berg",
+          exampleModel(estimation::Model::berg,
+                       {{"nominal_amplitude", kAmplitude}, {"relative_damping", 0.05}, {"break_frequency", 1.45}})};
 }
 
 std::vector<NamedComponent> allModels() {

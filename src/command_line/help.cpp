@@ -88,7 +88,7 @@ std::string placeholderOf(const Option& option) {
   if (option.isFlag() || option.isArgument()) {
     return "";
   }
-  const std::string word = " " + option.placeholder;
+  std::string word = " " + option.placeholder;
   if (option.most_values == 1) {
     return word;
   }

@@ -150,8 +150,7 @@ TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
 
 // A spreadsheet would work out what begins like a formula.
 TEST_F(RunCampaign, ATableHasNoFormulas) {
-  folder_.write("jobs.yaml",
-                "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
+  folder_.write("jobs.yaml", "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
   campaign::writeTables(make(), folder_.path("out"), [](const campaign::Job&, const campaign::Record*) {});
   EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr(",'=cmd(),"));
 }

@@ -84,6 +84,14 @@ def reversed_log():
     return path
 
 
+def shortened_log():
+    """A log of the example without its last sample: the same log twice is refused."""
+    path = os.path.join(OUTPUT, "shortened.csv")
+    with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
+        target.writelines(source.readlines()[:-1])
+    return path
+
+
 class Outline(html.parser.HTMLParser):
     """What a page is made of."""
 
@@ -103,7 +111,7 @@ class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         os.makedirs(OUTPUT, exist_ok=True)
-        cls.folder = diagnose("example", example("log_"), example("hold_out_") + example("log_")[:1])  # six logs
+        cls.folder = diagnose("example", example("log_"), example("hold_out_") + [shortened_log()])  # six logs
         cls.bench = diagnose("check_bench", [reversed_log()], [])
         cls.pages = [os.path.join(folder, "report.html") for folder in (cls.folder, cls.bench)]
 
