@@ -21,7 +21,7 @@ WRONG_USAGE = 2
 
 # Command line, and what its one line on stderr has to say.
 REFUSED = (
-    ("estimate --data-sheet x.yaml --plot x.svg", "--plot has no effect with --data-sheet"),
+    ("estimate --data-sheet x.yaml --csv x.csv", "--csv has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --json", "--json has no effect with --data-sheet"),
     (f"estimate --config {EXAMPLE} --output x.yaml", "--output has no effect without --from-log, --from-table or --data-sheet"),
