@@ -183,16 +183,25 @@ class Maker {
       problem(group, fmt::format("{}: {} matches nothing in {}; accepted: a pattern of existing files", key,
                                  log::quoted(pattern), folder));
     }
-    for (const std::string& path : paths) {
-      if (!log::isUtf8(path)) {
-        problem(group, fmt::format("{}: {}: the name is no UTF-8; accepted: another name", key, path));
+    const auto is_bad = [&](const std::string& path) {
+      const std::string wrong = problemOf(path);
+      if (!wrong.empty()) {
+        problem(group, fmt::format("{}: {}: {}", key, path, wrong));
       }
-      std::error_code ignored;
-      if (!std::filesystem::is_regular_file(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
-        problem(group, fmt::format("{}: {}: neither a file nor a folder; accepted: these", key, path));
-      }
-    }
+      return !wrong.empty();
+    };
+    paths.erase(std::remove_if(paths.begin(), paths.end(), is_bad), paths.end());  // which may never end
     return paths;
+  }
+
+  static std::string problemOf(const std::string& path) {
+    std::error_code ignored;
+    if (!log::isUtf8(path)) {
+      return "the name is no UTF-8; accepted: another name";
+    }
+    return std::filesystem::is_regular_file(path, ignored) || std::filesystem::is_directory(path, ignored)
+               ? ""
+               : "neither a file nor a folder; accepted: these";
   }
 
   std::vector<std::string> matchAll(const JobGroup& group, const char* key, const std::string& folder,
