@@ -40,8 +40,11 @@ ordered_json parsedShallow(const std::string& text) {
   });
 }
 
-// Numbers and texts by name.
+// Numbers and texts by name; nothing of a job that failed.
 void requireValues(const ordered_json& values) {
+  if (values.is_null()) {
+    return;
+  }
   const bool flat = values.is_object() && std::all_of(values.begin(), values.end(),
                                                       [](const ordered_json& value) { return !value.is_structured(); });
   if (!flat) {

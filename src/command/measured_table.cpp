@@ -214,8 +214,7 @@ class TableReader {
     std::string lower = log::lowerCase(text);
     std::string joined = word;
     std::replace(joined.begin(), joined.end(), ' ', '_');
-    const std::string ratio =
-        word.compare(0, 3, "tan") == 0 || word == "loss factor" || word == "verlustfaktor" ? "1" : "";
+    std::string ratio = word.compare(0, 3, "tan") == 0 || word == "loss factor" || word == "verlustfaktor" ? "1" : "";
     if (log::lowerCase(name.bare) == word) {
       return name.unit.empty() ? ratio : name.unit;
     }

@@ -164,6 +164,7 @@ TEST_F(RunCampaign, AFailedJobIsARecordAndTheOthersGoOn) {
   EXPECT_THAT(said_, SizeIs(6));
   const campaign::Status status = campaign::statusOf(manifest, folder_.path("out"));
   EXPECT_EQ(status.all.failed, 6U);
+  ASSERT_FALSE(status.failures.empty());
   EXPECT_THAT(status.failures.front(), AllOf(HasSubstr("log_2.csv: has changed since"), HasSubstr("accepted")));
   EXPECT_EQ(collect().failed, 6U);
   EXPECT_THAT(folder_.read("out/table.csv"), HasSubstr("has changed since"));
