@@ -40,11 +40,8 @@ ordered_json parsedShallow(const std::string& text) {
   });
 }
 
-// Numbers and texts by name; nothing of a job that failed.
+// Numbers and texts by name.
 void requireValues(const ordered_json& values) {
-  if (values.is_null()) {
-    return;
-  }
   const bool flat = values.is_object() && std::all_of(values.begin(), values.end(),
                                                       [](const ordered_json& value) { return !value.is_structured(); });
   if (!flat) {
@@ -73,9 +70,11 @@ Record recordFromJson(const ordered_json& json) {
   record.version = json.at("version").get<std::string>();
   record.error = json.at("error").get<std::string>();
   record.values = json.at("values").get<ordered_json>();
-  requireValues(record.values);
   record.evidence = json.at("evidence").get<ordered_json>();
-  requireEvidence(record.evidence);
+  if (!record.failed() || !record.values.is_null() || !record.evidence.is_null()) {  // a job that failed has neither
+    requireValues(record.values);
+    requireEvidence(record.evidence);
+  }
   record.files = json.at("files").get<std::map<std::string, std::uint64_t>>();
   record.seconds = json.at("seconds").get<double>();
   return record;
