@@ -34,13 +34,15 @@ std::string shownOnTerminal(const std::function<void()>& work) {
   putInPlaceOfStderr(screen);
   work();
   putInPlaceOfStderr(before);
-  std::array<char, 4096> buffer{};
-  fcntl(terminal, F_SETFL, O_NONBLOCK);
-  const ssize_t count = read(terminal, buffer.data(), buffer.size());
   close(before);
-  close(screen);
+  close(screen);  // the last one: what was written is all there before reading fails
+  std::string shown;
+  std::array<char, 4096> buffer{};
+  for (ssize_t count = 0; (count = read(terminal, buffer.data(), buffer.size())) > 0;) {
+    shown.append(buffer.data(), static_cast<std::size_t>(count));
+  }
   close(terminal);
-  return count > 0 ? std::string(buffer.data(), static_cast<std::size_t>(count)) : "";
+  return shown;
 }
 
 TEST(Activity, IsShownFromTheSecondSecondOnAndRemoved) {
