@@ -170,7 +170,7 @@ class WithoutBrowser(Reports):
             return {path.name: path.read_bytes() for path in sorted(pathlib.Path(folder).iterdir())}
 
         before = files(self.folder)
-        diagnose("example", example("log_"), example("hold_out_") + example("log_")[:1])
+        diagnose("example", example("log_"), example("hold_out_") + [shortened_log()])
         after = files(self.folder)
         self.assertEqual(list(before), list(after))
         for name, content in before.items():
