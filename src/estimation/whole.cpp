@@ -39,7 +39,8 @@ const element::ParallelElement* parallelLaw(const element::ElementPointer& eleme
 
 // What never settles under a sine: drift of the rig, factors that the history changes.
 bool settles(const element::ElementDescription& entry) {
-  const element::Element& law = element::lawOf(element::makeElement(entry));
+  const element::ElementPointer element = element::makeElement(entry);
+  const element::Element& law = element::lawOf(element);
   return entry.type != "force_drift" && (law.action() != element::Action::scales_force || law.linear());
 }
 
