@@ -10,7 +10,7 @@ namespace rubber_suspension::campaign {
 
 CollectSummary collect(const Manifest& manifest, const std::string& folder) {
   Fleet fleet;
-  const CollectSummary summary = writeTables(manifest, folder, [&](const Job& job, const Record* record) {
+  CollectSummary summary = writeTables(manifest, folder, [&](const Job& job, const Record* record) {
     if (record != nullptr) {
       try {
         fleet.add(job, *record);

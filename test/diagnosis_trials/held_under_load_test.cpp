@@ -15,8 +15,8 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kStep = 0.004;     // [s]
-constexpr double kBushNoise = 3.0;  // [N]
+constexpr double kSampleStep = 0.004;  // [s]
+constexpr double kBushNoise = 3.0;     // [N]
 
 io::ComponentDescription bush() {
   return io::parseComponentFile(
@@ -35,7 +35,7 @@ std::vector<double> loadedMotion(double load, double frequency) {
     displacement.push_back(load * i / kRise);
   }
   for (int i = 0; i < kSamples; ++i) {
-    const double time = kStep * i;
+    const double time = kSampleStep * i;
     const double amplitude = time < 8.0 ? 0.0 : 1e-3 * (1.0 - std::exp(-0.4 * (time - 8.0)));
     displacement.push_back(load + amplitude * std::sin(2.0 * element::kPi * frequency * time));
   }
@@ -47,7 +47,7 @@ log::Log recorded(const std::string& name, unsigned seed, const std::vector<doub
   const component::Component component = bush().makeComponent();
   component::ComponentState state = component.makeState();
   std::vector<double> force(displacement.size());
-  component.simulate(state, kStep, displacement.data(), displacement.size(), force.data());
+  component.simulate(state, kSampleStep, displacement.data(), displacement.size(), force.data());
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0.0, kBushNoise);
   log::Log log;
