@@ -31,6 +31,12 @@ FORCE_SIZE = tcpros.FORCE_SIZE
 sample = tcpros.sample
 
 
+def processor_seconds(node):
+    with open(f"/proc/{node.process.pid}/stat") as stat:
+        fields = stat.read().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")  # of user and system
+
+
 class Attack(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="attack.")
@@ -370,8 +376,9 @@ class Masters(Attack):
             entry = "{type: creep, stiffness_per_decade: 1e5}"
             file.write("components:\n" + "".join(
                 f"  c{i}: {{model: elements, elements: [{', '.join([entry] * 400)}]}}\n" for i in range(60)))
+        before = processor_seconds(node)
         threading.Thread(target=self.call_until_gone, args=(NODE + "/reload",), daemon=True).start()
-        time.sleep(1.0)
+        tcpros.until(lambda: processor_seconds(node) > before + 0.1, "the reload to be under way")  # a tenth of it
         node.process.send_signal(signal.SIGTERM)
         self.assertEqual(self.exits(node, 5.0), 0)
         self.assertEqual(self.registrations(), [])
