@@ -391,6 +391,8 @@ class Masters(Attack):
             pass
 
     def test_a_signal_cancels_a_look(self):
+        if SANITIZED:
+            self.skipTest("the diagnosis that the node loads is without sanitizers, and its matrices lie otherwise")
         node = self.start(diagnose="true")
         writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
         measured = self.network.publish("/left/measured_force", "rubber_suspension/MeasuredForce")
