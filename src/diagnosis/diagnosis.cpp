@@ -14,10 +14,9 @@
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/judge/judge.h"
+#include "diagnosis/judge/answer.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/prepare/excerpts.h"
-#include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/prepare/measured_logs.h"
 #include "diagnosis/prepare/memory.h"
@@ -74,56 +73,37 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and what small
-// reversals make of Berg's friction.
-double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  std::vector<double> shares = frictionNoise(component.allElements(), records);
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    shares[r] = std::hypot(records[r].slow_noise / records[r].force_deviation, shares[r]);
-  }
-  return commonFloor(shares, records);
-}
-
-std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
-                                           const DiagnosisOptions& options) {
-  Evidence evidence = evidenceOf(search);
-  evidence.resamplings = options.resamplings;
-  evidence.seed = options.seed;
-  evidence.has_unseen_logs = !prepared.held_out.empty();
-  evidence.slow_noise = slowNoiseOf(prepared.component, prepared.training);
-  markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, criteria, evidence);
-  const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
-  if (evidence.has_unseen_logs) {
-    fit::parallelFor(evidence.hypotheses.size(), options.threads, [&](std::size_t hypothesis) {
-      evidence.hypotheses[hypothesis].unseen =
-          unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
-    });
-  }
-  Judgement judgement = judge(evidence, criteria);
-  return {std::move(judgement), std::move(evidence)};
-}
-
 // A search and what it comes to.
 struct Judged {
   std::unique_ptr<PreparedCase> prepared;
   std::shared_ptr<Workings> workings;
 };
 
+std::vector<UnseenErrors> unseenErrorsOf(const PreparedCase& prepared, const Search& search, std::size_t hypotheses,
+                                         int threads) {
+  std::vector<UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);
+  const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
+  fit::parallelFor(unseen.size(), threads, [&](std::size_t hypothesis) {
+    unseen[hypothesis] =
+        unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
+  });
+  return unseen;
+}
+
+void judgeSearch(const PreparedCase& prepared, int threads, Workings& workings) {
+  workings.evidence = evidenceOf(workings.search);
+  workings.unseen = unseenErrorsOf(prepared, workings.search, workings.evidence.hypotheses.size(), threads);
+  addLogTable(prepared, workings.search, workings.unseen, threads, workings.evidence);
+  workings.answer = answer(workings.evidence);
+}
+
 Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log::Record> training,
                       std::vector<log::Record> held_out, const DiagnosisOptions& options) {
-  const Criteria criteria;
   Judged judged{std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out)),
                 std::make_shared<Workings>()};
-  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter), criteria,
+  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter),
                                    options.threads, options.progress);
-  auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
-  judged.workings->judgement = std::move(judgement);
-  for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
-    if (hypothesis.unseen) {
-      judged.workings->unseen.push_back(*hypothesis.unseen);
-    }
-  }
-  judged.workings->evidence = std::move(evidence);
+  judgeSearch(*judged.prepared, options.threads, *judged.workings);
   return judged;
 }
 
@@ -148,8 +128,9 @@ const FittedHypothesis& bestButZeros(const Search& search) {
 void considerZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                    const DiagnosisOptions& options, Judged& judged) {
   const Search& search = judged.workings->search;
-  const Criteria criteria;
-  const double least = std::max(criteria.insignificant_gap, criteria.within_noise * search.noise);
+  constexpr double kLeast = 0.006;       // of the force
+  constexpr double kWithinNoise = 0.5;  // times the floor
+  const double least = std::max(kLeast, kWithinNoise * search.noise);
   const auto elements = augmentedDescription(judged.prepared->model, bestButZeros(search)).allElements();
   const std::optional<double> zero =
       zeroWithCause(elements, least, tolerances, judged.prepared->training, judged.prepared->held_out);
@@ -178,7 +159,7 @@ std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
   std::stable_sort(singles.begin(), singles.end(), [](const FittedHypothesis* x, const FittedHypothesis* y) {
     return x->fit.score() < y->fit.score();
   });
-  std::vector<const FittedHypothesis*> chosen = {&search.at(judged.workings->judgement.model), &search.re_estimated};
+  std::vector<const FittedHypothesis*> chosen = {&search.at(judged.workings->answer.model), &search.re_estimated};
   singles.resize(std::min(kSingles, singles.size()));
   chosen.insert(chosen.end(), singles.begin(), singles.end());
   for (std::size_t i = 0; i < std::min(kPairs, search.pairs.size()); ++i) {
@@ -253,7 +234,8 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
   Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
   const Least as_it_was = leastOf(judged);
   const Least is = leastOf(without);
-  if (is.score >= as_it_was.score || is.unseen > Criteria().floor_margin * as_it_was.unseen) {
+  constexpr double kFloorKnownTo = 1.03;
+  if (is.score >= as_it_was.score || is.unseen > kFloorKnownTo * as_it_was.unseen) {
     without = {};
     findUnitEffects(judged.workings->search, judged.prepared->training, options.threads);
     return;
@@ -263,23 +245,6 @@ void takeOutRig(const io::ComponentDescription& component, const io::RigToleranc
     for (const RigPart& part : *list) {
       findings.insert(findings.end(), part.findings.begin(), part.findings.end());
     }
-  }
-}
-
-// Where nothing is named, what part of the gap the motion causes at all counts: no effect has to explain more.
-void considerMotion(const DiagnosisOptions& options, Judged& judged) {
-  Workings& workings = *judged.workings;
-  if (workings.judgement.verdict != Verdict::unknown) {
-    return;
-  }
-  const PreparedCase& prepared = *judged.prepared;
-  const auto component = augmentedDescription(prepared.model, workings.search.at(workings.judgement.model));
-  const gap::Forces force = gap::simulate(component.allElements(), prepared.training, gap::asRecorded);
-  workings.surrogate = fitSurrogate(component, {prepared.training, force, prepared.held_out}, options.threads);
-  workings.evidence->caused_by_motion = shareOfMotion(*workings.surrogate, workings.evidence->noise_floor);
-  workings.judgement = judge(*workings.evidence);
-  if (!workings.judgement.effects.empty()) {
-    workings.surrogate.reset();  // the rest is another one
   }
 }
 
@@ -304,12 +269,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
   considerZeros(component, tolerances, options, judged);
   takeOutRig(component, tolerances, options, judged, findings);
-  considerMotion(options, judged);
-  if (options.evidence) {
-    addLogTable(*judged.prepared, judged.workings->search, options.threads, *judged.workings->evidence);
-  } else {
-    judged.workings->evidence.reset();
-  }
+  judged.workings->write_evidence = options.evidence;
   return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
 }
 

@@ -70,7 +70,6 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   const fit::ModelParameters model(component, fit::Level::specification);
   freeNuisances(model, component.rig.value_or(io::RigTolerances{}), records, none);
   const fit::Fitter fitter(records, model);
-  const Criteria criteria;
   Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = candidates(search.excitation);
@@ -78,12 +77,12 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   search.noise = options.noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
   const Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
-  screening.measureVisibility(search.noise, criteria, search);
+  screening.measureVisibility(search.noise, search);
   search.implants = implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
   std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
-  result.could_show = couldShow(search, options.size, "as given", criteria);
+  result.could_show = couldShow(search, options.size, "as given");
   return result;
 }
 

@@ -11,6 +11,10 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+// Whether a typical effect shows in logs: so much of its force re-estimation leaves, in parts of it and of the noise.
+constexpr double kVisibleShare = 0.05;
+constexpr double kVisibleSize = 0.2;
+
 std::vector<int> allOf(const std::vector<fit::Candidate>& candidates) {
   std::vector<int> members(candidates.size());
   std::iota(members.begin(), members.end(), 0);
@@ -108,7 +112,7 @@ std::vector<Screened> Screening::pairs() const {
   return screenAll(sets);
 }
 
-void Screening::measureVisibility(double noise, const Criteria& criteria, Search& result) const {
+void Screening::measureVisibility(double noise, Search& result) const {
   const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
   const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
   for (const auto& columns : columns_of_) {
@@ -121,7 +125,7 @@ void Screening::measureVisibility(double noise, const Criteria& criteria, Search
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);
       const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);
-      testable = testable || (visible >= criteria.visible_share && size >= criteria.visible_size * noise);
+      testable = testable || (visible >= kVisibleShare && size >= kVisibleSize * noise);
     }
     result.visible_share.push_back(share);
     result.testable.push_back(testable);

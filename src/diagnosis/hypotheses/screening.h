@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/criteria.h"
 #include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {
@@ -47,7 +46,7 @@ class Screening {
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.
-  void measureVisibility(double noise, const Criteria& criteria, Search& result) const;
+  void measureVisibility(double noise, Search& result) const;
 
  private:
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }

@@ -7,13 +7,12 @@
 #include <iterator>
 
 #include "diagnosis/hypotheses/screening.h"
-#include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/hypotheses/sets.h"
 #include "diagnosis/hypotheses/starts.h"
-#include "diagnosis/judge/judge.h"
-#include "diagnosis/judge/weighing.h"
+#include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/measured.h"
 #include "fit/parallel.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -23,6 +22,9 @@ constexpr std::size_t kPairsFitted = 6;
 constexpr std::size_t kAdditionsFitted = 2;
 constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
 constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
+// Less above the floor is worth no pair: as times the floor, and of the force.
+constexpr double kWithinNoise = 0.5;
+constexpr double kLeastRest = 0.006;
 
 // The best fit of a part of a set: of one of its members, or of the pairs of a triple.
 const FittedHypothesis& bestPart(const Search& result, const std::vector<int>& members) {
@@ -54,8 +56,8 @@ void sortByScore(std::vector<FittedHypothesis>& list) {
 
 class Searcher {
  public:
-  Searcher(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress)
-      : measured_(measured), fitter_(measured.fitter()), criteria_(criteria), threads_(threads), progress_(progress) {}
+  Searcher(const Measured& measured, int threads, const ProgressCallback& progress)
+      : measured_(measured), fitter_(measured.fitter()), threads_(threads), progress_(progress) {}
 
   Search run() {
     say("re-estimating the model parameters", 0.0);
@@ -66,7 +68,7 @@ class Searcher {
     fitSingles();
     say("screening all pairs", 0.4);
     const std::vector<Screened> pairs = screenPairs();
-    if (needsFurtherEffects(evidenceOf(result_), criteria_)) {
+    if (leavesMuch(result_.re_estimated) && leavesMuch(ranked_.front())) {
       say("fitting the best pairs", 0.5);
       fitPairs(pairs);
       measured_.estimateNoise(result_.pairs.front(), result_);
@@ -106,6 +108,11 @@ class Searcher {
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
+  bool leavesMuch(const FittedHypothesis& fitted) const {
+    return gap::residualAboveFloor(fitted.fit.score(), result_.noise) >
+           std::max({kWithinNoise * result_.noise, kLeastRest, result_.discretisation});
+  }
+
   void fitSingles() {
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
       result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
@@ -131,7 +138,7 @@ class Searcher {
   // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
   std::vector<Screened> screenPairs() {
     const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
-    screening.measureVisibility(result_.noise, criteria_, result_);
+    screening.measureVisibility(result_.noise, result_);
     result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all;
     for (const FittedHypothesis& single : result_.singles) {
@@ -166,7 +173,7 @@ class Searcher {
     measured_.estimateNoise(result_.triples.front(), result_);
   }
 
-  // The best pair, the best one without a trend, and the one that would be named, which need not be the best.
+  // The best pair, and the best one without a trend.
   std::vector<const FittedHypothesis*> worthAThird() const {
     std::vector<const FittedHypothesis*> pairs;
     const auto add = [&](const FittedHypothesis& pair) {
@@ -181,10 +188,6 @@ class Searcher {
       if (best != result_.pairs.end()) {
         add(*best);
       }
-    }
-    const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
-    if (named.hypothesis.members.size() == 2) {
-      add(named);
     }
     return pairs;
   }
@@ -274,7 +277,6 @@ class Searcher {
 
   const Measured& measured_;
   const fit::HypothesisFitter& fitter_;
-  const Criteria& criteria_;
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
@@ -332,8 +334,8 @@ void findUnitEffects(Search& search, const std::vector<log::Record>& records, in
   remakeHypotheses(search);
 }
 
-Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress) {
-  return Searcher(measured, criteria, threads, progress).run();
+Search search(const Measured& measured, int threads, const ProgressCallback& progress) {
+  return Searcher(measured, threads, progress).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

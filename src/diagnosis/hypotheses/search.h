@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "diagnosis/experiment/implant.h"
-#include "diagnosis/judge/criteria.h"
-#include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
 
@@ -43,7 +41,7 @@ struct Search {
   std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 
-  /// A hypothesis by its index in the evidence.
+  /// A hypothesis by its place in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
 
   /// Singles, pairs and triples, in the order of the evidence.
@@ -61,6 +59,6 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 class Measured;
 
 /// Fit all hypotheses about what was measured on `threads` threads.
-Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress = {});
+Search search(const Measured& measured, int threads, const ProgressCallback& progress = {});
 
 }  // namespace rubber_suspension::diagnosis

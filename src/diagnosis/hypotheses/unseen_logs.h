@@ -4,14 +4,22 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
+
+/// A fitted hypothesis on logs that took no part in the fit: what it predicts from the displacement smoothed as for the
+/// fits, since the noise of that sensor is the rig's. Gaps are over all of them.
+struct UnseenErrors {
+  double gap = 0.0;
+  double noise_floor = 0.0;                ///< by what this hypothesis leaves
+  std::vector<gap::PartError> parts = {};  ///< of the gap
+};
 
 /// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement
 /// smoothed as for the fits: the noise of its sensor is the rig's.
