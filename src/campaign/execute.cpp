@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "command/identify.h"
@@ -47,10 +48,21 @@ std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   return fmt::format("{}", fmt::join(texts, " | "));
 }
 
+// What else may be right: sets of effects, and the verdict of what is none.
+std::vector<std::vector<std::string>> alternativesOf(const diagnosis::Diagnosis& d) {
+  std::vector<std::vector<std::string>> others;
+  std::transform(d.alternatives.begin(), d.alternatives.end(), std::back_inserter(others),
+                 [](const diagnosis::Alternative& other) {
+                   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
+                 });
+  return others;
+}
+
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   ordered_json values = {{"verdict", toString(d.verdict)},
                          {"effects", log::join(d.effects)},
                          {"confounded", setsText(d.confounded)},
+                         {"alternatives", setsText(alternativesOf(d))},
                          {"gap_as_configured", number(d.gap.as_configured)},
                          {"gap_re_estimated", number(d.gap.re_estimated)},
                          {"gap_augmented", number(d.gap.augmented)},

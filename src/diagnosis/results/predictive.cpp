@@ -26,7 +26,7 @@ class FurtherLogs {
     expected_ = expectedSquares(table, numbers).row(closing.hypothesis);
     tails_ = numbers.tails;
     logs_ = 1.0 / weight_.square().sum();
-    pick_ = std::discrete_distribution<int>(weight_.begin(), weight_.end());
+    pick_ = std::discrete_distribution<int>(weight_.data(), weight_.data() + weight_.size());
   }
 
   double draw() {
