@@ -101,8 +101,8 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
                       std::vector<log::Record> held_out, const DiagnosisOptions& options) {
   Judged judged{std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out)),
                 std::make_shared<Workings>()};
-  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter),
-                                   options.threads, options.progress);
+  judged.workings->search =
+      search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter), options.threads, options.progress);
   judgeSearch(*judged.prepared, options.threads, *judged.workings);
   return judged;
 }
@@ -128,7 +128,7 @@ const FittedHypothesis& bestButZeros(const Search& search) {
 void considerZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
                    const DiagnosisOptions& options, Judged& judged) {
   const Search& search = judged.workings->search;
-  constexpr double kLeast = 0.006;       // of the force
+  constexpr double kLeast = 0.006;      // of the force
   constexpr double kWithinNoise = 0.5;  // times the floor
   const double least = std::max(kLeast, kWithinNoise * search.noise);
   const auto elements = augmentedDescription(judged.prepared->model, bestButZeros(search)).allElements();
