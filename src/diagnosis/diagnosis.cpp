@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -96,7 +94,8 @@ std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const S
   if (evidence.has_unseen_logs) {
     fit::parallelFor(evidence.hypotheses.size(), options.threads, [&](std::size_t hypothesis) {
       evidence.hypotheses[hypothesis].unseen =
-          unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, limit);
+          unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, prepared.zeros.held_out,
+                       limit);
     });
   }
   Judgement judgement = judge(evidence, criteria);
@@ -110,11 +109,12 @@ struct Judged {
 };
 
 Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log::Record> training,
-                      std::vector<log::Record> held_out, const DiagnosisOptions& options) {
+                      std::vector<log::Record> held_out, ZeroPriors zeros, const DiagnosisOptions& options) {
   const Criteria criteria;
-  Judged judged{std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out)),
-                std::make_shared<Workings>()};
-  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter), criteria,
+  Judged judged{
+      std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out), std::move(zeros)),
+      std::make_shared<Workings>()};
+  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter),
                                    options.threads, options.progress);
   auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
   judged.workings->judgement = std::move(judgement);
@@ -125,145 +125,6 @@ Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log
   }
   judged.workings->evidence = std::move(evidence);
   return judged;
-}
-
-// The hypothesis that leaves least, of those that say nothing of zeros and trends.
-const FittedHypothesis& bestButZeros(const Search& search) {
-  const auto tells = [&](const FittedHypothesis& fitted) {
-    return fitted.hypothesis.free_in_log.trend ||
-           std::any_of(fitted.hypothesis.members.begin(), fitted.hypothesis.members.end(), [&](int member) {
-             return search.candidates[static_cast<std::size_t>(member)].effect == "force_offset";
-           });
-  };
-  const FittedHypothesis* best = &search.re_estimated;
-  for (const FittedHypothesis* fitted : search.withEffects()) {
-    const bool counts = fitted->hypothesis.competes() && !tells(*fitted);
-    best = counts && fitted->fit.score() < best->fit.score() ? fitted : best;
-  }
-  return *best;
-}
-
-// Zeros are free in the first search, so that no effect is weighed by them and what they are is told by the best law.
-// If they have a cause, they count in a second search.
-void considerZeros(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
-                   const DiagnosisOptions& options, Judged& judged) {
-  const Search& search = judged.workings->search;
-  const Criteria criteria;
-  const double least = std::max(criteria.insignificant_gap, criteria.within_noise * search.noise);
-  const auto elements = augmentedDescription(judged.prepared->model, bestButZeros(search)).allElements();
-  const std::optional<double> zero =
-      zeroWithCause(elements, least, tolerances, judged.prepared->training, judged.prepared->held_out);
-  if (!zero) {
-    return;
-  }
-  std::vector<log::Record> training = judged.prepared->training;
-  std::vector<log::Record> held_out = judged.prepared->held_out;
-  countZeros(elements, *zero, tolerances, training, held_out);
-  judged = {};  // two searches are not in memory at once
-  judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
-}
-
-// The model that is judged, the one without an effect, and the best with effects: zeros of the displacement keep a law
-// that is not linear from its best fit, so that the right one need not be the best yet.
-std::vector<const FittedHypothesis*> likeliest(const Judged& judged) {
-  constexpr std::size_t kSingles = 4;
-  constexpr std::size_t kPairs = 2;
-  const Search& search = judged.workings->search;
-  std::vector<const FittedHypothesis*> singles;
-  for (const FittedHypothesis& single : search.singles) {
-    if (single.hypothesis.competes()) {
-      singles.push_back(&single);
-    }
-  }
-  std::stable_sort(singles.begin(), singles.end(), [](const FittedHypothesis* x, const FittedHypothesis* y) {
-    return x->fit.score() < y->fit.score();
-  });
-  std::vector<const FittedHypothesis*> chosen = {&search.at(judged.workings->judgement.model), &search.re_estimated};
-  singles.resize(std::min(kSingles, singles.size()));
-  chosen.insert(chosen.end(), singles.begin(), singles.end());
-  for (std::size_t i = 0; i < std::min(kPairs, search.pairs.size()); ++i) {
-    chosen.push_back(&search.pairs[i]);
-  }
-  return chosen;
-}
-
-// Elements of the model that leaves least once both zeros of each log are free; of those that leave about as little,
-// the one with the fewest numbers, since a law with many follows zeros as well.
-std::vector<element::ElementDescription> bestWithoutZeros(const Judged& judged, const io::RigTolerances& tolerances,
-                                                          int threads) {
-  constexpr double kAbout = 1.05;
-  const std::vector<const FittedHypothesis*> models = likeliest(judged);
-  std::vector<std::vector<element::ElementDescription>> elements(models.size());
-  std::vector<double> left(models.size());
-  fit::parallelFor(models.size(), threads, [&](std::size_t i) {
-    elements[i] = augmentedDescription(judged.prepared->model, *models[i]).allElements();
-    left[i] = leftWithoutZeros(elements[i], tolerances, judged.prepared->training);
-  });
-  const double least = *std::min_element(left.begin(), left.end());
-  std::size_t best = 0;
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const std::size_t terms = models[i]->hypothesis.terms.size();
-    if (left[i] <= kAbout * least && terms < fewest) {
-      best = i;
-      fewest = terms;
-    }
-  }
-  return elements[best];
-}
-
-// What the best of all hypotheses leaves of the logs of the fit, and of unseen ones: 0 where there are none.
-struct Least {
-  double score = 0.0;
-  double unseen = 0.0;
-};
-
-Least leastOf(const Judged& judged) {
-  const Search& search = judged.workings->search;
-  const std::vector<UnseenErrors>& unseen = judged.workings->unseen;
-  Least least{search.re_estimated.fit.score(), unseen.empty() ? 0.0 : unseen[Evidence::kReEstimated].gap};
-  const std::vector<const FittedHypothesis*> fitted = search.withEffects();
-  for (std::size_t i = 0; i < fitted.size(); ++i) {
-    if (fitted[i]->hypothesis.competes()) {
-      least.score = std::min(least.score, fitted[i]->fit.score());
-      least.unseen = unseen.empty() ? 0.0 : std::min(least.unseen, unseen[Evidence::kFirstSingle + i].gap);
-    }
-  }
-  return least;
-}
-
-// Zeros of the displacement show through laws that are not linear, and delays through all: they are known once these
-// are, and taken out. Under a law that is not the right one they would be wrong: they stay where nothing explains the
-// logs better without them, or unseen logs as well.
-void takeOutRig(const io::ComponentDescription& component, const io::RigTolerances& tolerances,
-                const DiagnosisOptions& options, Judged& judged, std::vector<RigFinding>& findings) {
-  auto elements = bestWithoutZeros(judged, tolerances, options.threads);
-  const auto is_delay = [](const element::ElementDescription& element) { return element.type == "time_delay"; };
-  elements.erase(std::remove_if(elements.begin(), elements.end(), is_delay), elements.end());  // told log by log
-  std::vector<log::Record> training = judged.prepared->training;
-  std::vector<log::Record> held_out = judged.prepared->held_out;
-  const std::vector<RigPart> parts = rigParts(elements, tolerances, training);
-  const double delay = commonDelay(parts);
-  if (!takeOut(parts, delay, training)) {
-    return;
-  }
-  const std::vector<RigPart> of_held_out = rigParts(elements, tolerances, held_out);
-  takeOut(of_held_out, delay, held_out);
-  forgetUnitEffects(judged.workings->search);  // two searches are not in memory at once
-  Judged without = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  const Least as_it_was = leastOf(judged);
-  const Least is = leastOf(without);
-  if (is.score >= as_it_was.score || is.unseen > Criteria().floor_margin * as_it_was.unseen) {
-    without = {};
-    findUnitEffects(judged.workings->search, judged.prepared->training, options.threads);
-    return;
-  }
-  judged = std::move(without);
-  for (const auto* list : {&parts, &of_held_out}) {
-    for (const RigPart& part : *list) {
-      findings.insert(findings.end(), part.findings.begin(), part.findings.end());
-    }
-  }
 }
 
 // Where nothing is named, what part of the gap the motion causes at all counts: no effect has to explain more.
@@ -300,10 +161,9 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   }
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
-  freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
-  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), options);
-  considerZeros(component, tolerances, options, judged);
-  takeOutRig(component, tolerances, options, judged, findings);
+  ZeroPriors zeros =
+      setRigPriors(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
+  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), std::move(zeros), options);
   considerMotion(options, judged);
   if (options.evidence) {
     addLogTable(*judged.prepared, judged.workings->search, options.threads, *judged.workings->evidence);

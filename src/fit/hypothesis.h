@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "fit/candidate.h"
@@ -15,6 +16,9 @@ struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   FreeInLog free_in_log;         ///< is free as well
+  /// What one standard deviation of the displacement's zero does to the force of each log [N], over what it counts as
+  /// in units of the force's standard deviation (DisplacementZero); null: nothing.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> by_zero;
   bool last_resort = false;      ///< to be named only where it errs less than the best of the others
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
   bool history = false;          ///< changes the stiffness from log to log by what was before

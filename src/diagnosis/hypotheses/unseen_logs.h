@@ -6,6 +6,7 @@
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
+#include "fit/displacement_zero.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
@@ -18,9 +19,10 @@ namespace rubber_suspension::diagnosis {
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records);
 
-/// Gaps of a fitted hypothesis over records, each of them recorded on a new component.
+/// Gaps of a fitted hypothesis over records, each of them recorded on a new component. `zeros`: of their displacement.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const NoiseLimit& limit);
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros,
+                          const NoiseLimit& limit);
 
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
 /// log, which is what such a hypothesis says of a log and no simulation predicts.

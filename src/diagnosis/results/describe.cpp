@@ -244,12 +244,15 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the best model leaves of it.
+  // What the rig did to each log, by what the judged model and the next likely one leave of it.
   void describeRig() {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = result_.augmented.allElements();
-    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
-      const auto found = rigFindings(elements, tolerances, *records);
+    const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    for (const bool held_out : {false, true}) {
+      const auto found =
+          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/judge.h"
+#include "diagnosis/prepare/rig.h"
 #include "diagnosis/results/surrogate.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
@@ -20,7 +22,7 @@ namespace rubber_suspension::diagnosis {
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out)
+               std::vector<log::Record> hold_out, ZeroPriors priors = {})
       : component(configured),
         records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
         training(*records),
@@ -28,7 +30,10 @@ struct PreparedCase {
         model(component, fit::Level::specification),
         element_model(component, fit::Level::elements),
         fitter(records, model),
-        element_fitter(records, element_model) {}
+        element_fitter(records, element_model),
+        zeros(std::move(priors)) {
+    fitter.setZeros(zeros.training);
+  }
   PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
   PreparedCase& operator=(const PreparedCase&) = delete;
 
@@ -40,6 +45,7 @@ struct PreparedCase {
   fit::ModelParameters element_model;
   fit::Fitter fitter;
   fit::Fitter element_fitter;
+  ZeroPriors zeros;
 };
 
 /// What the report draws and lists besides the result.

@@ -77,7 +77,7 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
   }
   const Criteria criteria;
   auto workings = std::make_shared<Workings>();
-  workings->search = search(measured, criteria, options.threads, options.progress);
+  workings->search = search(measured, options.threads, options.progress);
   Evidence evidence = evidenceOf(workings->search);
   evidence.resamplings = options.resamplings;
   evidence.seed = options.seed;
