@@ -2,26 +2,22 @@
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "diagnosis/hypotheses/log_table.h"
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/judge/judge.h"
+#include "diagnosis/judge/answer.h"
 #include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/prepare/excerpts.h"
-#include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/prepare/measured_logs.h"
 #include "diagnosis/prepare/memory.h"
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/refused.h"
-#include "diagnosis/results/augmented.h"
 #include "diagnosis/results/describe.h"
 #include "diagnosis/results/workings.h"
 #include "fit/parallel.h"
@@ -72,76 +68,30 @@ std::vector<RigFinding> findingsOf(const std::vector<PreparedLog>& prepared) {
   return findings;
 }
 
-// What a log may have that is slow and no drift, as a gap over all logs: slow noise of the rig, and what small
-// reversals make of Berg's friction.
-double slowNoiseOf(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  std::vector<double> shares = frictionNoise(component.allElements(), records);
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    shares[r] = std::hypot(records[r].slow_noise / records[r].force_deviation, shares[r]);
-  }
-  return commonFloor(shares, records);
+// What each hypothesis leaves of unseen logs; nothing without such logs.
+std::vector<UnseenErrors> unseenErrorsOf(const PreparedCase& prepared, const Search& search, std::size_t hypotheses,
+                                         int threads) {
+  std::vector<UnseenErrors> unseen(prepared.held_out.empty() ? 0 : hypotheses);
+  fit::parallelFor(unseen.size(), threads, [&](std::size_t hypothesis) {
+    unseen[hypothesis] = unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out,
+                                      prepared.zeros.held_out);
+  });
+  return unseen;
 }
 
-std::pair<Judgement, Evidence> judgeSearch(const PreparedCase& prepared, const Search& search, const Criteria& criteria,
-                                           const DiagnosisOptions& options) {
-  Evidence evidence = evidenceOf(search);
-  evidence.resamplings = options.resamplings;
-  evidence.seed = options.seed;
-  evidence.has_unseen_logs = !prepared.held_out.empty();
-  evidence.slow_noise = slowNoiseOf(prepared.component, prepared.training);
-  markGainsWithinTolerance(prepared.component.rig.value_or(io::RigTolerances{}).gain, search, criteria, evidence);
-  const NoiseLimit limit = noiseLimit(search.record_noise, prepared.training);
-  if (evidence.has_unseen_logs) {
-    fit::parallelFor(evidence.hypotheses.size(), options.threads, [&](std::size_t hypothesis) {
-      evidence.hypotheses[hypothesis].unseen =
-          unseenErrors(prepared.model, search.at(static_cast<int>(hypothesis)), prepared.held_out, prepared.zeros.held_out,
-                       limit);
-    });
-  }
-  Judgement judgement = judge(evidence, criteria);
-  return {std::move(judgement), std::move(evidence)};
+void judgeSearch(const PreparedCase& prepared, int threads, Workings& workings) {
+  workings.evidence = evidenceOf(workings.search);
+  workings.unseen = unseenErrorsOf(prepared, workings.search, workings.evidence.hypotheses.size(), threads);
+  addLogTable(prepared, workings.search, workings.unseen, threads, workings.evidence);
+  workings.answer = answer(workings.evidence);
 }
 
-// A search and what it comes to.
-struct Judged {
-  std::unique_ptr<PreparedCase> prepared;
-  std::shared_ptr<Workings> workings;
-};
-
-Judged searchAndJudge(const io::ComponentDescription& component, std::vector<log::Record> training,
-                      std::vector<log::Record> held_out, ZeroPriors zeros, const DiagnosisOptions& options) {
-  const Criteria criteria;
-  Judged judged{
-      std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out), std::move(zeros)),
-      std::make_shared<Workings>()};
-  judged.workings->search = search(MeasuredLogs(judged.prepared->fitter, judged.prepared->element_fitter),
-                                   options.threads, options.progress);
-  auto [judgement, evidence] = judgeSearch(*judged.prepared, judged.workings->search, criteria, options);
-  judged.workings->judgement = std::move(judgement);
-  for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
-    if (hypothesis.unseen) {
-      judged.workings->unseen.push_back(*hypothesis.unseen);
-    }
-  }
-  judged.workings->evidence = std::move(evidence);
-  return judged;
-}
-
-// Where nothing is named, what part of the gap the motion causes at all counts: no effect has to explain more.
-void considerMotion(const DiagnosisOptions& options, Judged& judged) {
-  Workings& workings = *judged.workings;
-  if (workings.judgement.verdict != Verdict::unknown) {
-    return;
-  }
-  const PreparedCase& prepared = *judged.prepared;
-  const auto component = augmentedDescription(prepared.model, workings.search.at(workings.judgement.model));
-  const gap::Forces force = gap::simulate(component.allElements(), prepared.training, gap::asRecorded);
-  workings.surrogate = fitSurrogate(component, {prepared.training, force, prepared.held_out}, options.threads);
-  workings.evidence->caused_by_motion = shareOfMotion(*workings.surrogate, workings.evidence->noise_floor);
-  workings.judgement = judge(*workings.evidence);
-  if (!workings.judgement.effects.empty()) {
-    workings.surrogate.reset();  // the rest is another one
-  }
+// The logs of the fit with the rig's priors, and the models to be fitted to them.
+std::unique_ptr<PreparedCase> withRigPriors(const io::ComponentDescription& component,
+                                            std::vector<log::Record> training, std::vector<log::Record> held_out) {
+  const fit::ModelParameters model(component, fit::Level::specification);
+  ZeroPriors zeros = setRigPriors(model, component.rig.value_or(io::RigTolerances{}), training, held_out);
+  return std::make_unique<PreparedCase>(component, std::move(training), std::move(held_out), std::move(zeros));
 }
 
 // `recorded`: the whole logs that the gap as recorded is of.
@@ -160,17 +110,13 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
     return result;
   }
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
-  const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
-  ZeroPriors zeros =
-      setRigPriors(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
-  Judged judged = searchAndJudge(component, std::move(training), std::move(held_out), std::move(zeros), options);
-  considerMotion(options, judged);
-  if (options.evidence) {
-    addLogTable(*judged.prepared, judged.workings->search, options.threads, *judged.workings->evidence);
-  } else {
-    judged.workings->evidence.reset();
-  }
-  return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
+  const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
+  auto workings = std::make_shared<Workings>();
+  workings->search =
+      search(MeasuredLogs(ready->fitter, ready->element_fitter), options.threads, options.progress);
+  judgeSearch(*ready, options.threads, *workings);
+  workings->write_evidence = options.evidence;
+  return describe(*ready, std::move(workings), recorded, std::move(findings), options);
 }
 
 }  // namespace

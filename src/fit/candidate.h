@@ -43,14 +43,10 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
-  FreeInLog free_in_log = {};              ///< belongs to it
-  bool last_resort = false;                ///< named only where it errs less than the best of the others
-  std::vector<std::string> contains = {};  ///< names of simpler effects that its law contains
+  FreeInLog free_in_log = {};  ///< belongs to it
   /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
   /// gains that differ from log to log.
   bool like_parameters = false;
-  bool history = false;  ///< changes the stiffness from log to log by what was before, as a gain of each log does
-  bool sensor = false;   ///< an error of the force channel: nothing that the motion causes
 
   /// The terms at a value of a number that the force is not linear in, which lies between these; null: there is none.
   std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;

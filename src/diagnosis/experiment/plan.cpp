@@ -70,7 +70,6 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   const fit::ModelParameters model(component, fit::Level::specification);
   setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none);
   fit::Fitter fitter(records, model);
-  const Criteria criteria;
   Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = candidates(search.excitation);
@@ -83,7 +82,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   Plan result;
   result.component = component.name;
   std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
-  result.could_show = couldShow(search, options.size, "as given", criteria);
+  result.could_show = couldShow(search, options.size, "as given");
   return result;
 }
 

@@ -41,7 +41,7 @@ struct Search {
   std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 
-  /// A hypothesis by its index in the evidence.
+  /// A hypothesis by its place in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
 
   /// Singles, pairs and triples, in the order of the evidence.

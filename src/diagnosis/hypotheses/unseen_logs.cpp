@@ -47,18 +47,12 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros,
-                          const NoiseLimit& limit) {
-  const gap::Forces predicted = predict(model, fitted, records);
-  UnseenErrors errors;
-  errors.parts = partErrorsOf(withZerosOf(model, fitted, records, zeros), records, predicted);
-  for (gap::PartError& part : errors.parts) {  // a law that gives way under some motion explains none of it
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  UnseenErrors errors =
+      partErrorsOf(withZerosOf(model, fitted, records, zeros), records, predict(model, fitted, records));
+  for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
-  errors.gap = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(),
-                                               freeOfNoise(fitted.hypothesis), predicted, records, limit),
-                                   records);
   return errors;
 }
 

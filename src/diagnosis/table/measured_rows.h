@@ -21,7 +21,7 @@ class MeasuredRows final : public Measured {
   const fit::ModelParameters& model() const { return model_; }
   const fit::TableLoops& loops() const { return *loops_; }
 
-  const fit::HypothesisFitter& fitter() const override { return fitter_; }
+  const fit::TableFitter& fitter() const override { return fitter_; }
   const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
   fit::Excitation excitation() const override;
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,

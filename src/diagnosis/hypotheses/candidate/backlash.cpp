@@ -38,7 +38,6 @@ fit::Candidate backlash(const fit::Excitation& excitation) {
                            "reversal, none at small amplitude",
                            true,
                            {}};
-  candidate.last_resort = true;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;
   candidate.largest_shape = kLargestGap * excitation.largest_displacement;
   candidate.terms_at = [excitation](double gap) { return termsAt(excitation, gap); };
