@@ -68,12 +68,12 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
                    [&](std::size_t i) { records[i] = measurement::prepareLog(simulated[i]).record; });
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  freeNuisances(model, component.rig.value_or(io::RigTolerances{}), records, none);
-  const fit::Fitter fitter(records, model);
+  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none);
+  fit::Fitter fitter(records, model);
   Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = candidates(search.excitation);
-  fit::findUnitEffects(search.candidates, fitter.records(), options.threads);
+  fitter.prepare(search.candidates, options.threads);
   search.noise = options.noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
   const Screening screening(fitter, search.candidates, search.re_estimated, options.threads);

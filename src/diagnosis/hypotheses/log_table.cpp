@@ -110,7 +110,7 @@ class LogTable {
     }
     countBlocks(search_.re_estimated.fit.blocks, 0);
     if (!unseen_.empty()) {
-      countBlocks(unseen_[Evidence::kReEstimated].parts, prepared_.training.size());
+      countBlocks(unseen_[Evidence::kReEstimated], prepared_.training.size());
     }
   }
 
@@ -133,7 +133,7 @@ class LogTable {
     hypothesis.log_errors.assign(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
     addErrors(place == Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0, hypothesis.log_errors);
     if (!unseen_.empty()) {
-      addErrors(unseen_[static_cast<std::size_t>(place)].parts, prepared_.training.size(), hypothesis.log_errors);
+      addErrors(unseen_[static_cast<std::size_t>(place)], prepared_.training.size(), hypothesis.log_errors);
     }
   }
 

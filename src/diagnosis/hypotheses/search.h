@@ -1,4 +1,4 @@
-// The search over candidate effects: all singles, all pairs, triples where a significant residual remains.
+// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no likelier.
 #pragma once
 
 #include <functional>
@@ -46,12 +46,10 @@ struct Search {
 
   /// Singles, pairs and triples, in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
-};
 
-/// Let go of the unit effects of all candidates, most of what a search keeps, and find them again, the same to the last
-/// bit.
-void forgetUnitEffects(Search& search);
-void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads);
+  /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
+  const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
+};
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;

@@ -95,7 +95,7 @@ class Describer {
 
   // Errors of a hypothesis of the evidence on the logs that took no part in the fit.
   const std::vector<gap::PartError>& unseenParts(int hypothesis) const {
-    return workings_->unseen[static_cast<std::size_t>(hypothesis)].parts;
+    return workings_->unseen[static_cast<std::size_t>(hypothesis)];
   }
 
   // Errors with each effect alone, on the data that the gap is of.
@@ -214,12 +214,15 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the best model leaves of it.
+  // What the rig did to each log, by what the judged model and the next likely one leave of it.
   void describeRig() {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = result_.augmented.allElements();
-    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
-      const auto found = rigFindings(elements, tolerances, *records);
+    const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    for (const bool held_out : {false, true}) {
+      const auto found =
+          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/answer.h"
+#include "diagnosis/prepare/rig.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
@@ -19,7 +21,7 @@ namespace rubber_suspension::diagnosis {
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out)
+               std::vector<log::Record> hold_out, ZeroPriors priors = {})
       : component(configured),
         records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
         training(*records),
@@ -27,7 +29,10 @@ struct PreparedCase {
         model(component, fit::Level::specification),
         element_model(component, fit::Level::elements),
         fitter(records, model),
-        element_fitter(records, element_model) {}
+        element_fitter(records, element_model),
+        zeros(std::move(priors)) {
+    fitter.setZeros(zeros.training);
+  }
   PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
   PreparedCase& operator=(const PreparedCase&) = delete;
 
@@ -39,6 +44,7 @@ struct PreparedCase {
   fit::ModelParameters element_model;
   fit::Fitter fitter;
   fit::Fitter element_fitter;
+  ZeroPriors zeros;
 };
 
 /// What the report draws and lists besides the result.
