@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Holds the pages written by hand to the files, commands and launch files that they name, pages and comments to the words
-of the field, and the messages of the sources to the options that commands have.
+of the field, the messages of the sources to the options that commands have, and docs/api.md to the public headers.
 
 Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -121,6 +121,18 @@ def message_violations(path, text, known):
                 yield f"a message names {option}, which is no option there: \"{literal[:60]}\""
 
 
+def header_violations(root):
+    """Each public header stands in one row of docs/api.md, with a word on its use; each that stands there exists."""
+    public = {str(path.relative_to(root / "include/rubber_suspension")) for path in (root / "include").rglob("*.h")}
+    text = (root / "docs/api.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`[\w/]+\.h`.*?) \|(.*)\|$", text, re.M)
+    named = [name for names, _ in rows for name in re.findall(r"`([\w/]+\.h)`", names)]
+    yield from (f"does not name {name}" for name in sorted(public - set(named)))
+    yield from (f"names {name}, which is no public header" for name in sorted(set(named) - public))
+    yield from (f"names {name} in {named.count(name)} rows" for name in sorted(set(named)) if named.count(name) > 1)
+    yield from (f"does not say what {names} is for" for names, use in rows if not use.strip())
+
+
 def main(root):
     known = {"options": options(root), "sources": sources(root),
              "arguments": {path.name: {arg.get("name") for arg in ElementTree.parse(path).getroot().findall("arg")}
@@ -135,6 +147,7 @@ def main(root):
     for path in sorted(path for folder in ("src", "include") for path in (root / folder).rglob("*.[hc]*")):
         text, name = path.read_text(encoding="utf-8"), path.relative_to(root)
         found += [f"{name}: {v}" for v in (*comment_violations(text), *message_violations(name, text, known["options"]))]
+    found += [f"docs/api.md: {violation}" for violation in header_violations(root)]
     for path in (root / "docs/images").iterdir():
         if path.stat().st_size > LARGEST_PICTURE:
             size = path.stat().st_size
