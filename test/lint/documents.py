@@ -17,6 +17,9 @@ FOREIGN = {
     "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
     "bear out": "confirm", "goes on": "continues",
 }
+LONGEST_PAGE = 150  # lines of a page of docs/ that is written by hand
+LONGEST_TOUR = 120  # lines of README.md
+GENERATED = {"commands.md", "parameters.md", "topics.md", "effects.md"}
 WRITTEN = {"augmented.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
 # These of them have a plain meaning in comments, too.
 PLAIN_IN_COMMENTS = {"own parameter"}
@@ -48,6 +51,15 @@ def link_violations(root, path, text):
             yield f"link to {target}, which does not exist"
         elif anchor and anchor not in anchors(file.read_text(encoding="utf-8")):
             yield f"link to {target}, but {file.relative_to(root)} has no such heading"
+
+
+def length_violations(root):
+    """Pages that are too long to be read in a few minutes."""
+    limits = {path: LONGEST_PAGE for path in (root / "docs").glob("*.md") if path.name not in GENERATED}
+    for path, limit in sorted({**limits, root / "README.md": LONGEST_TOUR}.items()):
+        length = len(path.read_text(encoding="utf-8").splitlines())
+        if length > limit:
+            yield f"{path.relative_to(root)}: {length} lines, more than {limit}"
 
 
 def options(root):
@@ -147,6 +159,7 @@ def main(root):
     for path in sorted(path for folder in ("src", "include") for path in (root / folder).rglob("*.[hc]*")):
         text, name = path.read_text(encoding="utf-8"), path.relative_to(root)
         found += [f"{name}: {v}" for v in (*comment_violations(text), *message_violations(name, text, known["options"]))]
+    found += length_violations(root)
     found += [f"docs/api.md: {violation}" for violation in header_violations(root)]
     for path in (root / "docs/images").iterdir():
         if path.stat().st_size > LARGEST_PICTURE:
