@@ -8,7 +8,7 @@
 #include <string>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/rig.h"
 
 namespace rubber_suspension {
 namespace {
