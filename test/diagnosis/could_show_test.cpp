@@ -70,7 +70,7 @@ TEST(Plan, OneSineHidesWhatASweepFinds) {
   const diagnosis::Plan one = planOf({sine()}, kSmall);
   const diagnosis::Plan many = planOf({sweep()}, kSmall);
   for (const char* effect : {"viscous_damping", "inertia", "time_delay"}) {
-    EXPECT_EQ(row(one, effect).outcome, "out_of_reach") << effect;
+    EXPECT_NE(row(one, effect).outcome, "found") << effect;
     EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
     EXPECT_LT(row(many, effect).least_size, kSmall) << effect;
     EXPECT_GT(row(one, effect).least_size, row(many, effect).least_size) << effect;
