@@ -23,8 +23,6 @@ class Fitter final : public HypothesisFitter {
   const std::vector<log::Record>& records() const { return forces_.records(); }
   const HypothesisForces& forces() const { return forces_; }
 
-  double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
-
   /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
   /// need not find again. Not while fits run.
   void prepare(std::vector<Candidate>& candidates, int threads);
@@ -37,8 +35,11 @@ class Fitter final : public HypothesisFitter {
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
 
  private:
-  BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                               const std::vector<bool>& active, int threads) const override;
+  using Forces = std::vector<Eigen::VectorXd>;
+  const HypothesisForces& simulation() const override { return forces_; }
+  double gapOf(const Hypothesis& hypothesis, const Forces& forces) const override;
+  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
+                                  FreeInLog free, const std::vector<bool>& active, int threads) const override;
 
   double takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
                     const Eigen::VectorXd& residual) const;

@@ -55,6 +55,16 @@ Eigen::MatrixXd columnsOver(const std::vector<ForceColumn>& columns, std::size_t
   return matrix;
 }
 
+// The rows of a block.
+Eigen::MatrixXd blockOf(const std::vector<ForceColumn>& columns, const Rows& rows, double weight) {
+  const Eigen::Index count = rows.last - rows.first;
+  Eigen::MatrixXd matrix(count, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    matrix.col(static_cast<Eigen::Index>(j)) = weight * (*columns[j])[rows.record].segment(rows.first, count);
+  }
+  return matrix;
+}
+
 void maskOut(const log::Record& record, Eigen::Ref<Eigen::MatrixXd> columns) {
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.array();
@@ -218,12 +228,8 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
     if (!known) {
       continue;
     }
-    const auto here = fresh.middleRows(rows.first, rows.last - rows.first);
-    Eigen::MatrixXd mixed(fresh.cols(), static_cast<Eigen::Index>(sorted.known.size()));
-    for (std::size_t j = 0; j < sorted.known.size(); ++j) {
-      mixed.col(static_cast<Eigen::Index>(j)).noalias() =
-          all.weights[r] * (here.transpose() * (*sorted.known[j])[r].segment(rows.first, here.rows()));
-    }
+    const Eigen::MatrixXd of_block = blockOf(sorted.known, rows, all.weights[r]);
+    const Eigen::MatrixXd mixed = fresh.middleRows(rows.first, of_block.rows()).transpose() * of_block;
     const Eigen::MatrixXd on_nuisances = chosen(all.known->onNuisances(first + i), sorted.known_index);
     place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
           sorted.known_places, gram);
@@ -283,13 +289,9 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
   parallelFor(records.size(), threads, [&](std::size_t r) {
     std::vector<OfBlock> of_log;
     for (std::size_t b = first[r]; b < blocks.size() && blocks[b].record == r; ++b) {
-      const Eigen::Index rows = blocks[b].last - blocks[b].first;
-      Eigen::MatrixXd local(rows, static_cast<Eigen::Index>(columns_.size()));
-      for (std::size_t j = 0; j < columns_.size(); ++j) {
-        local.col(static_cast<Eigen::Index>(j)) = weights[r] * (*columns_[j])[r].segment(blocks[b].first, rows);
-      }
+      Eigen::MatrixXd local = blockOf(columns_, blocks[b], weights[r]);
       if (records[r].counts.size() > 0) {
-        local.array().colwise() *= records[r].counts.segment(blocks[b].first, rows).array();
+        local.array().colwise() *= records[r].counts.segment(blocks[b].first, local.rows()).array();
       }
       of_log.push_back(productsIn(blocks[b], records[r], local));
     }

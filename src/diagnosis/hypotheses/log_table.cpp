@@ -28,12 +28,13 @@ double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::V
   return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
 }
 
-std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::vector<log::Record>& records,
-                                  const gap::Forces& with, const gap::Forces& without) {
+// `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
+std::vector<double> sizesOfMember(fit::FreeInLog free, const std::vector<log::Record>& records,
+                                  const gap::Forces& added, const gap::Forces& with) {
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double taken = candidate.free_in_log.any() ? takenInLog(candidate.free_in_log, records[r], with[r]) : 0.0;
-    const double size = meanSquare(records[r], with[r] - without[r]) + taken;
+    const double size =
+        meanSquare(records[r], added[r]) + (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;
@@ -184,12 +185,14 @@ fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates
 
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
-  const gap::Forces with = *forces.at(fitted.hypothesis, fitted.fit.parameters);
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
-    const auto without = forces.at(fitted.hypothesis, withoutMember(candidates, fitted, m));
-    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
-    sizes.push_back(sizesOfMember(candidates[candidate], forces.records(), with, *without));
+    const fit::FreeInLog free = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])].free_in_log;
+    const Eigen::VectorXd others = withoutMember(candidates, fitted, m).scales;
+    const gap::Forces added = forces.moreThanWith(others, fitted.hypothesis, fitted.fit.parameters);
+    sizes.push_back(sizesOfMember(
+        free, forces.records(), added,
+        free.any() ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces()));
   }
   return sizes;
 }
