@@ -150,10 +150,12 @@ OptionTable Options::table() {
           .rare()
           .within(1000, 100000000),
       Option("--threads", threads, "COUNT", "number of threads").rare().within(1, 64),
+      log_options.acceptUnits(),
       log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
-  options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
-                   {"--plan"});
+  options.excludes(
+      {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples", "--accept-units"},
+      {"--plan"});
   options.needs({"--uncertainty"}, {"--from-table"});
   options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});
   return options.excludes(LogOptions::names(), {"--from-table"});
@@ -370,6 +372,7 @@ int runTable(const Options& options) {
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
   fit::MeasuredTable table = command::readTable(options.table_path);
   table.uncertainty = uncertainty;
+  table.accept_units = options.log_options.acceptsUnits();
   for (const std::string& note : table.notes) {
     printWarning("diagnose", options.table_path + ": " + note);
   }

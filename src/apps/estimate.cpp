@@ -109,12 +109,13 @@ OptionTable Options::table() {
       Option("--output", output, "FILE",
              "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
           .writes(io::FileKind::component_file),
+      log_options.acceptUnits(),
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});
   options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
   options.excludes({"--csv", "--state-space", "--models", "--sensitivity"},
                    {"--data-sheet", "--from-log", "--from-table"});
-  options.needs({"--hold", "--starts"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
+  options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
                    {"--data-sheet", "--from-log", "--from-table"});
   options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"});

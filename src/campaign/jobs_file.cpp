@@ -26,8 +26,8 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 using Keys = std::vector<std::string>;
 
 // What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
-                          "segment", "bridge",   "rig",     "hold", "starts"};
+const Keys kOptionKeys = {"reports", "evidence", "columns",      "unit", "sampling_rate", "decimal",
+                          "segment", "bridge",   "accept_units", "rig",  "hold",          "starts"};
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -271,6 +271,7 @@ class Reader {
       constexpr double kLongest = 3600.0;  // [s]
       options.bridge = number(node["bridge"], child(path, "bridge"), 0.0, kLongest, false).value_or(-1.0);
     }
+    readFlag(node, path, "accept_units", options.accept_units);
     if (node["hold"]) {
       options.hold = texts(node, path, "hold", true);
     }

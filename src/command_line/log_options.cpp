@@ -33,6 +33,13 @@ OptionTable LogOptions::table() {
           .rare()};
 }
 
+Option LogOptions::acceptUnits() {
+  return Option("--accept-units", accept_units_,
+                "the units are right, and the component is that of the file: no factor between measured and "
+                "configured stiffness is refused")
+      .rare();
+}
+
 const std::vector<std::string>& LogOptions::names() {
   static const std::vector<std::string> all = {"--columns", "--unit",    "--sampling-rate",
                                                "--decimal", "--segment", "--bridge"};
@@ -78,8 +85,10 @@ void LogOptions::printNotes(const std::string& command, const std::string& path,
 
 log::LogFormat LogOptions::format() const {
   try {
-    return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
-                              bridge_);
+    log::LogFormat format = log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_,
+                                               decimal_, segment_, bridge_);
+    format.accept_units = accept_units_;
+    return format;
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

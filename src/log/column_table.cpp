@@ -24,7 +24,11 @@ class ColumnReader {
  public:
   ColumnReader(const std::vector<ColumnName>& names, const std::vector<std::size_t>& places, const ColumnFile& file,
                const LogFormat& format)
-      : places_(places), file_(file), columns_(findColumns(names, format)), rules_(format, columns_, "element") {
+      : places_(places),
+        file_(file),
+        columns_(findColumns(names, format)),
+        units_(unitsOf(columns_, format)),
+        rules_(format, columns_, "element") {
     requireTimeUnit(columns_, format);
     notes_ = notesOnIgnored(names, columns_, format);
     samples_ = lengthOf(columns_.displacement);
@@ -42,6 +46,7 @@ class ColumnReader {
   std::size_t samples() const { return samples_; }
 
   void read(std::size_t first, std::size_t count, Log& block) {
+    block.units = units_;
     const std::vector<double> time = numbers(columns_.time, first, count);
     const std::vector<double> displacement = numbers(columns_.displacement, first, count);
     const std::vector<double> force = numbers(columns_.force, first, count);
@@ -114,6 +119,7 @@ class ColumnReader {
   std::vector<std::size_t> places_;  // in the file, of the columns
   const ColumnFile& file_;
   Columns columns_;
+  UnitsAre units_;
   SampleRules rules_;
   std::vector<std::string> notes_;
   std::size_t samples_ = 0;

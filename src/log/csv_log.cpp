@@ -179,6 +179,7 @@ class CsvLogReader {
 
   void beginRows() {
     log_ = Log();
+    log_.units = unitsOf(columns_, format_);
     log_.notes = notesOnIgnored(header_.names, columns_, format_);
     rules_.emplace(format_, columns_, "line");
     clock_ = TimeTextReader();

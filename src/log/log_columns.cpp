@@ -334,6 +334,11 @@ bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format) {
   return columns.options_fit && columns.missing == 0;
 }
 
+UnitsAre unitsOf(const Columns& columns, const LogFormat& format) {
+  const bool assumed = !columns.displacement.assumed_unit.empty() || !columns.force.assumed_unit.empty();
+  return format.accept_units ? UnitsAre::accepted : assumed ? UnitsAre::assumed : UnitsAre::named;
+}
+
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format) {
   constexpr std::size_t kMostNamed = 12;
