@@ -24,7 +24,9 @@ OptionTable LogOptions::table() {
       Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
              "sampling rate of a log without a time column, or in place of stamps that are equal, swapped or rounded")
           .rare(),
-      Option("--decimal", decimal_, "MARK", "decimal mark of a text, a point or a comma: . or ,").rare(),
+      Option("--decimal", decimal_, "MARK",
+             "decimal mark of a text, a point or a comma: . or ,; of one column, as in force=,")
+          .rare(),
       Option("--segment", segment_, "NUMBER", "which log of a file that holds several, from 1; all: each of them")
           .rare(),
       Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",

@@ -298,6 +298,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
     result.bench_evidence = std::move(evidence);
     return result;
   }
+  const std::vector<ChannelsBefore> before_rig = channelsBefore(excerpts.logs, excerpts.hold_out, training);
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const io::RigTolerances tolerances = component.rig.value_or(io::RigTolerances{});
   freeNuisances(fit::ModelParameters(component, fit::Level::specification), tolerances, training, held_out);
@@ -310,7 +311,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   } else {
     judged.workings->evidence.reset();
   }
-  return describe(*judged.prepared, std::move(judged.workings), recorded, std::move(findings), options);
+  return describe(*judged.prepared, std::move(judged.workings), recorded, before_rig, std::move(findings), options);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "log/sample_rules.h"
 #include "log/text.h"
+#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -96,7 +97,7 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
   const Marks marks(text);
   last_marked_ = marks.last != '\0';
   last_may_be_either_ = marks.mayBeThousands();
-  if (!last_marked_) {
+  if (!last_marked_ || column.told != '\0') {
     return;
   }
   marked_ = true;
@@ -142,7 +143,8 @@ const char* NumberMarks::normalised(std::string_view text, std::size_t channel, 
       throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
     }
   }
-  const char decimal = decimal_ == '\0' ? assumed_ : decimal_;
+  const char told = columns_[channel].told;
+  const char decimal = told != '\0' ? told : decimal_ == '\0' ? assumed_ : decimal_;
   char* to = buffer_;
   for (const char c : text) {
     if (is_number && (c == '.' || c == ',') && c != decimal) {
@@ -176,17 +178,16 @@ void NumberMarks::see(double value, std::size_t channel) {
 void NumberMarks::requireClear(const std::vector<std::string>& names) const {
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
-    const bool either = column.line > 0 && !column.decimals && column.unmarked && !column.large;
+    const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
+      const std::string of_column = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(i)) + "=";
       throw RowError(
           column.line,
           fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
-                      "{} (the {} stands before decimals), or {}",
-                      names[i], column.text, mark, nameOfMark(mark),
-                      decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)", otherMark(mark))
-                                       : "a file without marks between thousands"));
+                      "{}{} (the {} stands before decimals), or --decimal {}{} (it stands between thousands)",
+                      names[i], column.text, of_column, mark, nameOfMark(mark), of_column, otherMark(mark)));
     }
   }
 }

@@ -53,7 +53,8 @@ Array timeOf(const log::Log& log) {
 void addErrors(py::module_& module) { py::register_exception<log::LogError>(module, "LogError", PyExc_ValueError); }
 
 void addLogs(py::module_& module) {
-  py::class_<log::Log>(module, "Log", "A recorded log in SI units.")
+  py::class_<log::Log> type(module, "Log", "A recorded log in SI units.");
+  makeByNew(type)
       .def(py::init(&makeLog), py::arg("time"), py::arg("displacement"), py::arg("force") = py::none(),
            py::arg("name") = "log",
            "Of arrays: time [s], which increases, displacement [m] and, if measured, force [N]. Raises LogError and "

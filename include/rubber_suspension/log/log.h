@@ -52,6 +52,7 @@ struct LogFormat {
     std::string column;   ///< empty: by name or unit
     std::string unit;     ///< empty: that of the file
     double factor = 1.0;  ///< times what the file has
+    char decimal = '\0';  ///< its own decimal mark; '\0': that of the format
   };
 
   std::array<Channel, 4> of;     ///< time, displacement, force, temperature
@@ -69,8 +70,8 @@ struct LogFormat {
 /// accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 
-/// The same with `--decimal ,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty, or less than 0: not
-/// given.
+/// The same with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty,
+/// or less than 0: not given.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
                         const std::string& decimal, const std::string& segment, double bridge);
 

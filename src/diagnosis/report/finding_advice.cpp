@@ -54,8 +54,7 @@ const FindingAdvice& adviceOn(const std::string& finding) {
       {f::kPeakToPeak,
        {"The numbers are off by 2, as an amplitude is from what lies from peak to peak.",
         "Halve the column, as by --columns force=0.5*NAME; if it is right, --accept-units."}},
-      {f::kRectified,
-       {"A channel has lost its sign.", "Record it without a rectifier and without taking magnitudes."}},
+      {f::kRectified, {"A channel has lost its sign.", "Record it without a rectifier and without taking magnitudes."}},
       {f::kConstant,
        {"A channel measured nothing, in a part of the log or all along.",
         "Check its cable, its plugs and the clamps; record again, or cut the part out."}},
@@ -63,7 +62,8 @@ const FindingAdvice& adviceOn(const std::string& finding) {
        {"Displacement and force stand in each other's columns.", "Name the columns, or give them with --columns."}},
       {f::kOtherComponent,
        {"The log's stiffness is not that of this component file, by more than any effect of rubber.",
-        "Check which component was clamped, how many in parallel, and which entry of the component file is meant; where "
+        "Check which component was clamped, how many in parallel, and which entry of the component file is meant; "
+        "where "
         "the file holds a guess, --accept-units, or find its values by estimate --from-log."}},
       {f::kTooShort,
        {"The log is too short, or has too few samples in a cycle, to say anything.",

@@ -13,6 +13,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kRounding = 1e-9;
+constexpr double kReplayed = 1e-3;  // of a gap, as `replay` gives it
 
 class Check {
  public:
@@ -32,6 +33,7 @@ class Check {
     checkPosterior();
     checkFloor();
     checkClosed();
+    checkTakenOut();
     if (names) {
       checkNamed();
     } else if (d_.verdict != "unknown") {
@@ -82,6 +84,47 @@ class Check {
         std::min(1.0, gap::closedFraction(d_.gap.re_estimated, d_.gap.augmented, d_.gap.noise_floor));
     require(std::abs(d_.closed - expected) < kRounding,
             fmt::format("closes {:.3f}, its gaps say {:.3f}", d_.closed, expected));
+  }
+
+  // In squares, log by log, and over the logs that the gap is of.
+  void checkTakenOut() {
+    const bool held_out =
+        std::any_of(d_.admission.begin(), d_.admission.end(), [](const auto& a) { return a.hold_out; });
+    double recorded = 0.0;
+    double least = HUGE_VAL;
+    double most = 0.0;
+    double logs = 0.0;
+    for (const Admission& log : d_.admission) {
+      double left = log.recorded * log.recorded;
+      for (const TakenOut& part : d_.taken_out) {
+        left -= part.log == log.log ? std::copysign(part.share * part.share, part.share) : 0.0;
+      }
+      require(std::abs(left - log.left * log.left) < kRounding * (1.0 + left),
+              fmt::format("{}: {:.6f} left, and what was taken out says {:.6f}", log.log, log.left, std::sqrt(left)));
+      if (log.hold_out == held_out) {
+        recorded += log.recorded * log.recorded;
+        least = std::min(least, log.left);
+        most = std::max(most, log.left);
+        logs += 1.0;
+      }
+    }
+    if (logs == 0.0 || d_.samples != d_.recorded_samples || isInPieces()) {
+      return;  // a table, or parts of logs
+    }
+    recorded = std::sqrt(recorded / logs);
+    require(std::abs(recorded - d_.gap_as_recorded.augmented) < kReplayed * recorded + kRounding,
+            fmt::format("the logs leave {:.6f} as recorded, the gap as recorded is {:.6f}", recorded,
+                        d_.gap_as_recorded.augmented));
+    // Without held-out logs the gap is of blocks that took no part in a fit: more than is left with it.
+    require(least < (1.0 + kReplayed) * d_.gap.augmented && (!held_out || d_.gap.augmented < (1.0 + kReplayed) * most),
+            fmt::format("a gap of {:.6f}, and {:.6f} to {:.6f} left of the logs", d_.gap.augmented, least, most));
+  }
+
+  bool isInPieces() const {
+    return std::any_of(d_.admission.begin(), d_.admission.end(), [](const Admission& log) {
+      return std::any_of(log.notes.begin(), log.notes.end(),
+                         [](const std::string& note) { return note.find("time gaps") != std::string::npos; });
+    });
   }
 
   bool isBeyondNoise(double gap) const {

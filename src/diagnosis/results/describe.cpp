@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,18 +23,23 @@
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/results/surrogate.h"
+#include "diagnosis/results/taken_out.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+constexpr double kNoteworthy = 0.02;  // of the force: a rest that says something of the model
+
 class Describer {
  public:
   Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
-            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+            const std::vector<ChannelsBefore>& before_rig, std::vector<measurement::RigFinding> findings,
+            const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
+        before_rig_(before_rig),
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
@@ -54,6 +61,7 @@ class Describer {
     mapGap();
     describeRig();
     describeLogs();
+    accountForTheRig();
     describeCandidates();
     describeParameters();
     describeJudgement();
@@ -244,14 +252,51 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the best model leaves of it.
+  // What the rig did to each log, by what the judged model leaves of it and the next likely one would: what they do not
+  // agree on is the model's, and of a model that leaves more than it explains all is.
   void describeRig() {
-    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = result_.augmented.allElements();
-    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
-      const auto found = rigFindings(elements, tolerances, *records);
-      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+    if (leavesMoreThanItExplains()) {
+      return;
     }
+    const std::array<io::ComponentDescription, 2> models = {result_.augmented,
+                                                            augmentedDescription(prepared_.model, nextLikely())};
+    std::array<std::vector<measurement::RigFinding>, 2> found;
+    fit::parallelFor(models.size(), options_.threads, [&](std::size_t i) { found[i] = rigFindingsBy(models[i]); });
+    std::copy_if(found[0].begin(), found[0].end(), std::back_inserter(result_.rig_findings),
+                 [&](const measurement::RigFinding& finding) { return isSeenBy(found[1], finding); });
+  }
+
+  std::vector<measurement::RigFinding> rigFindingsBy(const io::ComponentDescription& model) const {
+    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
+    std::vector<measurement::RigFinding> found = rigFindings(model.allElements(), tolerances, prepared_.training);
+    const auto of_held_out = rigFindings(model.allElements(), tolerances, prepared_.held_out);
+    found.insert(found.end(), of_held_out.begin(), of_held_out.end());
+    return found;
+  }
+
+  bool leavesMoreThanItExplains() const {
+    const auto squared = [](double gap) { return gap * gap; };
+    const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
+    const double noise = std::max(kNoteworthy, result_.gap.noise_floor);
+    return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
+  }
+
+  // The one of the others that leaves least.
+  const FittedHypothesis& nextLikely() const {
+    const FittedHypothesis* next = &judged_ == &search_.re_estimated ? nullptr : &search_.re_estimated;
+    for (const FittedHypothesis* fitted : search_.withEffects()) {
+      const bool counts = fitted != &judged_ && fitted->hypothesis.competes();
+      next = counts && (next == nullptr || fitted->fit.score() < next->fit.score()) ? fitted : next;
+    }
+    return next == nullptr ? judged_ : *next;
+  }
+
+  // Within both intervals together.
+  static bool isSeenBy(const std::vector<measurement::RigFinding>& findings, const measurement::RigFinding& finding) {
+    return std::any_of(findings.begin(), findings.end(), [&](const measurement::RigFinding& other) {
+      return other.log == finding.log && other.finding == finding.finding &&
+             other.interval_95[0] <= finding.interval_95[1] && finding.interval_95[0] <= other.interval_95[1];
+    });
   }
 
   void describeLogs() {
@@ -259,6 +304,18 @@ class Describer {
     fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
       result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
     });
+  }
+
+  void accountForTheRig() {
+    const std::vector<LogAccount> accounts =
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, before_rig_,
+                   judged_.hypothesis.free_in_log);
+    for (std::size_t r = 0; r < accounts.size(); ++r) {
+      result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
+      result_.admission[r].left = std::sqrt(accounts[r].left());
+      const std::vector<TakenOut> entries = accounts[r].entries();
+      result_.taken_out.insert(result_.taken_out.end(), entries.begin(), entries.end());
+    }
   }
 
   void describeCandidates() {
@@ -347,6 +404,7 @@ class Describer {
 
   const PreparedCase& prepared_;
   const std::vector<LogSurvey>& recorded_;
+  const std::vector<ChannelsBefore>& before_rig_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
@@ -362,9 +420,9 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
-                   const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
+                   const std::vector<LogSurvey>& recorded, const std::vector<ChannelsBefore>& before_rig,
+                   std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, before_rig, std::move(findings), options).run();
 }
 
 }  // namespace rubber_suspension::diagnosis
