@@ -178,6 +178,10 @@ class Reader {
     refuse("hold_out", Command::diagnose);
     refuse("hold", Command::estimate);
     refuse("starts", Command::estimate);
+    if (node["accept_units"] && group.command == Command::replay) {
+      report(node["accept_units"], child(path, "accept_units"),
+             "has no effect on replay; accepted: with diagnose or estimate");
+    }
   }
 
   std::string text(const YAML::Node& node, const std::string& path, const char* key, bool required) {

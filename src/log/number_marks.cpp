@@ -7,9 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "log/column_name.h"
 #include "log/sample_rules.h"
 #include "log/text.h"
-#include "rubber_suspension/log/units.h"
 
 namespace rubber_suspension::log {
 namespace {
