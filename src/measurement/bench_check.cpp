@@ -96,8 +96,9 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 // specification's tolerance and a little friction, or it would explain any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
-// Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance.
-std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, kTolerance, kTolerance); }
+// Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
+// specimens scatter by.
+std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.3, kTolerance); }
 
 bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
 
