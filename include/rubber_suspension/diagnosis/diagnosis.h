@@ -104,7 +104,7 @@ struct Admission {
 /// What of one kind was taken out of a log before a model was held against it.
 struct TakenOut {
   std::string log;
-  std::string kind;  ///< spikes, zero, drift, displacement, initial_state, gain, displacement_noise
+  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement, initial_state, displacement_noise
   /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
   /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
   double share = 0.0;

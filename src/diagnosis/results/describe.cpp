@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -252,26 +251,18 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the judged model leaves of it and the next likely one would: what they do not
-  // agree on is the model's, and of a model that leaves more than it explains all is.
+  // What the rig did to each log, by what the best model leaves of it; of a model that leaves more than it explains it
+  // is the model's.
   void describeRig() {
     if (leavesMoreThanItExplains()) {
       return;
     }
-    const std::array<io::ComponentDescription, 2> models = {result_.augmented,
-                                                            augmentedDescription(prepared_.model, nextLikely())};
-    std::array<std::vector<measurement::RigFinding>, 2> found;
-    fit::parallelFor(models.size(), options_.threads, [&](std::size_t i) { found[i] = rigFindingsBy(models[i]); });
-    std::copy_if(found[0].begin(), found[0].end(), std::back_inserter(result_.rig_findings),
-                 [&](const measurement::RigFinding& finding) { return isSeenBy(found[1], finding); });
-  }
-
-  std::vector<measurement::RigFinding> rigFindingsBy(const io::ComponentDescription& model) const {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    std::vector<measurement::RigFinding> found = rigFindings(model.allElements(), tolerances, prepared_.training);
-    const auto of_held_out = rigFindings(model.allElements(), tolerances, prepared_.held_out);
-    found.insert(found.end(), of_held_out.begin(), of_held_out.end());
-    return found;
+    const auto elements = result_.augmented.allElements();
+    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
+      const auto found = rigFindings(elements, tolerances, *records);
+      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+    }
   }
 
   bool leavesMoreThanItExplains() const {
@@ -279,24 +270,6 @@ class Describer {
     const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
     const double noise = std::max(kNoteworthy, result_.gap.noise_floor);
     return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
-  }
-
-  // The one of the others that leaves least.
-  const FittedHypothesis& nextLikely() const {
-    const FittedHypothesis* next = &judged_ == &search_.re_estimated ? nullptr : &search_.re_estimated;
-    for (const FittedHypothesis* fitted : search_.withEffects()) {
-      const bool counts = fitted != &judged_ && fitted->hypothesis.competes();
-      next = counts && (next == nullptr || fitted->fit.score() < next->fit.score()) ? fitted : next;
-    }
-    return next == nullptr ? judged_ : *next;
-  }
-
-  // Within both intervals together.
-  static bool isSeenBy(const std::vector<measurement::RigFinding>& findings, const measurement::RigFinding& finding) {
-    return std::any_of(findings.begin(), findings.end(), [&](const measurement::RigFinding& other) {
-      return other.log == finding.log && other.finding == finding.finding &&
-             other.interval_95[0] <= finding.interval_95[1] && finding.interval_95[0] <= other.interval_95[1];
-    });
   }
 
   void describeLogs() {

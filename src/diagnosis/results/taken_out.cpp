@@ -8,7 +8,11 @@
 #include <iterator>
 
 #include "gap/simulate.h"
+#include "numerics/symmetric.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/measurement/rig_model.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -48,24 +52,78 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return forces;
 }
 
-// Share of a signal's square that a straight line has, both about the mean.
-double shareOfLine(const VectorXd& values) {
-  const VectorXd time = VectorXd::LinSpaced(values.size(), -1.0, 1.0);
-  const VectorXd centred = values.array() - values.mean();
-  const double square = centred.squaredNorm() * time.squaredNorm();
-  return square > 0.0 ? std::pow(centred.dot(time), 2) / square : 0.0;
+// Columns of what a rig does, with the kind that each is told as.
+struct KindColumns {
+  std::vector<std::string> kinds;
+  Eigen::MatrixXd columns;
+};
+
+const char* kindOf(measurement::Nuisance nuisance) {
+  switch (nuisance) {
+    case measurement::Nuisance::force_zero:
+      return taken_out::kZero;
+    case measurement::Nuisance::gain:
+      return taken_out::kGain;
+    case measurement::Nuisance::initial_state:
+      return taken_out::kInitialState;
+    case measurement::Nuisance::displacement_zero:
+      return taken_out::kDisplacement;
+    default:
+      return taken_out::kDelay;
+  }
 }
 
-// What of a record's residual its nuisances take: what is the same all along is a zero; the rest is a drift where it
-// goes on all along, else what was left from before.
-void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& residual, LogAccount& account) {
-  const VectorXd counted = residual.cwiseProduct(counts);
-  const VectorXd taken = counted - record.withoutRig(residual);
-  const VectorXd zero = taken.dot(counts) / counts.sum() * counts;
+// A straight line and half cosines about it: what goes on slowly all along the log.
+Eigen::MatrixXd driftColumns(Index samples) {
+  constexpr Index kCosines = 8;
+  const auto count = static_cast<double>(samples);
+  Eigen::MatrixXd columns(samples, kCosines + 1);
+  columns.col(0) = VectorXd::LinSpaced(samples, -1.0, 1.0);
+  for (Index k = 1; k <= kCosines; ++k) {
+    columns.col(k) =
+        (Eigen::ArrayXd::LinSpaced(samples, 0.5, count - 0.5) * (element::kPi * static_cast<double>(k) / count)).cos();
+  }
+  return columns;
+}
+
+KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
+  const measurement::RigColumns rig =
+      measurement::RigModel({record}, {}, io::RigTolerances{}).columns({simulated}, {}).front();
+  const Eigen::MatrixXd drift = driftColumns(record.size());
+  KindColumns result;
+  std::transform(rig.nuisances.begin(), rig.nuisances.end(), std::back_inserter(result.kinds), kindOf);
+  result.kinds.insert(result.kinds.end(), static_cast<std::size_t>(drift.cols()), taken_out::kDrift);
+  result.columns.resize(record.size(), rig.columns.cols() + drift.cols());
+  result.columns << rig.columns, drift;
+  return result;
+}
+
+// What of a record's residual its nuisances take, by kind: each as far as they reach it. What is left is of the state
+// before the log.
+void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& simulated, LogAccount& account) {
+  constexpr double kRidge = 1e-6;
+  const VectorXd residual = (record.force - simulated).cwiseProduct(counts);
+  const VectorXd left = record.withoutRig(residual);
   const double scale = counts.sum() * std::pow(record.force_deviation, 2);
-  account.takeOut(taken_out::kZero, account.left() - zero.dot(2.0 * counted - taken) / scale);
-  account.takeOut(shareOfLine(taken - zero) > 0.5 ? taken_out::kDrift : taken_out::kInitialState,
-                  record.withoutRig(residual).squaredNorm() / scale);
+  if (record.nuisances.cols() > 0) {
+    const VectorXd taken = residual - left;
+    KindColumns kinds = kindColumns(record, simulated);
+    for (Index j = 0; j < kinds.columns.cols(); ++j) {
+      const VectorXd column = kinds.columns.col(j).cwiseProduct(counts).normalized();
+      kinds.columns.col(j) = (1.0 - record.withoutRig(column).norm()) * column;
+    }
+    const Index size = kinds.columns.cols();
+    const Eigen::MatrixXd gram =
+        kinds.columns.transpose() * kinds.columns + kRidge * Eigen::MatrixXd::Identity(size, size);
+    const VectorXd values = numerics::Cholesky(gram).solve(VectorXd(kinds.columns.transpose() * taken));
+    // |residual|^2 - |left|^2 is the product of both, in which the parts of what was taken add up.
+    const VectorXd both = residual + left;
+    for (Index j = 0; j < size; ++j) {
+      const double square = values[j] * kinds.columns.col(j).dot(both) / scale;
+      account.takeOut(kinds.kinds[static_cast<std::size_t>(j)], account.left() - square);
+    }
+  }
+  account.takeOut(taken_out::kInitialState, left.squaredNorm() / scale);
 }
 
 // Forces of the elements on the displacement at each stage.
@@ -90,7 +148,7 @@ LogAccount accountOf(const log::Record& record, const ChannelsBefore& before, co
   account.takeOut(taken_out::kDisplacement, meanSquare(record.force - forces.shifted[r], counts) / variance);
   const VectorXd residual = record.force - forces.smoothed[r];
   account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
-  takeNuisances(record, counts, residual, account);
+  takeNuisances(record, counts, forces.smoothed[r], account);
   const auto without = [&](fit::FreeInLog also) {
     return fit::withFreeInLog(also, record, forces.smoothed[r]).withoutRig(residual).squaredNorm() / counts.sum() /
            variance;

@@ -23,6 +23,7 @@ inline constexpr const char* kNoise = "displacement_noise";   ///< what the nois
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
+inline constexpr const char* kDelay = "delay";
 }  // namespace taken_out
 
 /// The account of one log, opened with what a model leaves of it as recorded: a mean square over the force's variance.
