@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "fit/displacement_zero.h"
 #include "gap/simulate.h"
 #include "numerics/symmetric.h"
 #include "rubber_suspension/element/constants.h"
@@ -135,7 +136,7 @@ struct Stages {
 };
 
 LogAccount accountOf(const log::Record& record, const ChannelsBefore& before, const Stages& forces, std::size_t r,
-                     fit::FreeInLog free) {
+                     fit::FreeInLog free, const VectorXd& by_zero) {
   const double variance = std::pow(record.force_deviation, 2);
   LogAccount account(
       record.name,
@@ -150,16 +151,30 @@ LogAccount accountOf(const log::Record& record, const ChannelsBefore& before, co
   account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.smoothed[r], account);
   const auto without = [&](fit::FreeInLog also) {
-    return fit::withFreeInLog(also, record, forces.smoothed[r]).withoutRig(residual).squaredNorm() / counts.sum() /
-           variance;
+    return fit::withFreeInLog(also, record, forces.smoothed[r], by_zero).withoutRig(residual).squaredNorm() /
+           counts.sum() / variance;
   };
+  if (free.zero) {
+    account.takeOut(taken_out::kDisplacement, without({false, false, true}));
+  }
   if (free.trend) {
-    account.takeOut(taken_out::kDrift, without({true, false}));
+    account.takeOut(taken_out::kDrift, without({true, false, free.zero}));
   }
   if (free.gain) {
     account.takeOut(taken_out::kGain, without(free));
   }
   return account;
+}
+
+// What a zero of the displacement does to each record.
+std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
+                              const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                              const ZeroPriors& zeros) {
+  std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
+  for (std::size_t i = 0; i < held_out.size(); ++i) {
+    columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
+  }
+  return columns;
 }
 
 double signedRoot(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
@@ -203,7 +218,8 @@ std::vector<ChannelsBefore> channelsBefore(const std::vector<log::Log>& logs, co
 
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free) {
+                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free,
+                                   const ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
   Displacements shifted;
@@ -224,11 +240,13 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
   forces.shifted = shifted == bridged ? forces.bridged : over(shifted);
   forces.smoothed = smoothed == shifted ? forces.shifted : over(smoothed);
+  const std::vector<VectorXd> by_zero =
+      free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(before.size());
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       const std::size_t r = accounts.size();
-      accounts.push_back(accountOf(record, before[r], forces, r, free));
+      accounts.push_back(accountOf(record, before[r], forces, r, free, by_zero[r]));
     }
   }
   return accounts;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/prepare/rig.h"
 #include "fit/free_in_log.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/parameter.h"
@@ -61,10 +62,12 @@ std::vector<ChannelsBefore> channelsBefore(const std::vector<log::Log>& logs, co
                                            const std::vector<log::Record>& prepared);
 
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
-/// was on a new one. `free`: what the judged hypothesis frees in each log.
+/// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
+/// them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free);
+                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free,
+                                   const ZeroPriors& zeros);
 
 /// What was taken out of logs and is more than a hundredth of the force, a phrase for each log; empty where nothing is.
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
