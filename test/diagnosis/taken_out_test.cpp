@@ -37,7 +37,7 @@ class TakenOutTest : public ::testing::Test {
     record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
     deviation_ = record.force_deviation;
     const LogAccount account =
-        accountsOf(rigComponent().allElements(), {record}, {}, channelsBefore({log_}, {}, {record}), {}, {}).front();
+        accountsOf(rigComponent().allElements(), {record}, {}, rawChannels({log_}, {}), {}, {}).front();
     left_ = std::sqrt(account.left());
     double left = account.recorded();
     for (const TakenOut& part : account.entries()) {
@@ -107,7 +107,7 @@ TEST_F(TakenOutTest, TellsAGain) {
   log::Record record = measurement::prepareLog(log).record;
   const auto elements = rigComponent().allElements();
   record.nuisances = gap::simulate(elements, {record}).front().normalized();
-  const auto parts = accountsOf(elements, {record}, {}, channelsBefore({log}, {}, {record}), {}, {}).front().entries();
+  const auto parts = accountsOf(elements, {record}, {}, rawChannels({log}, {}), {}, {}).front().entries();
   EXPECT_NEAR(shareOf(parts, taken_out::kGain), 0.03 / 1.03, 0.002);
 }
 

@@ -35,8 +35,8 @@ struct DiagnosisOptions {
   int threads = 2;
   /// Called with the stage's name and the fraction done.
   std::function<void(const std::string& stage, double fraction)> progress;
-  unsigned seed = 1;  ///< of the draws for intervals
-  int resamplings = 400;  ///< draws
+  unsigned seed = 1;        ///< of the draws for intervals
+  int resamplings = 400;    ///< draws
   ExperimentLimits limits;  ///< of the experiment that is proposed
   bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
@@ -112,7 +112,7 @@ struct Admission {
 /// What of one kind was taken out of a log before a model was held against it.
 struct TakenOut {
   std::string log;
-  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement, initial_state, displacement_noise
+  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state, displacement_noise
   /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
   /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
   double share = 0.0;

@@ -35,11 +35,11 @@ constexpr double kNoteworthy = 0.02;  // of the force: a rest that says somethin
 class Describer {
  public:
   Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
-            const std::vector<ChannelsBefore>& before_rig, std::vector<measurement::RigFinding> findings,
+            const std::vector<RawChannels>& raw, std::vector<measurement::RigFinding> findings,
             const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
-        before_rig_(before_rig),
+        raw_(raw),
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
@@ -253,7 +253,7 @@ class Describer {
 
   void accountForTheRig() {
     const std::vector<LogAccount> accounts =
-        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, before_rig_,
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
                    judged_.hypothesis.free_in_log, prepared_.zeros);
     for (std::size_t r = 0; r < accounts.size(); ++r) {
       result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
@@ -333,7 +333,7 @@ class Describer {
 
   const PreparedCase& prepared_;
   const std::vector<LogSurvey>& recorded_;
-  const std::vector<ChannelsBefore>& before_rig_;
+  const std::vector<RawChannels>& raw_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
@@ -349,9 +349,9 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, const std::vector<ChannelsBefore>& before_rig,
+                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, before_rig, std::move(findings), options).run();
+  return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

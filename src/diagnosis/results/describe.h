@@ -12,10 +12,10 @@
 namespace rubber_suspension::diagnosis {
 
 /// Fills in the records and forces of the workings, which have search and judgement. `recorded`: the logs that the gaps
-/// are of with all that the rig did to them; `before_rig`: of each record; `findings`: what single samples of the logs
+/// are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of the logs
 /// told.
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, const std::vector<ChannelsBefore>& before_rig,
+                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

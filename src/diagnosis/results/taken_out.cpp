@@ -131,22 +131,18 @@ void takeNuisances(const log::Record& record, const VectorXd& counts, const Vect
 struct Stages {
   gap::Forces recorded;
   gap::Forces bridged;
-  gap::Forces shifted;   // without its zero and delay
   gap::Forces smoothed;  // what hypotheses are fitted with
 };
 
-LogAccount accountOf(const log::Record& record, const ChannelsBefore& before, const Stages& forces, std::size_t r,
+LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, std::size_t r,
                      fit::FreeInLog free, const VectorXd& by_zero) {
   const double variance = std::pow(record.force_deviation, 2);
-  LogAccount account(
-      record.name,
-      std::pow(gap::gapOfResidual(before.force - forces.recorded[r], gap::standardDeviation(before.force)), 2));
+  const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
+  LogAccount account(record.name, recorded * recorded);
   const VectorXd counts = countsOf(record);
-  const VectorXd bridged = before.bridged_force - forces.bridged[r];
+  const VectorXd bridged = record.force - forces.bridged[r];
   account.takeOut(taken_out::kSpikes, meanSquare(bridged, withStart(counts)) / variance);
   account.takeOut(taken_out::kInitialState, meanSquare(bridged, counts) / variance);
-  account.takeOut(taken_out::kZero, meanSquare(record.force - forces.bridged[r], counts) / variance);
-  account.takeOut(taken_out::kDisplacement, meanSquare(record.force - forces.shifted[r], counts) / variance);
   const VectorXd residual = record.force - forces.smoothed[r];
   account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.smoothed[r], account);
@@ -202,15 +198,12 @@ std::vector<TakenOut> LogAccount::entries() const {
   return entries;
 }
 
-std::vector<ChannelsBefore> channelsBefore(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
-                                           const std::vector<log::Record>& prepared) {
-  std::vector<ChannelsBefore> channels;
+std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out) {
+  std::vector<RawChannels> channels;
   for (const auto* list : {&logs, &hold_out}) {
     for (const log::Log& log : *list) {
       log::Record raw = log::rawRecord(log);
-      const log::Record& record = prepared[channels.size()];
-      channels.push_back(
-          {std::move(raw.raw_displacement), std::move(raw.force), record.raw_displacement, record.force});
+      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force)});
     }
   }
   return channels;
@@ -218,19 +211,15 @@ std::vector<ChannelsBefore> channelsBefore(const std::vector<log::Log>& logs, co
 
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free,
-                                   const ZeroPriors& zeros) {
+                                   const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros) {
   Displacements recorded;
   Displacements bridged;
-  Displacements shifted;
   Displacements smoothed;
-  for (const ChannelsBefore& log : before) {
-    recorded.push_back(log.displacement);
-    bridged.push_back(log.bridged_displacement);
-  }
+  std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
+                 [](const RawChannels& channels) { return channels.displacement; });
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
-      shifted.push_back(record.raw_displacement);
+      bridged.push_back(record.raw_displacement);
       smoothed.push_back(record.displacement);
     }
   }
@@ -238,15 +227,14 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   Stages forces;
   forces.recorded = over(recorded);
   forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
-  forces.shifted = shifted == bridged ? forces.bridged : over(shifted);
-  forces.smoothed = smoothed == shifted ? forces.shifted : over(smoothed);
+  forces.smoothed = smoothed == bridged ? forces.bridged : over(smoothed);
   const std::vector<VectorXd> by_zero =
-      free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(before.size());
+      free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(raw.size());
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
     for (const log::Record& record : *list) {
       const std::size_t r = accounts.size();
-      accounts.push_back(accountOf(record, before[r], forces, r, free, by_zero[r]));
+      accounts.push_back(accountOf(record, raw[r], forces, r, free, by_zero[r]));
     }
   }
   return accounts;

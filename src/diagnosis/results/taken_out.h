@@ -17,10 +17,10 @@ namespace rubber_suspension::diagnosis {
 
 /// Kinds, as reports write them.
 namespace taken_out {
-inline constexpr const char* kSpikes = "spikes";              ///< samples that a channel did not measure
-inline constexpr const char* kZero = "zero";                  ///< of the force
-inline constexpr const char* kDisplacement = "displacement";  ///< its zero, and its delay against the force
-inline constexpr const char* kNoise = "displacement_noise";   ///< what the noise of its sensor makes of the force
+inline constexpr const char* kSpikes = "spikes";  ///< samples that a channel did not measure
+inline constexpr const char* kZero = "zero";      ///< of the force
+inline constexpr const char* kDisplacement = "displacement_zero";
+inline constexpr const char* kNoise = "displacement_noise";  ///< what the noise of its sensor makes of the force
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
@@ -49,25 +49,21 @@ class LogAccount {
   std::vector<std::pair<std::string, double>> squares_;
 };
 
-/// Both channels of a record as they were recorded, and once samples that a channel did not measure are bridged.
-struct ChannelsBefore {
+/// Both channels at even steps as they were recorded, before samples that a channel did not measure were bridged.
+struct RawChannels {
   Eigen::VectorXd displacement;  ///< [m]
   Eigen::VectorXd force;         ///< [N]
-  Eigen::VectorXd bridged_displacement;
-  Eigen::VectorXd bridged_force;
 };
 
-/// Of logs and the records that were made of them, in the same order. Throws as log::rawRecord().
-std::vector<ChannelsBefore> channelsBefore(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out,
-                                           const std::vector<log::Record>& prepared);
+/// Of logs in their order. Throws as log::rawRecord().
+std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out);
 
 /// The accounts of records against elements, those of the fit first, which were recorded on one component; each other
 /// was on a new one. `free`: what the judged hypothesis frees in each log; `zeros`: of the displacement, as it knows
 /// them.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
-                                   const std::vector<ChannelsBefore>& before, fit::FreeInLog free,
-                                   const ZeroPriors& zeros);
+                                   const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros);
 
 /// What was taken out of logs and is more than a hundredth of the force, a phrase for each log; empty where nothing is.
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out);
