@@ -382,8 +382,8 @@ struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;
   bool as_by_mass = false;
-  std::optional<Evidence> evidence;  // where its channels measured something
-  bool falls_without_work = false;   // and is the simulated force with the other sign
+  std::optional<Evidence> evidence = std::nullopt;  // where its channels measured something
+  bool falls_without_work = false;                  // and is the simulated force with the other sign
 };
 
 bool asByMass(const Evidence& e) { return e.ratio > 0.1 && e.ratio < 1.0; }

@@ -30,7 +30,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kNoteworthy = 0.02;  // of the force: a rest that says something of the model
+constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
 
 class Describer {
  public:
@@ -240,7 +240,7 @@ class Describer {
   bool leavesMoreThanItExplains() const {
     const auto squared = [](double gap) { return gap * gap; };
     const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
-    const double noise = std::max(kNoteworthy, result_.gap.noise_floor);
+    const double noise = std::max(kHidesTheRig, result_.gap.noise_floor);
     return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
   }
 
