@@ -206,7 +206,7 @@ class CsvLogReader {
       return;
     }
     marks_.requireClear(
-        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name});
+        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name}, true);
     rules_->finish();
     addNotes();
     if (take_ != nullptr && log_.size() > 0) {

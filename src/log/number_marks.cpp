@@ -175,21 +175,26 @@ void NumberMarks::see(double value, std::size_t channel) {
   column.last_marked = marked;
 }
 
-void NumberMarks::requireClear(const std::vector<std::string>& names) const {
+void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_option) const {
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
     const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
-      const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
-      const std::string of_column = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(i)) + "=";
-      throw RowError(
-          column.line,
-          fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
-                      "{}{} (the {} stands before decimals), or --decimal {}{} (it stands between thousands)",
-                      names[i], column.text, of_column, mark, nameOfMark(mark), of_column, otherMark(mark)));
+      const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
+      throw RowError(column.line, fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; "
+                                              "accepted: {}",
+                                              names[i], column.text, option));
     }
   }
+}
+
+// Of all columns, or of this alone where another has told its mark.
+std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
+  const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
+  const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";
+  return fmt::format("--decimal {}{} (the {} stands before decimals), or --decimal {}{} (it stands between thousands)",
+                     of, mark, nameOfMark(mark), of, otherMark(mark));
 }
 
 }  // namespace rubber_suspension::log

@@ -46,8 +46,9 @@ class NumberMarks {
   void see(double value, std::size_t channel);
 
   /// Throws RowError where a column has numbers such as 1.072 beside unmarked ones below 1000, and nothing tells
-  /// whether that is one or a thousand.
-  void requireClear(const std::vector<std::string>& names) const;
+  /// whether that is one or a thousand. `by_option`: columns are those of a log, in the order of their quantities,
+  /// whose marks an option tells.
+  void requireClear(const std::vector<std::string>& names, bool by_option) const;
 
   bool hasDecimalComma() const { return decimal_ == ',' && marked_; }
   bool hasThousands() const { return thousands_; }
@@ -68,6 +69,7 @@ class NumberMarks {
     double as_thousands = 0.0;  // and so
   };
 
+  std::string optionFor(const ColumnMarks& column, std::size_t channel) const;
   void lookAt(std::string_view text, std::size_t channel, std::size_t line);
   void settle(char decimal, std::string_view text, std::size_t line);
 
