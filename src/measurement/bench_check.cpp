@@ -97,7 +97,7 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
 // Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
-// specimens scatter by.
+// test pieces scatter by.
 std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.3, kTolerance); }
 
 bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
@@ -315,7 +315,7 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
       const auto time = [&](Index sample) { return static_cast<double>(sample) * record.dt; };
       return fatal(
           record, finding::kConstant, time(dead.end - dead.begin),
-          fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} goes on: check "
+          fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
                       "the channel's cable, and leave this part out",
                       name, time(dead.begin), time(dead.end), record.duration(), is_force ? "displacement" : "force"));
     }

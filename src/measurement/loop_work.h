@@ -62,7 +62,7 @@ double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octa
   return weights > 0.0 ? distance / weights : 2.0;
 }
 
-/// A part of a log in which a channel stands still while the other goes on as before.
+/// A part of a log in which a channel stands still while the other continues as before.
 struct DeadPart {
   Eigen::Index begin = 0;
   Eigen::Index end = 0;  ///< one behind; as begin: there is none

@@ -64,7 +64,7 @@ const FindingAdvice& adviceOn(const std::string& finding) {
        {"The log's stiffness is not that of this component file, by more than any effect of rubber.",
         "Check which component was clamped, how many in parallel, and which entry of the component file is meant; "
         "where "
-        "the file holds a guess, --accept-units, or find its values by estimate --from-log."}},
+        "the file holds a guess, --accept-units, or find its values with the command estimate."}},
       {f::kTooShort,
        {"The log is too short, or has too few samples in a cycle, to say anything.",
         "Record several cycles with at least some twenty samples in each."}},

@@ -74,7 +74,7 @@ const char* kindOf(measurement::Nuisance nuisance) {
   }
 }
 
-// A straight line and half cosines about it: what goes on slowly all along the log.
+// A straight line and half cosines about it: what continues slowly all along the log.
 Eigen::MatrixXd driftColumns(Index samples) {
   constexpr Index kCosines = 8;
   const auto count = static_cast<double>(samples);
