@@ -18,7 +18,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 // Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
