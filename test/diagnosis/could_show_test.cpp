@@ -64,16 +64,15 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 }
 
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
-// them.
+// them. How far they may move for that the judgement says.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
   constexpr double kSmall = 0.02;
   const diagnosis::Plan one = planOf({sine()}, kSmall);
   const diagnosis::Plan many = planOf({sweep()}, kSmall);
   for (const char* effect : {"viscous_damping", "inertia", "time_delay"}) {
-    EXPECT_NE(row(one, effect).outcome, "found") << effect;
+    EXPECT_LT(row(one, effect).visible_share, row(many, effect).visible_share) << effect;
     EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
     EXPECT_LT(row(many, effect).least_size, kSmall) << effect;
-    EXPECT_GT(row(one, effect).least_size, row(many, effect).least_size) << effect;
   }
 }
 
