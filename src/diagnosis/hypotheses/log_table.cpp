@@ -133,7 +133,8 @@ class LogTable {
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen, 0});
+      const double floor = std::hypot(floors[r], rigCost(records[r], records[r].force - forces[r]));
+      evidence_.logs.push_back({floor, uncertainty, records[r].weight, unseen, 0});
     }
   }
 

@@ -132,7 +132,7 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  Odds odds() const { return {result_.candidates, result_.noise, result_.re_estimated.fit.score()}; }
+  Odds odds() const { return {result_.candidates, result_.least, result_.re_estimated.fit.score()}; }
 
   double oddsOf(const FittedHypothesis& fitted) const {
     return odds().of(fitted.hypothesis.members, fitted.fit.score());
@@ -311,7 +311,7 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
 }
 
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
-  const Odds odds(candidates, noise, re_estimated.fit.score());
+  const Odds odds(candidates, least, re_estimated.fit.score());
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
     return odds.of(fitted.hypothesis.members, fitted.fit.score());
   };
