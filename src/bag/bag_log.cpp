@@ -296,6 +296,17 @@ log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const 
   return log;
 }
 
+// Topics of this package are in SI units; a field of another message is in those of whoever made it.
+log::UnitsAre unitsOf(const log::LogFormat& format) {
+  const auto is_assumed = [&](log::Quantity quantity) {
+    const log::LogFormat::Channel& channel = format.of[static_cast<std::size_t>(quantity)];
+    return !channel.column.empty() && channel.unit.empty();
+  };
+  return format.accept_units                                                           ? log::UnitsAre::accepted
+         : is_assumed(log::Quantity::displacement) || is_assumed(log::Quantity::force) ? log::UnitsAre::assumed
+                                                                                       : log::UnitsAre::named;
+}
+
 bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
@@ -307,7 +318,9 @@ log::Log readBagLog(const std::string& path, const std::string& component, const
     checkBagStructure(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    return namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log::Log log = namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log.units = unitsOf(format);
+    return log;
   } catch (const log::LogError&) {
     throw;
   } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types

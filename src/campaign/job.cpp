@@ -44,8 +44,8 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 // Those of optionsJson(); a manifest of another version may have others, which must not go unheard.
 void checkOptionNames(const nlohmann::json& json) {
-  const std::vector<std::string> known = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
-                                          "segment", "bridge",   "rig",     "hold", "starts"};
+  const std::vector<std::string> known = {"reports", "evidence", "columns",      "unit", "sampling_rate", "decimal",
+                                          "segment", "bridge",   "accept_units", "rig",  "hold",          "starts"};
   for (const auto& entry : json.items()) {
     if (std::find(known.begin(), known.end(), entry.key()) == known.end()) {
       throw std::invalid_argument("'" + entry.key() + "' is unknown" + element::didYouMean(entry.key(), known));
@@ -65,6 +65,7 @@ JobOptions optionsFromJson(const nlohmann::json& json) {
   options.decimal = json.value("decimal", options.decimal);
   options.segment = json.value("segment", options.segment);
   options.bridge = json.value("bridge", options.bridge);
+  options.accept_units = json.value("accept_units", options.accept_units);
   options.rig = json.value("rig", options.rig);
   options.hold = json.value("hold", options.hold);
   if (json.contains("starts")) {
@@ -105,6 +106,9 @@ ordered_json optionsJson(const JobOptions& options) {
   }
   if (options.bridge >= 0.0) {
     json["bridge"] = options.bridge;
+  }
+  if (options.accept_units) {
+    json["accept_units"] = true;
   }
   if (!options.rig.empty()) {
     json["rig"] = options.rig;

@@ -40,6 +40,7 @@ struct JobOptions {
   std::string decimal;                     ///< as --decimal
   std::string segment;                     ///< as --segment
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
+  bool accept_units = false;               ///< as --accept-units
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
   std::optional<int> starts;               ///< as --starts, of estimate

@@ -26,8 +26,8 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 using Keys = std::vector<std::string>;
 
 // What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
-                          "segment", "bridge",   "rig",     "hold", "starts"};
+const Keys kOptionKeys = {"reports", "evidence", "columns",      "unit", "sampling_rate", "decimal",
+                          "segment", "bridge",   "accept_units", "rig",  "hold",          "starts"};
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -178,6 +178,10 @@ class Reader {
     refuse("hold_out", Command::diagnose);
     refuse("hold", Command::estimate);
     refuse("starts", Command::estimate);
+    if (node["accept_units"] && group.command == Command::replay) {
+      report(node["accept_units"], child(path, "accept_units"),
+             "has no effect on replay; accepted: with diagnose or estimate");
+    }
   }
 
   std::string text(const YAML::Node& node, const std::string& path, const char* key, bool required) {
@@ -271,6 +275,7 @@ class Reader {
       constexpr double kLongest = 3600.0;  // [s]
       options.bridge = number(node["bridge"], child(path, "bridge"), 0.0, kLongest, false).value_or(-1.0);
     }
+    readFlag(node, path, "accept_units", options.accept_units);
     if (node["hold"]) {
       options.hold = texts(node, path, "hold", true);
     }

@@ -81,7 +81,8 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
   }
   for (const measurement::RigFinding& finding : measurement::checkBench(elements, records)) {
     const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
-                              finding.finding == measurement::finding::kOtherComponent;
+                              finding.finding == measurement::finding::kOtherComponent ||
+                              finding.finding == measurement::finding::kPeakToPeak;
     const bool large = finding.finding == measurement::finding::kUnitFactor &&
                        std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
     const bool short_log = finding.finding == measurement::finding::kTooShort;
