@@ -80,6 +80,8 @@ BlockGrams TableFitter::normalEquationsAbout(const Hypothesis& hypothesis, const
     }
     set(unknowns, measured - model[r]);
     result.gram.emplace_back(local.transpose() * local);
+    result.squares = (result.squares.size() == 0 ? Eigen::VectorXd::Zero(unknowns + 1) : result.squares) +
+                     result.gram.back().diagonal();
   }
   return result;
 }

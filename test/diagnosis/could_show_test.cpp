@@ -64,9 +64,9 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
 }
 
 // Stiffness and loss at one frequency are what the model's own three numbers can follow, whatever linear law makes
-// them. How far they may move for that the judgement says.
+// them. How far they may move for that the judgement says. Less than the lag that a rig may have is out of reach.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  constexpr double kSmall = 0.02;
+  constexpr double kSmall = 0.05;
   const diagnosis::Plan one = planOf({sine()}, kSmall);
   const diagnosis::Plan many = planOf({sweep()}, kSmall);
   for (const char* effect : {"viscous_damping", "inertia"}) {

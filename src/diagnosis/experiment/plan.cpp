@@ -73,7 +73,7 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   }
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none);
+  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none, RigScatter::as_tolerated);
   fit::Fitter fitter(records, model);
   Search search;
   search.excitation = fit::summarise(fitter.records());

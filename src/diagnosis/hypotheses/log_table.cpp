@@ -28,13 +28,21 @@ double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::V
   return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
 }
 
+// Of a force, without its mean in the log where it belongs to the rubber: a zero of the force takes that.
+double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_rig) {
+  const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
+  const double mean = on_rig ? 0.0 : force.dot(counts) / record.counted();
+  return (force.array() - mean).square().matrix().dot(counts) / record.counted() / std::pow(record.force_deviation, 2);
+}
+
 // `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
-std::vector<double> sizesOfMember(fit::FreeInLog free, const std::vector<log::Record>& records,
+std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::vector<log::Record>& records,
                                   const gap::Forces& added, const gap::Forces& with) {
+  const fit::FreeInLog free = candidate.free_in_log;
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double size =
-        meanSquare(records[r], added[r]) + (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
+    const double size = sizeOf(records[r], added[r], candidate.on_rig) +
+                        (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;
@@ -125,7 +133,8 @@ class LogTable {
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen, 0});
+      const double floor = std::hypot(floors[r], rigCost(records[r], records[r].force - forces[r]));
+      evidence_.logs.push_back({floor, uncertainty, records[r].weight, unseen, 0});
     }
   }
 
@@ -187,12 +196,12 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
-    const fit::FreeInLog free = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])].free_in_log;
+    const fit::Candidate& candidate = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])];
     const Eigen::VectorXd others = withoutMember(candidates, fitted, m).scales;
     const gap::Forces added = forces.moreThanWith(others, fitted.hypothesis, fitted.fit.parameters);
-    sizes.push_back(sizesOfMember(
-        free, forces.records(), added,
-        free.any() ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces()));
+    const bool frees = candidate.free_in_log.any();
+    sizes.push_back(sizesOfMember(candidate, forces.records(), added,
+                                  frees ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces()));
   }
   return sizes;
 }

@@ -21,11 +21,14 @@ void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   }
 }
 
-// From a start, then once more with zeros of the displacement where what was found depends on them.
+// From a start, with zeros of the displacement where what is at work there depends on them; once more with them where
+// only what was found does.
 void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& start, const fit::FitLimits& limits,
              FittedHypothesis& best) {
-  FittedHypothesis fitted{best.hypothesis, fitter.fit(best.hypothesis, start, limits)};
-  if (fitted.fit.gap <= limits.reach) {
+  FittedHypothesis fitted{best.hypothesis, {}};
+  fitter.freeZeros(start, fitted.hypothesis);
+  fitted.fit = fitter.fit(fitted.hypothesis, start, limits);
+  if (!fitted.hypothesis.free_in_log.zero && fitted.fit.gap <= limits.reach) {
     FittedHypothesis with_zeros = fitted;
     fitter.freeZeros(fitted.fit.parameters, with_zeros.hypothesis);
     if (with_zeros.hypothesis.free_in_log.zero) {

@@ -22,7 +22,7 @@ struct HypothesisEvidence {
 
 /// A log that hypotheses are judged on, or a row of a table.
 struct LogEvidence {
-  double floor = 0.0;              ///< noise, as a gap
+  double floor = 0.0;              ///< noise and what the rig did within its tolerances, as a gap
   double floor_uncertainty = 0.0;  ///< standard error of its logarithm
   double weight = 1.0;             ///< of the log (Record::weight)
   bool unseen = false;             ///< took no part in the fit

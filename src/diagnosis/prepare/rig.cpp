@@ -269,7 +269,7 @@ std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& recor
 }  // namespace
 
 ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                        std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
+                        std::vector<log::Record>& training, std::vector<log::Record>& held_out, RigScatter scatter) {
   const std::size_t logs = training.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   setNuisances(configured, gap::simulate(configured, training), tolerances, {},
@@ -279,7 +279,8 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
   const Noise noise = noiseOf(elements, training, held_out);
-  const Limits limits = limitsBy(elements, tolerances, training, held_out);
+  const Limits limits =
+      scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
   const std::vector<double> of_training = oneDeviations(noise.training, logs);
   const std::vector<double> of_held_out = oneDeviations(noise.held_out, logs);
   setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);
