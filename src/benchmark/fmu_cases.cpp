@@ -9,18 +9,16 @@
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
 #include "benchmark/force_case.h"
-#include "fmi/archive.h"
 #include "fmi/export.h"
-#include "fmi/runtime/fmi2.h"
+#include "fmi/runtime/fmi.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
 std::string binaryOf(const io::ComponentDescription& description) {
-  for (fmi::ArchiveEntry& entry :
-       fmi::fromZip(fmi::makeFmu(description, fmi::Version::fmi2, fmi::installedParts()), "FMU")) {
-    if (entry.path.compare(0, 9, "binaries/") == 0) {
-      return entry.content;
+  for (fmi::ArchiveEntry& file : fmi::fmuFiles(description, fmi::Version::fmi2, fmi::installedParts())) {
+    if (file.path.compare(0, 9, "binaries/") == 0) {
+      return file.content;
     }
   }
   throw std::runtime_error("an FMU without a binary");
