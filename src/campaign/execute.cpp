@@ -188,7 +188,7 @@ void Executor::estimate(const Job& job, Record& record) {
   const io::ComponentDescription description = componentOf(job);
   fit::IdentificationOptions settings;
   settings.held = job.options.hold;
-  settings.starts = job.options.starts.value_or(settings.starts);
+  settings.starts = job.options.starts > 0 ? job.options.starts : settings.starts;
   const fit::Identification result = command::identifyFromLogs(description, logs(job, job.logs), settings);
   record.values = {{"residual_n", number(result.residual)}, {"relative_residual", number(result.relative_residual)}};
   ordered_json parameters = ordered_json::array();

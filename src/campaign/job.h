@@ -42,8 +42,26 @@ struct JobOptions {
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
-  std::optional<int> starts;               ///< as --starts, of estimate
+  int starts = 0;                          ///< as --starts, of estimate; 0: not given
 };
+
+/// Calls visit(key, pointer to member) for each option but `reports`, by the keys of jobs files and manifests.
+template <class Visit>
+void forEachOption(Visit visit) {
+  visit("evidence", &JobOptions::evidence);
+  visit("columns", &JobOptions::columns);
+  visit("unit", &JobOptions::unit);
+  visit("sampling_rate", &JobOptions::sampling_rate);
+  visit("decimal", &JobOptions::decimal);
+  visit("segment", &JobOptions::segment);
+  visit("bridge", &JobOptions::bridge);
+  visit("rig", &JobOptions::rig);
+  visit("hold", &JobOptions::hold);
+  visit("starts", &JobOptions::starts);
+}
+
+/// All keys of options.
+std::vector<std::string> optionKeys();
 
 /// A file that jobs read, with what it held when the manifest was made.
 struct InputFile {
