@@ -19,6 +19,7 @@
 #include "gap/odd_motion.h"
 #include "io/progress.h"
 #include "log/new_file.h"
+#include "log/text.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
@@ -47,8 +48,6 @@ struct Options {
   OptionTable table();
 };
 
-bool isMat(const std::string& path) { return path.size() > 4 && path.substr(path.size() - 4) == ".mat"; }
-
 // Each way to estimate takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
@@ -68,7 +67,8 @@ OptionTable Options::table() {
              "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
           .rare()
           .standsFor([this] {
-            const io::FileKind kind = isMat(state_space) ? io::FileKind::mat : io::FileKind::state_space_json;
+            const io::FileKind kind =
+                log::endsWith(state_space, ".mat") ? io::FileKind::mat : io::FileKind::state_space_json;
             return Files{{}, {{"--state-space", state_space, kind}}};
           }),
       Option(
