@@ -8,7 +8,6 @@
 #include <cmath>
 #include <set>
 
-#include "campaign/manifest.h"
 #include "campaign/record.h"
 #include "log/text.h"
 
@@ -371,11 +370,7 @@ void Fleet::add(const Job& job, const Record& record) {
   component.test_rig = job.test_rig;
   component.id = job.id;
   component.name = job.test_piece == "." ? job.component : job.test_piece + " " + job.component;
-  for (const char* name : {"report.html", "report.json", "identification.json"}) {
-    if (component.report.empty() && record.files.count(name) != 0) {
-      component.report = reportFolder(job.id) + "/" + name;
-    }
-  }
+  component.report = reportPath(record);
   if (job.command == Command::estimate) {
     component.parameters = changesOfEstimate(record.evidence);
   } else {

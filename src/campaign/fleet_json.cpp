@@ -1,7 +1,7 @@
 // What a fleet says, for programs.
-#include "campaign/fleet_json.h"
-
 #include <nlohmann/json.hpp>
+
+#include "campaign/fleet_report.h"
 
 namespace rubber_suspension::campaign {
 namespace {

@@ -86,6 +86,8 @@ ordered_json optionsJson(const JobOptions& options) {
   return json;
 }
 
+std::string nameOf(const Job& job) { return job.group + " " + job.test_piece + " (" + job.id.substr(0, 12) + ")"; }
+
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version) {
   const ordered_json json = {{"version", version},
                              {"command", toString(job.command)},

@@ -86,6 +86,9 @@ struct Job {
   JobOptions options;
 };
 
+/// What a user calls it: its entry in the jobs file, test piece, and the beginning of its id.
+std::string nameOf(const Job& job);
+
 /// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
 /// the report), its options and the version of the program are.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);

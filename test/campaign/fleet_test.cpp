@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
 #include "campaign/record.h"
 
@@ -268,6 +267,7 @@ TEST(FleetReport, EscapesNamesAndLinksReports) {
   campaign::Job one = job(1);
   one.test_piece = "<script>";
   campaign::Record record = diagnosis("named", {"friction"}, {{"friction", 0.99}});
+  record.id = one.id;
   record.files["report.html"] = 1;
   fleet.add(one, record);
   const std::string html = campaign::fleetHtml(fleet.analyse(), {});
