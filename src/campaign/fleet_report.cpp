@@ -181,7 +181,8 @@ std::string rigTable(const std::vector<RigMean>& rigs) {
 std::string componentTable(const FleetType& type) {
   Table table{"All components", {"component", "verdict", "effects"}};
   for (const FleetComponent& component : type.components) {
-    table.rows.push_back({linkTo(component), escape(component.verdict), escape(log::join(component.effects))});
+    table.rows.push_back({linkTo(component), escape(component.verdict ? toString(*component.verdict) : ""),
+                          escape(log::join(component.effects))});
   }
   return table.html();
 }
