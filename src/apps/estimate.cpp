@@ -1,0 +1,331 @@
+// Prints the parameters of components, estimated from a specification or found from measured logs, and their stiffness
+// and loss angle over frequency and amplitude; turns data sheets into component files.
+#include "command/estimate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "command/data_sheet.h"
+#include "command/estimate_variants.h"
+#include "command/identify.h"
+#include "command/linear_part.h"
+#include "command/measured_table.h"
+#include "command_line/command.h"
+#include "command_line/log_options.h"
+#include "command_line/plot_option.h"
+#include "command_line/warnings.h"
+#include "gap/odd_motion.h"
+#include "io/progress.h"
+#include "log/new_file.h"
+#include "log/text.h"
+
+using namespace rubber_suspension;
+using namespace rubber_suspension::command_line;
+
+namespace {
+
+struct Options {
+  std::string config;
+  std::string data_sheet;
+  std::string component;
+  bool json = false;
+  std::string plot;
+  std::string csv;
+  std::string state_space;
+  std::vector<std::string> models;
+  std::optional<double> sensitivity;    // [-]
+  std::vector<double> frequency_range;  // [Hz]
+  std::vector<double> amplitude_range;  // [m]
+  command::SweepOptions sweeps;
+  std::vector<std::string> logs;
+  std::string table_path;
+  LogOptions log_options;
+  fit::IdentificationOptions identification;
+  std::string output;
+
+  OptionTable table();
+};
+
+// Each way to estimate takes some of the options; none is passed over.
+OptionTable Options::table() {
+  OptionTable options = {
+      Option("--config", config, "FILE", "component file").reads(),
+      Option("--data-sheet", data_sheet, "FILE",
+             "data sheet instead of --config; prints the component file that follows from it, from hardness and shape, "
+             "a dynamic-to-static ratio, or loss angles at two frequencies")
+          .reads(),
+      Option("--component", component, "NAME", "name of one component; all if absent"),
+      Option("--json", json, "print JSON, in SI units").rare(),
+      plotOption(plot, "stiffness and loss angle"),
+      Option("--csv", csv, "FILE",
+             "CSV to write: stiffness, loss angle, K', K'' and the equivalent K_e and C_e of each sweep")
+          .rare()
+          .writes(io::FileKind::characteristics_csv),
+      Option("--state-space", state_space, "FILE",
+             "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
+          .rare()
+          .standsFor([this] {
+            const io::FileKind kind =
+                log::endsWith(state_space, ".mat") ? io::FileKind::mat : io::FileKind::state_space_json;
+            return Files{{}, {{"--state-space", state_space, kind}}};
+          }),
+      Option(
+          "--models", models, "MODEL",
+          "models to compare, from the numbers of one specification: M1 to M6 or their names, or a number of Maxwell "
+          "elements, such as M1 M2 5")
+          .rare(),
+      Option("--sensitivity",
+             Quantity{&sensitivity, "1", {0.0, 0.5, true, false}, "a share up to 50 %, such as '5 %' or 0.05"}, "SHARE",
+             "change each input by this much and show what it does to stiffness and loss angle, such as '5 %'")
+          .rare(),
+      Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ",
+             "ends of the range of frequencies, such as 0.5 20")
+          .rare()
+          .values(2, 2),
+      Option("--amplitudes", Quantity{&amplitude_range, "m"}, "METRES",
+             "ends of the range of amplitudes, such as '0.1 mm' '5 mm'")
+          .rare()
+          .values(2, 2),
+      Option("--frequency", Quantity{&sweeps.frequency, "Hz"}, "HZ", "frequency at which the amplitude varies").rare(),
+      Option("--amplitude", Quantity{&sweeps.amplitude, "m"}, "METRES",
+             "amplitude at which the frequency varies, such as '2 mm'")
+          .rare(),
+      Option("--product", Quantity{&sweeps.product, "m Hz"}, "PRODUCT",
+             "constant product of amplitude and frequency, such as '8 mm Hz'")
+          .rare(),
+      Option("--points", sweeps.points, "COUNT", "points of each range").rare().within(2, 10000),
+      Option("--from-log", logs, "FILE",
+             "measured log with force (text, .mat, HDF5 or .bag): find the parameters from it; may be given several "
+             "times")
+          .readsEachOnce(),
+      Option("--from-table", table_path, "FILE",
+             "measured table of stiffness and loss angle over frequency and amplitude: find the parameters from it")
+          .reads(),
+      Option("--hold", identification.held, "ELEMENT.PARAMETER",
+             "parameter to keep fixed with --from-log, such as friction.displacement")
+          .rare(),
+      Option("--starts", identification.starts, "COUNT", "starts of the search with --from-log").rare().within(1, 1000),
+      Option("--output", output, "FILE",
+             "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
+          .writes(io::FileKind::component_file),
+      log_options.acceptUnits(),
+      log_options.table()};
+  options.oneOf({"--config", "--data-sheet"});
+  options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
+  options.excludes({"--csv", "--state-space", "--models", "--sensitivity"},
+                   {"--data-sheet", "--from-log", "--from-table"});
+  options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
+  options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
+                   {"--data-sheet", "--from-log", "--from-table"});
+  options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"});
+  return options.needs({"--output"}, {"--from-log", "--from-table", "--data-sheet"});
+}
+
+void readRange(const std::string& option, const std::vector<double>& ends, const std::string& unit,
+               std::optional<double>& low, std::optional<double>& high) {
+  if (!ends.empty()) {
+    low = ends[0];
+    high = ends[1];
+    if (!(*low < *high)) {
+      throw UsageError(
+          fmt::format("{}: the first, {:g} {}, is not below the second, {:g} {}", option, *low, unit, *high, unit));
+    }
+  }
+}
+
+command::SweepOptions sweepOptions(const Options& options) {
+  command::SweepOptions sweeps = options.sweeps;
+  readRange("--frequencies", options.frequency_range, "Hz", sweeps.lowest_frequency, sweeps.highest_frequency);
+  readRange("--amplitudes", options.amplitude_range, "m", sweeps.lowest_amplitude, sweeps.highest_amplitude);
+  return sweeps;
+}
+
+command::EstimateReport reportOf(const io::ComponentDescription& component, const command::SweepOptions& sweeps,
+                                 std::optional<double> sensitivity) {
+  command::EstimateReport report = command::makeEstimateReport(component, sweeps);
+  if (sensitivity) {
+    command::addSensitivity(report, *sensitivity);
+  }
+  return report;
+}
+
+// For a figure: as many points as a curve without kinks takes.
+std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
+                                                   command::SweepOptions sweeps, std::optional<double> sensitivity) {
+  constexpr int kSmooth = 61;
+  sweeps.points = std::max(sweeps.points, kSmooth);
+  std::vector<command::EstimateReport> reports;
+  reports.reserve(components.size());
+  for (const io::ComponentDescription& component : components) {
+    reports.push_back(reportOf(component, sweeps, sensitivity));
+  }
+  return reports;
+}
+
+int convertDataSheet(const Options& options) {
+  const std::string text = command::componentFileFromDataSheet(options.data_sheet);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && line[0] == '#';) {
+    printNote("estimate", line.substr(2));
+  }
+  if (!options.plot.empty()) {
+    drawPlot(command::toFigure(smoothReports(io::parseComponentFile(text, options.data_sheet), {}, std::nullopt)),
+             options.plot);
+  }
+  if (options.output.empty()) {
+    std::cout << text;
+  } else {
+    log::writeNewFile(options.output, text);
+    std::cout << options.output << '\n';
+  }
+  return kSuccess;
+}
+
+int identifyComponent(const Options& options) {
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component, options.config);
+  warnOf("estimate", description);
+  std::vector<log::Log> logs;
+  for (const std::string& path : options.logs) {
+    for (log::Log& log : options.log_options.readAll(path, description.name)) {
+      LogOptions::printNotes("estimate", path, log.notes);
+      warnOf("estimate", path, gap::oddMotion(log, description));
+      warnOfTemperature("estimate", path, !log.temperature.empty(), description);
+      logs.push_back(std::move(log));
+    }
+  }
+  const fit::Identification result = [&] {
+    const io::Activity searching("finding parameters");
+    return command::identifyFromLogs(description, logs, options.identification);
+  }();
+  if (!options.plot.empty()) {
+    drawPlot(command::identificationFigure(description, result, logs), options.plot);
+  }
+  if (!options.output.empty()) {
+    log::writeNewFile(options.output, io::toYaml({command::identifiedComponent(description, result)}));
+  }
+  std::cout << (options.json ? command::toJson(description.name, result) : command::toText(description.name, result));
+  return kSuccess;
+}
+
+int fitToTable(const Options& options) {
+  const auto components = io::loadComponentFile(options.config);
+  const io::ComponentDescription& description = io::selectComponent(components, options.component);
+  const fit::MeasuredTable table = command::readTable(options.table_path);
+  command::requireNoShift(description, table, options.table_path);
+  const fit::TableFit result = [&] {
+    const io::Activity searching("finding parameters");
+    return fit::fitToTable(description, table.points);
+  }();
+  if (!options.output.empty()) {
+    log::writeNewFile(options.output, io::toYaml({result.component}));
+  }
+  std::cout << command::toText(result, table);
+  return kSuccess;
+}
+
+// "--amplitude 5" is 5 m.
+void warnOfAmplitudes(const io::ComponentDescription& component, const command::SweepOptions& sweeps) {
+  const gap::MotionScale scale = gap::motionScaleOf(component);
+  for (const auto& [option, amplitude] :
+       {std::pair("--amplitude", sweeps.amplitude), {"--amplitudes", sweeps.highest_amplitude}}) {
+    if (const auto odd = amplitude ? gap::oddAmplitude(*amplitude, scale) : std::nullopt) {
+      printWarning("estimate",
+                   fmt::format("{}: {}: {}; a number without a unit is in metres", component.name, option, *odd));
+    }
+  }
+}
+
+void writeFiles(const Options& options, const std::vector<io::ComponentDescription>& components,
+                const std::vector<command::EstimateReport>& reports) {
+  if (!options.csv.empty()) {
+    log::writeNewFile(options.csv, command::toCsv(reports));
+  }
+  if (!options.state_space.empty()) {
+    std::vector<command::LinearPart> parts;
+    for (const io::ComponentDescription& component : components) {
+      parts.push_back(command::linearPartOf(component));
+      const command::LinearPart& part = parts.back();
+      if (!part.tangents.empty()) {
+        printNote("estimate",
+                  fmt::format("{}: taken by their slope: {}", part.component, fmt::join(part.tangents, ", ")));
+      }
+      if (!part.left_out.empty()) {
+        printNote("estimate",
+                  fmt::format("{}: left out of the linear part: {}", part.component, fmt::join(part.left_out, ", ")));
+      }
+    }
+    command::writeLinearParts(parts, options.state_space);
+  }
+}
+
+// Before any file is written.
+void checkStateSpace(const std::string& path, std::size_t components) {
+  if (!path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1)) {
+    throw UsageError(
+        fmt::format("--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one "
+                    "(--component NAME, one of --models)",
+                    path, components, components == 1 ? "" : "s"));
+  }
+}
+
+int estimateComponents(const Options& options) {
+  const command::SweepOptions sweeps = sweepOptions(options);
+  std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
+  if (!options.component.empty()) {
+    components = {io::selectComponent(components, options.component, options.config)};
+  }
+  if (!options.models.empty()) {
+    components = command::inModels(io::selectComponent(components, options.component, options.config), options.models);
+  }
+  checkStateSpace(options.state_space, components.size());
+  std::vector<command::EstimateReport> reports;
+  for (const io::ComponentDescription& component : components) {
+    warnOf("estimate", component);
+    warnOfAmplitudes(component, sweeps);
+    reports.push_back(reportOf(component, sweeps, options.sensitivity));
+  }
+  writeFiles(options, components, reports);
+  if (!options.plot.empty()) {
+    const auto legends = options.models.empty() ? command::Legends::in_all_axes : command::Legends::one;
+    drawPlot(command::toFigure(smoothReports(components, sweeps, options.sensitivity), legends), options.plot);
+  }
+  if (options.json) {
+    std::cout << command::toJson(reports);
+    return kSuccess;
+  }
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    std::cout << (i == 0 ? "" : "\n") << command::toText(reports[i]);
+  }
+  return kSuccess;
+}
+
+int run(const Options& options) {
+  if (!options.logs.empty()) {
+    options.log_options.requireUse(options.logs);
+  }
+  if (!options.data_sheet.empty()) {
+    return convertDataSheet(options);
+  }
+  if (!options.table_path.empty()) {
+    return fitToTable(options);
+  }
+  return options.logs.empty() ? estimateComponents(options) : identifyComponent(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  return runCommand(argc, argv,
+                    {"estimate",
+                     "Estimates the parameters of rubber components from their specifications, from measured logs or "
+                     "tables or from data sheets, and prints them with stiffness and loss angle over frequency and "
+                     "amplitude.",
+                     {{"From the specification", "--config component.yaml"},
+                      {"From a measured log", "--config component.yaml --from-log log.csv --output found.yaml"},
+                      {"A component file from a data sheet", "--data-sheet sheet.yaml --output bush.yaml"}}},
+                    options.table(), [&] { return run(options); });
+}
