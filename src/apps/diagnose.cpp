@@ -44,6 +44,7 @@ struct Options {
   std::string plot;
   std::string compare;
   bool evidence = false;
+  std::string law = "simplest";
   std::vector<std::string> rig;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
@@ -143,6 +144,11 @@ OptionTable Options::table() {
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
+      Option("--law", law, "LAW",
+             "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
+             "alone, whose laws have few numbers and leave nearly as little")
+          .rare()
+          .oneOf({"simplest", "full"}),
       plotOption(plot, "loops, residuals and the gap").rare(),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
@@ -329,6 +335,7 @@ std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
             const Options& options) {
   diagnosis.run = runRecord(options);
+  diagnosis.write_full_law = options.law == "full";
   if (earlier) {
     diagnosis.comparison = earlier->compare(diagnosis);
   }

@@ -50,6 +50,9 @@ struct Candidate {
   bool like_parameters = false;
   bool history = false;  ///< changes the stiffness from log to log by what was before, as a gain of each log does
   bool sensor = false;   ///< an error of the force channel: nothing that the motion causes
+  /// Further laws of few numbers, at the places where a fit of all their numbers may start: after the verdict one of
+  /// these, or a few of the terms, stands for the effect.
+  std::vector<BasisTerm> laws = {};
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

@@ -21,7 +21,10 @@ Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const Mo
 }
 
 double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  const auto simulated = forces_.at(hypothesis, parameters);
+  return gapOf(hypothesis.free_in_log, forces_.at(hypothesis, parameters));
+}
+
+double Fitter::gapOf(FreeInLog free, const std::optional<std::vector<Eigen::VectorXd>>& simulated) const {
   if (!simulated) {
     return std::numeric_limits<double>::infinity();
   }
@@ -30,7 +33,7 @@ double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parame
     const log::Record& record = records()[r];
     const Eigen::VectorXd residual = record.withoutRig(record.force - (*simulated)[r]);
     double square = residual.squaredNorm();
-    if (hypothesis.free_in_log.gain) {
+    if (free.gain) {
       const Eigen::VectorXd force = record.withoutRig((*simulated)[r]);
       const double norm = force.squaredNorm();
       square -= norm > 0.0 ? std::pow(force.dot(residual), 2) / norm : 0.0;

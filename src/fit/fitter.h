@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,12 @@ class Fitter final : public HypothesisFitter {
       : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
+  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }
   const HypothesisForces& forces() const { return forces_; }
+  const std::vector<double>& weights() const { return weights_; }
+
+  /// Gap of these forces [N], without what is free in each log.
+  double gapOf(FreeInLog free, const std::optional<std::vector<Eigen::VectorXd>>& simulated) const;
 
   double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
 

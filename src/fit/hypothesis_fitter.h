@@ -62,6 +62,9 @@ class HypothesisFitter {
   /// Gap at a parameter vector, without any fit; infinite where it has no model.
   virtual double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
 
+  /// That what is measured errs by, in units of the force's standard deviation.
+  double noise() const { return noise_; }
+
   /// Regularisation penalty of model parameters at these logarithms, as a gap.
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
 

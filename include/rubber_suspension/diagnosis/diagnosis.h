@@ -206,7 +206,13 @@ struct Diagnosis {
   ProposedExperiment proposed;  ///< its displacement
   io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
-  io::ComponentDescription augmented;  ///< re-estimated, with the effects named
+  /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
+  io::ComponentDescription augmented;
+  io::ComponentDescription augmented_full;  ///< the same with the laws that were judged, all their numbers in full
+  bool write_full_law = false;              ///< the report has augmented_full.yaml
+  double gap_of_full_law = 0.0;             ///< of that one, as `gap.augmented` is of the simplest law
+  std::vector<SizedValue> written;          ///< numbers of `augmented` in full, by their places (io::numberPlace)
+  int finer = 0;                            ///< digits to which they are rounded, beyond a tenth of half the interval
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
 
@@ -257,7 +263,8 @@ std::string toHtml(const Diagnosis& diagnosis);
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, surrogate.yaml and
+/// Write the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
+/// for, next_experiment.csv, surrogate.yaml and
 /// missing_force.csv where there is a surrogate, evidence.json where it was asked for, the numbers of its figures, and
 /// report.html last. Nothing takes its name before all are written; what an earlier report left there and this one
 /// lacks is removed. Throws std::runtime_error.

@@ -19,8 +19,8 @@
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/recorded_gap.h"
-#include "diagnosis/results/sizes.h"
 #include "diagnosis/results/surrogate.h"
+#include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -46,7 +46,11 @@ class Describer {
     result_.verdict = toString(judgement_.verdict);
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    result_.augmented = augmentedDescription(prepared_.model, judged_);
+    law_ = writtenLaw(prepared_, search_.candidates, judged_, options_);
+    result_.augmented = law_.component;
+    result_.augmented_full = law_.full;
+    result_.gap_of_full_law = law_.full_gap;
+    result_.finer = law_.finer;
     simulateAll();
     measureCandidates();
     measureGap();
@@ -118,7 +122,7 @@ class Describer {
   // Noise is no more than what any of the models leaves.
   void boundFloor() {
     Gap& gap = result_.gap;
-    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
+    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented, law_.full_gap});
     for (const auto& errors : of_candidates_) {
       gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
     }
@@ -126,12 +130,12 @@ class Describer {
 
   void measureGap() {
     noise_ = search_.record_noise;
+    after_ = law_.errors;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
       before_ = unseenParts(Evidence::kReEstimated);
-      after_ = unseenParts(judgement_.model);
       const std::vector<double> floors =
-          noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
+          noiseFloors(law_.full.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                       noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
@@ -139,7 +143,6 @@ class Describer {
                      gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
     } else {
       before_ = search_.re_estimated.fit.blocks;
-      after_ = judged_.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();
@@ -150,7 +153,7 @@ class Describer {
   // Of what is named; the logs that the gap is of are further logs, too.
   std::array<double, 2> intervalOnFurtherLogs() const {
     std::vector<LogErrors> logs;
-    addLogs(search_.re_estimated.fit.blocks, judged_.fit.blocks, 0, logs);
+    addLogs(search_.re_estimated.fit.blocks, law_.blocks, 0, logs);
     if (hasUnseenLogs()) {
       addLogs(before_, after_, workings_->training, logs);
     }
@@ -247,7 +250,7 @@ class Describer {
   // What the rig did to each log, by what the best model leaves of it.
   void describeRig() {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = result_.augmented.allElements();
+    const auto elements = law_.full.allElements();
     for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
       const auto found = rigFindings(elements, tolerances, *records);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
@@ -293,9 +296,9 @@ class Describer {
     const fit::Fit& joint = search_.re_estimated.fit;
     result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
     result_.by_log = parametersByLog(prepared_.fitter, joint);
-    Sizes sizes = sizesOf(prepared_.fitter, search_.candidates, judged_, options_);
-    result_.model_sizes = std::move(sizes.model);
-    result_.effect_sizes = std::move(sizes.effects);
+    result_.model_sizes = law_.sizes.model;
+    result_.effect_sizes = law_.sizes.effects;
+    result_.written = law_.sizes.written;
   }
 
   void describeJudgement() {
@@ -352,6 +355,7 @@ class Describer {
   const Search& search_;
   const Judgement& judgement_;
   const FittedHypothesis& judged_;
+  WrittenLaw law_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   std::vector<gap::PartError> after_;

@@ -28,7 +28,7 @@ std::string nameOf(const SizedValue& size) {
 // Entries of one type, which stand in the file one by one.
 std::string addedText(const std::vector<element::ElementDescription>& entries) {
   std::string values;
-  for (const HeadlineValue& value : shortHeadlineOf(entries)) {
+  for (const HeadlineValue& value : headlineValuesOf(entries)) {
     const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : spoken(value.name),
                           quantity(value.value, value.unit));

@@ -1,0 +1,28 @@
+// After the verdict: the law with the fewest numbers that says as much of each effect as the one that was judged.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/results/law_fit.h"
+#include "fit/fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// The hypothesis as it was judged, each member by all its terms.
+FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
+
+struct SimplestLaw {
+  FittedLaw fitted;
+  std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
+};
+
+/// For each member in turn the law with the fewest numbers whose gap is that of the full law but for what no law of the
+/// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
+/// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
+/// its terms. Laws are one to three of the terms of the candidate or of its `laws`, at their best places; gaps are those
+/// of the logs held out, or else of held-out blocks.
+SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+                        const FittedHypothesis& judged, const std::vector<log::Record>& held_out, int threads);
+
+}  // namespace rubber_suspension::diagnosis
