@@ -21,6 +21,7 @@
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
+#include "diagnosis/results/model_values.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
 #include "io/progress.h"
@@ -347,8 +348,10 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\n{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis),
-             toText(diagnosis.comparison), options.output);
+  const std::string whole = diagnosis::wholeText(diagnosis);
+  fmt::print("{}\n{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
+             whole.empty() ? "" : whole + "\n", excerptsTaken(diagnosis), toText(diagnosis.comparison),
+             options.output);
   return kSuccess;
 }
 

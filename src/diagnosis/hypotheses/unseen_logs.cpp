@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/results/augmented.h"
@@ -27,17 +29,25 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const NoiseLimit& limit) {
-  const gap::Forces predicted = predict(model, fitted, records);
-  UnseenErrors errors;
-  errors.parts = partErrorsOf(fitted.hypothesis, records, predicted);
-  for (gap::PartError& part : errors.parts) {  // a law that gives way under some motion explains none of it
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  return unseenErrors(fitted.hypothesis, *fit::elementsOf(model, fitted.hypothesis, fitted.fit.parameters),
+                      predict(model, fitted, records), records, zeros);
+}
+
+UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
+                          const gap::Forces& predicted, const std::vector<log::Record>& records,
+                          const std::vector<fit::DisplacementZero>& zeros) {
+  if (hypothesis.free_in_log.zero) {
+    std::vector<Eigen::VectorXd> columns;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
+    }
+    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
+  }
+  UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
+  for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
-  errors.gap = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(),
-                                               freeOfNoise(fitted.hypothesis), predicted, records, limit),
-                                   records);
   return errors;
 }
 
@@ -48,7 +58,8 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
   }
   std::vector<log::Record> freed;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
+    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r],
+                                       hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd()));
   }
   return gap::partErrors(freed, simulated);
 }

@@ -2,6 +2,7 @@
 #include "diagnosis/report/first_screen.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +16,16 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-std::string meaningOf(const std::string& verdict) {
-  static const std::map<std::string, std::string> meanings = {
-      {"none", "no gap beyond the noise"},
-      {"parameter_error", "the model's own values are off; nothing is missing"},
-      {"named", "the model lacks what is named here"},
-      {"partly", "the model lacks what is named here, and something else"},
-      {"confounded", "the effects of a set cannot be told apart here"},
-      {"unknown", "no effect of the list explains the gap"},
-      {"check_bench", "a log cannot be what it says"}};
-  const auto found = meanings.find(verdict);
-  return found == meanings.end() ? "" : found->second;
+std::string meaningOf(Verdict verdict) {
+  static const std::map<Verdict, std::string> meanings = {
+      {Verdict::none, "no gap beyond the noise"},
+      {Verdict::parameter_error, "the model's own values are off; nothing is missing"},
+      {Verdict::named, "the model lacks what is named here"},
+      {Verdict::partly, "the model lacks what is named here, and something else"},
+      {Verdict::confounded, "several sets of effects cannot be told apart here"},
+      {Verdict::unknown, "no effect of the list explains the gap"},
+      {Verdict::check_bench, "a log cannot be what it says"}};
+  return meanings.at(verdict);
 }
 
 std::string fact(const std::string& title, const std::string& html) {
@@ -52,28 +52,28 @@ std::string effectsHtml(const Diagnosis& d) {
 std::string sizesHtml(const Diagnosis& d) {
   std::string html;
   for (const SizedValue& size : d.effect_sizes) {
-    const std::string name =
-        size.owner == "friction" && size.name == "displacement" ? "half of the force at" : escape(spoken(size.name));
     html += fmt::format("{}{}{} {}", html.empty() ? "" : "<br>",
-                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", name, quantity(size));
+                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
+                        quantity(size));
   }
   for (const SizedValue* size : changedValues(d)) {
     html += (html.empty() ? "" : "<br>") + escape(d.effects.empty() ? offText(*size) : besideText(*size)) +
             "; 95 %: " + intervalText(*size);
   }
-  return html;
+  const std::string whole = escape(wholeText(d));
+  return html + (html.empty() || whole.empty() ? "" : "<br>") + whole;
 }
 
 std::string sureHtml(const Diagnosis& d) {
   if (!d.workings) {
     return "";
   }
-  if (d.verdict == "unknown") {
+  if (d.verdict == Verdict::unknown) {
     return fmt::format("{} % that it is no effect of the list", chance(d.posterior.none_of_these));
   }
   if (d.effects.empty()) {
     const double above = d.gap.as_configured - d.gap.noise_floor;
-    return d.verdict != "parameter_error" || !(above > 0.0)
+    return d.verdict != Verdict::parameter_error || !(above > 0.0)
                ? ""
                : fmt::format("the values alone close {} % of the gap above the noise",
                              wholePercent(std::min(1.0, (d.gap.as_configured - d.gap.re_estimated) / above)));
@@ -82,14 +82,15 @@ std::string sureHtml(const Diagnosis& d) {
   for (const std::string& effect : d.effects) {
     const CandidateResult* const candidate = candidateOf(d, effect);
     if (candidate != nullptr && effect == d.effects.front()) {
-      html = fmt::format("{} % that {} is the most important effect", chance(candidate->probability),
-                         escape(spoken(effect)));
+      html = fmt::format("{} % that {} is at work", chance(candidate->probability), escape(spoken(effect)));
     }
   }
-  for (const auto& set : d.confounded) {
-    if (set.size() > 1) {
-      html += "<br>not to be told apart here: " + escape(enumerated(set));
+  if (d.confounded.size() > 1) {
+    std::vector<std::string> sets;
+    for (const auto& set : d.confounded) {
+      sets.push_back(fmt::format("{}", fmt::join(set, " + ")));
     }
+    html += "<br>not to be told apart here: " + escape(enumerated(sets));
   }
   return html;
 }
@@ -101,9 +102,11 @@ std::string leftHtml(const Diagnosis& d) {
   std::string html = fmt::format("gap {} as configured, {} re-estimated, <b>{} after</b>; noise floor {}",
                                  percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
                                  percent(d.gap.noise_floor));
+  html += d.effects.empty() ? "" : fmt::format("; {} with all numbers of the law", percent(d.gap_of_full_law));
   if (!d.effects.empty()) {
     html +=
-        fmt::format("<br>closes {} % (95 % on further logs: {} to {} %) of what re-estimation leaves above the noise",
+        fmt::format("<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
+                    "cannot remove",
                     wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
                     wholePercent(std::min(1.0, d.closed_interval[1])));
   }
@@ -148,7 +151,7 @@ std::string howToPlay(const Diagnosis& d) {
 std::string firstScreen(const Diagnosis& d, const std::string& loop) {
   const std::string play = howToPlay(d);
   const std::string facts =
-      fact("Verdict", fmt::format("<b>{}</b>: {}", escape(d.verdict), meaningOf(d.verdict))) +
+      fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.verdict), meaningOf(d.verdict))) +
       fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
       fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) + fact("Where", whereHtml(d)) +
       fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));

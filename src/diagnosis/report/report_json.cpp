@@ -130,10 +130,28 @@ ordered_json parametersJson(const Diagnosis& diagnosis) {
   return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
+ordered_json alternativeJson(const Alternative& other) {
+  return {{"verdict", toString(other.verdict)},
+          {"effects", other.effects},
+          {"probability", number(other.probability)}};
+}
+
 ordered_json sizeJson(const SizedValue& size) {
   return {{"owner", size.owner},         {"name", size.name},
           {"unit", size.unit},           {"configured", number(size.configured)},
-          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)}};
+          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)},
+          {"at_bound", size.at_bound}};
+}
+
+ordered_json wholeJson(const WholeStiffness& whole) {
+  const auto at = [&](std::size_t i) {
+    return ordered_json{{"stiffness", number(whole.stiffness[i])}, {"loss_angle_rad", number(whole.loss_angle[i])}};
+  };
+  return {{"frequency_hz", whole.frequency},
+          {"amplitude_m", whole.amplitude},
+          {"amplitude_from", whole.nominal_amplitude ? "nominal_amplitude" : "median of the logs"},
+          {"before", at(0)},
+          {"after", at(1)}};
 }
 
 // What made the report; nothing where it was made by a program that says nothing of itself.
@@ -180,7 +198,8 @@ std::string toJson(const Diagnosis& diagnosis) {
   ordered_json report = {
       {"schema", "rubber_suspension/gap_report/1"},
       {"component", diagnosis.component},
-      {"verdict", diagnosis.verdict},
+      {"verdict", toString(diagnosis.verdict)},
+      {"probability", number(diagnosis.probability)},
       {"sentence", diagnosis.sentence},
       {"effects", diagnosis.effects},
       {"gap",
@@ -197,6 +216,7 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"rig_findings", list(diagnosis.rig_findings, findingJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
+      {"alternatives", list(diagnosis.alternatives, alternativeJson)},
       {"candidates", list(diagnosis.candidates, candidateJson)},
       {"probability_none_of_these", number(diagnosis.posterior.none_of_these)},
       {"posterior",
@@ -209,6 +229,7 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
       {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
       {"written", list(diagnosis.written, sizeJson)},
+      {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
       {"augmented_full_add", entries(diagnosis.augmented_full.add)},
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},

@@ -26,6 +26,7 @@ const Display& displayOf(const std::string& unit, double size) {
       {"N/m", {{1e5, 1e6, "kN/mm"}, {0.0, 1e3, "N/mm"}}},
       {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
       {"N s/m", {{1e3, 1e3, "kN s/m"}, {0.0, 1.0, "N s/m"}}},
+      {"1/K", {{0.0, 0.01, "%/K"}}},
       {"J", {{1e3, 1e3, "kJ"}, {0.0, 1.0, "J"}}},
   };
   static const Display as_it_is{0.0, 1.0, ""};
@@ -96,7 +97,9 @@ std::string intervalText(const SizedValue& size) {
          text(size.interval_95[0], digits) == text(size.interval_95[1], digits)) {
     ++digits;
   }
-  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit);
+  const char* const ends[] = {"", ", the lower end is a bound", ", the upper end is a bound", ", both are bounds"};
+  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit) +
+         ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
 }
 
 std::string quantity(const SizedValue& size) {
@@ -107,6 +110,10 @@ std::string spoken(const std::string& name) {
   std::string result = name;
   std::replace(result.begin(), result.end(), '_', ' ');
   return result;
+}
+
+std::string sizeName(const SizedValue& size) {
+  return size.owner == "friction" && size.name == "displacement" ? "half of it at" : spoken(size.name);
 }
 
 std::string symbolOf(const std::string& name) {

@@ -79,8 +79,7 @@ Entries MemberLaw::at(const Eigen::VectorXd& scales) const {
 }
 
 fit::Hypothesis Law::hypothesis() const {
-  fit::Hypothesis result;
-  result.free_in_log = free_in_log;
+  fit::Hypothesis result = about;
   for (const MemberLaw& law : members) {
     result.members.push_back(law.member);
     result.terms.insert(result.terms.end(), law.terms.begin(), law.terms.end());
@@ -209,19 +208,18 @@ LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law)
 }
 
 double LawFitter::gapAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters) const {
-  return fitter_.gapOf(hypothesis.free_in_log, forces_.at(parameters));
+  return fitter_.gapOf(hypothesis, forces_.at(parameters));
 }
 
 fit::BlockGrams LawFitter::normalEquationsAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
                                              fit::FreeInLog free, const std::vector<bool>& active, int threads) const {
-  (void)hypothesis;
-  (void)active;
+  (void)active;  // few unknowns, all of which move
   const auto base = forces_.at(parameters);
   if (!base) {
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
   }
   return fit::normalEquations(fitter_.records(), fitter_.weights(), *base, forces_.columns(parameters, *base), free,
-                              threads);
+                              threads, nullptr, hypothesis.by_zero);
 }
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,

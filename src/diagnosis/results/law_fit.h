@@ -42,7 +42,8 @@ struct MemberLaw {
 /// All members of a hypothesis.
 struct Law {
   std::vector<MemberLaw> members;
-  fit::FreeInLog free_in_log;
+  fit::Hypothesis about;  ///< what is free in each log; without terms
+
 
   /// What the fit needs of it: bounds of each unknown.
   fit::Hypothesis hypothesis() const;
@@ -103,7 +104,7 @@ class LawFitter final : public fit::HypothesisFitter {
 };
 
 /// Force of a fitted law over records, each of them recorded on a new component [N], from the displacement smoothed as
-/// for the fits.
+/// for the fits: the noise of its sensor is the rig's.
 gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
                     const std::vector<log::Record>& records);
 

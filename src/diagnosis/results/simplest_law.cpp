@@ -132,7 +132,7 @@ class Subsets {
 class Chooser {
  public:
   Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& judged,
-          const std::vector<log::Record>& held_out, int threads)
+          const HeldOut& held_out, int threads)
       : fitter_(fitter), candidates_(candidates), judged_(judged), held_out_(held_out), threads_(threads) {}
 
   SimplestLaw run() {
@@ -258,22 +258,21 @@ class Chooser {
       to += size;
       of += static_cast<Eigen::Index>(result_.fitted.law.members[i].size());
     }
-    simple.fit = fitter.fit(hypothesis, from, kSteps);
+    simple.fit = fitter.fit(hypothesis, from, {kSteps});
     return simple;
   }
 
   double gapOf(const FittedLaw& fitted) const {
-    if (held_out_.empty()) {
+    if (held_out_.records.empty()) {
       return fitted.fit.held_out;
     }
-    return gap::gapOfParts(
-        partErrorsOf(fitted.law.hypothesis(), held_out_, predict(fitter_.model(), fitted, held_out_)));
+    return gap::gapOfParts(unseenErrors(fitter_.model(), fitted, held_out_));
   }
 
   const fit::Fitter& fitter_;
   const std::vector<fit::Candidate>& candidates_;
   const FittedHypothesis& judged_;
-  const std::vector<log::Record>& held_out_;
+  const HeldOut& held_out_;
   const int threads_;
   fit::Hypothesis extended_;
   Eigen::VectorXd scales_;     // of its terms in the full law
@@ -287,7 +286,8 @@ class Chooser {
 
 FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
   FittedLaw result{{}, judged.fit};
-  result.law.free_in_log = judged.hypothesis.free_in_log;
+  result.law.about.free_in_log = judged.hypothesis.free_in_log;
+  result.law.about.by_zero = judged.hypothesis.by_zero;
   std::vector<double> scales;
   Eigen::Index next = 0;
   for (const int member : judged.hypothesis.members) {
@@ -307,8 +307,29 @@ FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candida
   return result;
 }
 
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::string> effects;
+  for (const MemberLaw& member : law.members) {
+    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
+  }
+  return effects;
+}
+
+std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
+                                         const HeldOut& held_out, const gap::Forces& besides) {
+  gap::Forces forces = predict(model, fitted, held_out.records);
+  for (std::size_t r = 0; r < besides.size(); ++r) {
+    forces[r] += besides[r];
+  }
+  auto elements = *model.elements(fitted.fit.parameters.model);
+  for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
+    elements.insert(elements.end(), entries.begin(), entries.end());
+  }
+  return unseenErrors(fitted.law.hypothesis(), elements, forces, held_out.records, held_out.zeros);
+}
+
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const FittedHypothesis& judged, const std::vector<log::Record>& held_out, int threads) {
+                        const FittedHypothesis& judged, const HeldOut& held_out, int threads) {
   return Chooser(fitter, candidates, judged, held_out, threads).run();
 }
 

@@ -1,16 +1,31 @@
 // After the verdict: the law with the fewest numbers that says as much of each effect as the one that was judged.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
 #include "diagnosis/results/law_fit.h"
 #include "fit/fitter.h"
+#include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 
+/// Logs that take no part in the fit, and what is known of the zeros of their displacement.
+struct HeldOut {
+  const std::vector<log::Record>& records;
+  const std::vector<fit::DisplacementZero>& zeros;
+};
+
 /// The hypothesis as it was judged, each member by all its terms.
 FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
+
+/// Names of its members.
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates);
+
+/// Errors of parts of the logs held out under a fitted law, with forces besides [N] where there are any.
+std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
+                                         const HeldOut& held_out, const gap::Forces& besides = {});
 
 struct SimplestLaw {
   FittedLaw fitted;
@@ -23,6 +38,6 @@ struct SimplestLaw {
 /// its terms. Laws are one to three of the terms of the candidate or of its `laws`, at their best places; gaps are those
 /// of the logs held out, or else of held-out blocks.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const FittedHypothesis& judged, const std::vector<log::Record>& held_out, int threads);
+                        const FittedHypothesis& judged, const HeldOut& held_out, int threads);
 
 }  // namespace rubber_suspension::diagnosis

@@ -206,16 +206,17 @@ class Resampling {
       const auto found = std::find_if(configured.begin(), configured.end(),
                                       [&](const Value& other) { return other.key == value.key; });
       size.configured = found == configured.end() ? size.configured : found->value;
-      size.interval_95 = interval(value, may_vanish);
+      predict(value, may_vanish, size);
       result.push_back(std::move(size));
     }
     return result;
   }
 
-  std::array<double, 2> interval(const Value& value, bool may_vanish) const {
+  void predict(const Value& value, bool may_vanish, SizedValue& size) const {
     const auto found = draws_.find(value.key);
     if (found == draws_.end()) {
-      return {value.value, value.value};
+      size.interval_95 = {value.value, value.value};
+      return;
     }
     std::vector<double> draws = found->second;
     if (may_vanish && value.is_scale) {
@@ -225,7 +226,10 @@ class Resampling {
     const auto at = [&](double share) {
       return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
     };
-    return {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    size.interval_95 = {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    // A bound gathers all draws that would lie beyond it.
+    const bool spread = draws.front() < draws.back();
+    size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
   }
 
   const fit::HypothesisFitter& fitter_;

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/results/augmented.h"
 #include "diagnosis/results/rounding.h"
 #include "diagnosis/results/simplest_law.h"
 
@@ -42,17 +40,15 @@ double roundTo(const io::ComponentDescription& exact, const std::vector<log::Rec
   return 1.0;
 }
 
-// What a mass may not look ahead for costs the component alone: the law's force, and what rounding changes.
-std::vector<gap::PartError> errorsHeldOut(const PreparedCase& prepared, const FittedLaw& fitted,
-                                          const io::ComponentDescription& exact,
-                                          const io::ComponentDescription& component) {
-  gap::Forces forces = predict(prepared.model, fitted, prepared.held_out);
-  const gap::Forces before = smoothedForces(exact, prepared.held_out);
-  const gap::Forces after = smoothedForces(component, prepared.held_out);
-  for (std::size_t r = 0; r < forces.size(); ++r) {
-    forces[r] += after[r] - before[r];
+// What rounding adds to the force of the logs held out: that of a mass itself samples to come tell better.
+gap::Forces byRounding(const io::ComponentDescription& exact, const io::ComponentDescription& component,
+                       const std::vector<log::Record>& records) {
+  const gap::Forces before = smoothedForces(exact, records);
+  gap::Forces change = smoothedForces(component, records);
+  for (std::size_t r = 0; r < change.size(); ++r) {
+    change[r] -= before[r];
   }
-  return partErrorsOf(fitted.law.hypothesis(), prepared.held_out, forces);
+  return change;
 }
 
 io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::ParameterVector& parameters,
@@ -70,30 +66,27 @@ io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::Pa
 
 WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
                       const FittedHypothesis& judged, const DiagnosisOptions& options) {
-  const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, prepared.held_out, options.threads);
+  const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
+  const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, options.threads);
   const FittedLaw full = fullLaw(judged, candidates);
-  std::vector<std::string> effects;
-  for (const MemberLaw& member : simple.fitted.law.members) {
-    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
-  }
   const LawFitter fitter(prepared.fitter, simple.fitted.law);
   WrittenLaw law;
-  law.sizes = sizesOf(fitter, simple.fitted, simple.form_error, effects, options);
+  law.sizes =
+      sizesOf(fitter, simple.fitted, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
   law.full = componentOf(prepared, full.fit.parameters, full.law.at(full.fit.parameters.scales));
   const auto exact =
       componentOf(prepared, simple.fitted.fit.parameters, simple.fitted.law.at(simple.fitted.fit.parameters.scales));
   const double ratio = roundTo(exact, prepared.training, law);
-  law.blocks = simple.fitted.fit.blocks;
-  for (gap::PartError& error : law.blocks) {
-    error.error *= ratio;
-  }
   if (prepared.held_out.empty()) {
-    law.errors = law.blocks;
+    law.errors = simple.fitted.fit.blocks;
+    for (gap::PartError& error : law.errors) {
+      error.error *= ratio;
+    }
     law.full_gap = gap::gapOfParts(judged.fit.blocks);
   } else {
-    law.errors = errorsHeldOut(prepared, simple.fitted, exact, law.component);
-    law.full_gap = gap::gapOfParts(
-        partErrorsOf(full.law.hypothesis(), prepared.held_out, predict(prepared.model, full, prepared.held_out)));
+    law.errors = unseenErrors(prepared.model, simple.fitted, held_out,
+                              byRounding(exact, law.component, prepared.held_out));
+    law.full_gap = gap::gapOfParts(unseenErrors(prepared.model, full, held_out));
   }
   return law;
 }

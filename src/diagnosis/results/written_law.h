@@ -13,7 +13,6 @@ struct WrittenLaw {
   io::ComponentDescription component;  ///< rounded, as its file reads back
   io::ComponentDescription full;       ///< the law as judged, with all its numbers in full
   std::vector<gap::PartError> errors;  ///< of the rounded one, on the logs held out, or else on held-out blocks
-  std::vector<gap::PartError> blocks;  ///< held-out blocks of the simplest law on the logs of the fit
   double full_gap = 0.0;               ///< of the full law, on the same
   Sizes sizes;                         ///< of the simplest law, in full
   int finer = 0;                       ///< digits that rounding takes beyond a tenth of half an interval

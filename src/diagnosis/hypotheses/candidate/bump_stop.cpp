@@ -16,7 +16,6 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
       candidate.laws.push_back(fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness, of_rubber));
     }
   }
-  candidate.contains = {"progressive_stiffness", "asymmetric_stiffness"};  // by many small knees
   return candidate;
 }
 
