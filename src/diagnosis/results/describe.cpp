@@ -47,7 +47,8 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    law_ = writtenLaw(prepared_, search_.candidates, judged_, options_);
+    before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
+    law_ = writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_);
     result_.augmented = law_.component;
     result_.augmented_full = law_.full;
     result_.gap_of_full_law = law_.full_gap;
@@ -134,7 +135,6 @@ class Describer {
     after_ = law_.errors;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
-      before_ = unseenParts(Evidence::kReEstimated);
       const std::vector<double> floors =
           noiseFloors(law_.full.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
@@ -143,7 +143,6 @@ class Describer {
       result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
                      gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
     } else {
-      before_ = search_.re_estimated.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();

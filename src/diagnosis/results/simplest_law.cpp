@@ -132,8 +132,8 @@ class Subsets {
 class Chooser {
  public:
   Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& judged,
-          const HeldOut& held_out, int threads)
-      : fitter_(fitter), candidates_(candidates), judged_(judged), held_out_(held_out), threads_(threads) {}
+          const HeldOut& held_out, double before, int threads)
+      : fitter_(fitter), candidates_(candidates), judged_(judged), held_out_(held_out), before_(before), threads_(threads) {}
 
   SimplestLaw run() {
     result_.fitted = fullLaw(judged_, candidates_);
@@ -142,12 +142,14 @@ class Chooser {
     }
     linearise();
     const JudgeNumbers& numbers = fittedNumbers();
-    double allowed = std::pow(gapOf(result_.fitted), 2) + std::pow(numbers.accepted, 2);
+    const double full = std::pow(gapOf(result_.fitted), 2);
+    const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
+    double allowed = full + std::pow(numbers.accepted, 2);
     for (std::size_t m = 0; m < own_.size(); ++m) {
       result_.form_error.push_back((candidateOf(m).on_rig ? numbers.form_error_on_rig : numbers.form_error) *
                                    addedBy(m));
       allowed += std::pow(result_.form_error[m], 2);
-      simplify(m, allowed);
+      simplify(m, std::min(allowed, most));
     }
     return std::move(result_);
   }
@@ -273,6 +275,7 @@ class Chooser {
   const std::vector<fit::Candidate>& candidates_;
   const FittedHypothesis& judged_;
   const HeldOut& held_out_;
+  const double before_;
   const int threads_;
   fit::Hypothesis extended_;
   Eigen::VectorXd scales_;     // of its terms in the full law
@@ -329,8 +332,8 @@ std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, cons
 }
 
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
-                        const FittedHypothesis& judged, const HeldOut& held_out, int threads) {
-  return Chooser(fitter, candidates, judged, held_out, threads).run();
+                        const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads) {
+  return Chooser(fitter, candidates, judged, held_out, before, threads).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

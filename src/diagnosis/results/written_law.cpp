@@ -65,9 +65,9 @@ io::ComponentDescription componentOf(const PreparedCase& prepared, const fit::Pa
 }  // namespace
 
 WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                      const FittedHypothesis& judged, const DiagnosisOptions& options) {
+                      const FittedHypothesis& judged, double before, const DiagnosisOptions& options) {
   const HeldOut held_out{prepared.held_out, prepared.zeros.held_out};
-  const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, options.threads);
+  const SimplestLaw simple = simplestLaw(prepared.fitter, candidates, judged, held_out, before, options.threads);
   const FittedLaw full = fullLaw(judged, candidates);
   const LawFitter fitter(prepared.fitter, simple.fitted.law);
   WrittenLaw law;

@@ -18,8 +18,8 @@ struct WrittenLaw {
   int finer = 0;                       ///< digits that rounding takes beyond a tenth of half an interval
 };
 
-/// Of the hypothesis that was judged.
+/// Of the hypothesis that was judged. `before`: gap of the re-estimated model.
 WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candidate>& candidates,
-                      const FittedHypothesis& judged, const DiagnosisOptions& options);
+                      const FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis
