@@ -69,7 +69,7 @@ std::string originOf(const Diagnosis& d, double gap) {
   const std::string by = d.run.version.empty() ? "" : fmt::format("rubber_suspension {}, {}; ", d.run.version, d.run.date);
   return fmt::format("# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
                      "noise floor {}.\n",
-                     d.component, by, d.verdict, log::oneLine(logsOf(d)), percent(d.gap.as_configured),
+                     d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), percent(d.gap.as_configured),
                      percent(d.gap.re_estimated), percent(gap), percent(d.gap.noise_floor));
 }
 
