@@ -345,8 +345,8 @@ class Analysis {
     }
     std::string others;
     for (std::size_t i = 0; i < set.size(); ++i) {
-      others += i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i].cause,
-                                         sureOf(set[i].cause));
+      others +=
+          i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i].cause, sureOf(set[i].cause));
     }
     type_.changed.push_back(
         {place, verdictOf(component), set[best].cause == kWrongValues ? kWrongValues : "named: " + set[best].cause,
@@ -429,8 +429,7 @@ class Analysis {
       const FleetComponent& component = type_.components[i];
       const bool gain = hasGainBesideValues(component);
       if ((component.verdict != Verdict::parameter_error && !gain) || standsOut(i) || isOnSoftRig(component) ||
-          isChanged(i) ||
-          (gain && !common.empty() && !factorIsDecided(component))) {
+          isChanged(i) || (gain && !common.empty() && !factorIsDecided(component))) {
         continue;
       }
       if (isDecided(component, RigCause::factor)) {

@@ -27,7 +27,8 @@ struct ParameterChange {
 
 using ParameterChanges = std::map<std::string, ParameterChange>;  ///< by name
 
-/// What may be the cause, by a component's own logs: effects, or "parameter_error" where values may be all that is wrong.
+/// What may be the cause, by a component's own logs: effects, or "parameter_error" where values may be all that is
+/// wrong.
 struct OwnExplanation {
   std::string cause;  ///< "friction + creep"
   double probability = 0.0;
@@ -37,7 +38,7 @@ struct OwnExplanation {
 struct FleetComponent {
   std::string id;  ///< of its job
   std::string name;
-  std::string report;                                ///< path relative to the campaign's folder; may be empty
+  std::string report;                         ///< path relative to the campaign's folder; may be empty
   std::optional<diagnosis::Verdict> verdict;  ///< none for estimate
   std::vector<std::string> effects;           ///< named
   std::vector<OwnExplanation> explanations;   ///< by its own logs, what is said first

@@ -34,10 +34,10 @@ inline double probabilityOf(const Diagnosis& d, const std::string& effect) {
 inline void checkAnswers(const Diagnosis& d) {
   const diagnosis::Posterior& p = d.posterior;
   EXPECT_NEAR(p.none + p.parameter_error + p.effects + p.none_of_these, 1.0, kRounding);
-  const double said = namesEffects(d.verdict)                              ? p.effects
-                      : d.verdict == diagnosis::Verdict::none              ? p.none
-                      : d.verdict == diagnosis::Verdict::parameter_error   ? p.parameter_error
-                                                                           : p.none_of_these;
+  const double said = namesEffects(d.verdict)                            ? p.effects
+                      : d.verdict == diagnosis::Verdict::none            ? p.none
+                      : d.verdict == diagnosis::Verdict::parameter_error ? p.parameter_error
+                                                                         : p.none_of_these;
   EXPECT_GE(said, std::max({p.none, p.parameter_error, p.effects, p.none_of_these}) - kRounding);
   double sum = d.probability;
   double last = 1.0;
@@ -49,8 +49,8 @@ inline void checkAnswers(const Diagnosis& d) {
   EXPECT_LE(sum, 1.0 + kRounding);
 }
 
-/// Effects where the verdict names any, their set first of those that cannot be told apart; no other set holds an effect
-/// that the table gives below 2 %.
+/// Effects where the verdict names any, their set first of those that cannot be told apart; no other set holds an
+/// effect that the table gives below 2 %.
 inline void checkSets(const Diagnosis& d) {
   EXPECT_EQ(!d.effects.empty(), namesEffects(d.verdict));
   EXPECT_EQ(d.confounded.empty(), d.effects.empty());

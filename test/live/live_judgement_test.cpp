@@ -163,8 +163,8 @@ TEST(LiveJudgement, ANameIsTakenBackByTwoLooksThatAgree) {
 }
 
 TEST(LiveJudgement, OtherVerdictsNeedTwoLooks) {
-  for (const auto verdict : {diagnosis::Verdict::parameter_error, diagnosis::Verdict::unknown,
-                             diagnosis::Verdict::check_bench}) {
+  for (const auto verdict :
+       {diagnosis::Verdict::parameter_error, diagnosis::Verdict::unknown, diagnosis::Verdict::check_bench}) {
     LiveJudgement judgement;
     judgement.addLook({verdict, {}});
     EXPECT_EQ(judgement.now().verdict, std::nullopt);

@@ -35,8 +35,8 @@ struct DiagnosisOptions {
   int threads = 2;
   /// Called with the stage's name and the fraction done.
   std::function<void(const std::string& stage, double fraction)> progress;
-  unsigned seed = 1;  ///< of the draws for intervals
-  int resamplings = 400;  ///< draws
+  unsigned seed = 1;        ///< of the draws for intervals
+  int resamplings = 400;    ///< draws
   ExperimentLimits limits;  ///< of the experiment that is proposed
   bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process

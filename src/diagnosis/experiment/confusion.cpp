@@ -75,8 +75,8 @@ class EffectRow {
       row.visible_share = std::max(row.visible_share, implant->hidden_by_rig ? 0.0 : implant->model.gap);
       const Answer answer = answerTo(*implant, size);
       outcomes[outcomeOf(answer, effect_)] += share;
-      (answer.effects.empty() ? row.nothing_named
-                              : row.named_as[static_cast<std::size_t>(answer.effects.front())]) += share;
+      (answer.effects.empty() ? row.nothing_named : row.named_as[static_cast<std::size_t>(answer.effects.front())]) +=
+          share;
       for (const int other : othersOf(answer)) {
         in_its_place[other] += share;
       }

@@ -43,8 +43,7 @@ void normalise(std::vector<double>& weights) {
 
 std::vector<Explanation> explanationsOf(const Workings& workings) {
   const ScoreTable table = scoreTable(workings.evidence);
-  const Eigen::ArrayXd expected =
-      (expectedSquares(table, fittedNumbers()).matrix() * table.weight.matrix()).array();
+  const Eigen::ArrayXd expected = (expectedSquares(table, fittedNumbers()).matrix() * table.weight.matrix()).array();
   std::vector<Explanation> explanations;
   std::vector<double> weights;
   for (const auto& [probability, hypothesis] : rankedHypotheses(workings, table)) {

@@ -18,8 +18,8 @@ struct Explanation {
 /// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// Probabilities of explanations once there is one log more beside `logs`, of which each leaves these squares beyond the
-/// noise: by the score of the judgement, in which all logs count alike.
+/// Probabilities of explanations once there is one log more beside `logs`, of which each leaves these squares beyond
+/// the noise: by the score of the judgement, in which all logs count alike.
 std::vector<double> updated(const std::vector<Explanation>& explanations, const std::vector<double>& left, double logs);
 
 /// "friction + creep"; "the model as it is" without members.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
 
@@ -35,7 +36,7 @@ struct Solution {
   double squares = 0.0;  // that they leave
 };
 
-Solution solve(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns, const Eigen::VectorXd& lower,
+Solution solutionOf(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns, const Eigen::VectorXd& lower,
                const Eigen::VectorXd& upper) {
   const Eigen::Index last = total.rows() - 1;
   const auto count = static_cast<Eigen::Index>(columns.size());
@@ -102,7 +103,7 @@ Screened Screening::screen(std::vector<int> members) const {
 
 double Screening::leftBy(const std::vector<int>& members) const {
   const Part part = partOf(members);
-  return std::sqrt(std::max(0.0, solve(blocks_.sum, part.columns, part.lower, part.upper).squares));
+  return std::sqrt(std::max(0.0, solutionOf(blocks_.sum, part.columns, part.lower, part.upper).squares));
 }
 
 // No farther than a step of a fit goes: beyond, the force is not linear in the model parameters.
@@ -111,7 +112,7 @@ fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   Part part = partOf(members);
   part.lower.head(model_size_) = part.lower.head(model_size_).cwiseMax(-kLongestStep);
   part.upper.head(model_size_) = part.upper.head(model_size_).cwiseMin(kLongestStep);
-  const Eigen::VectorXd step = solve(blocks_.sum, part.columns, part.lower, part.upper).values;
+  const Eigen::VectorXd step = solutionOf(blocks_.sum, part.columns, part.lower, part.upper).values;
   fit::ParameterVector best{about_.model + step.head(model_size_), {}};
   best.scales.resize(0);
   std::vector<double> scales;

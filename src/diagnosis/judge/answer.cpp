@@ -45,7 +45,8 @@ class Answering {
     const bool names = sets_ > std::max({posterior_.none, posterior_.parameter_error, posterior_.unknown});
     std::stable_sort(all.begin(), all.end(),
                      [](const Explained& a, const Explained& b) { return a.probability > b.probability; });
-    const auto said = std::find_if(all.begin(), all.end(), [&](const Explained& e) { return e.effects.empty() != names; });
+    const auto said =
+        std::find_if(all.begin(), all.end(), [&](const Explained& e) { return e.effects.empty() != names; });
     say(*said);
     all.erase(said);
     listAlternatives(all);

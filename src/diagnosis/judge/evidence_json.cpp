@@ -40,9 +40,12 @@ LogEvidence logOf(const ordered_json& value) {
 }
 
 ordered_json hypothesisJson(const HypothesisEvidence& hypothesis) {
-  return {{"members", hypothesis.members},         {"terms", hypothesis.terms},
-          {"free_trends", hypothesis.free_trends}, {"free_gains", hypothesis.free_gains},
-          {"penalty", hypothesis.penalty},         {"log_errors", hypothesis.log_errors},
+  return {{"members", hypothesis.members},
+          {"terms", hypothesis.terms},
+          {"free_trends", hypothesis.free_trends},
+          {"free_gains", hypothesis.free_gains},
+          {"penalty", hypothesis.penalty},
+          {"log_errors", hypothesis.log_errors},
           {"sizes", hypothesis.sizes}};
 }
 
@@ -68,7 +71,8 @@ void countBlocks(const ordered_json& value, std::vector<LogEvidence>& logs) {
   const auto fitted = static_cast<std::size_t>(
       std::count_if(logs.begin(), logs.end(), [](const LogEvidence& log) { return !log.unseen; }));
   const ordered_json& re_estimated = value.at("hypotheses").at(Evidence::kReEstimated);
-  for (const ordered_json& part : re_estimated.value("unseen", ordered_json{{"parts", ordered_json::array()}}).at("parts")) {
+  for (const ordered_json& part :
+       re_estimated.value("unseen", ordered_json{{"parts", ordered_json::array()}}).at("parts")) {
     ++logs.at(fitted + part.at(2).get<std::size_t>()).blocks;
   }
 }

@@ -16,9 +16,7 @@ constexpr double kLeastRise = 0.1;         // in the logarithm: 10 % more error
 
 }  // namespace
 
-std::string toString(const LiveVerdict& verdict) {
-  return verdict.verdict ? toString(*verdict.verdict) : "watching";
-}
+std::string toString(const LiveVerdict& verdict) { return verdict.verdict ? toString(*verdict.verdict) : "watching"; }
 
 LiveJudgement::LiveJudgement(const LiveCriteria& criteria) : criteria_(criteria), evidence_(criteria.threshold()) {}
 

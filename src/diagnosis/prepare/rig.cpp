@@ -119,9 +119,8 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
 }
 
 // Pieces of one recording have one zero: only whole logs tell how zeros scatter.
-void addValues(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-               const std::vector<log::Record>& records, const gap::Forces& simulated, std::vector<double>& zeros,
-               std::vector<double>& lags) {
+void addValues(const io::RigTolerances& tolerances, const std::vector<log::Record>& records,
+               const gap::Forces& simulated, std::vector<double>& zeros, std::vector<double>& lags) {
   const measurement::RigModel rig(records, masksOf(records), tolerances);
   const auto columns = rig.columns(simulated, {});
   for (std::size_t r = 0; r < records.size(); ++r) {
@@ -143,8 +142,8 @@ Limits limitsBy(const std::vector<element::ElementDescription>& elements, const 
                 const std::vector<log::Record>& training, const std::vector<log::Record>& held_out) {
   std::vector<double> zeros;
   std::vector<double> lags;
-  addValues(elements, tolerances, training, gap::simulate(elements, training), zeros, lags);
-  addValues(elements, tolerances, held_out, gap::simulateEach(elements, held_out), zeros, lags);
+  addValues(tolerances, training, gap::simulate(elements, training), zeros, lags);
+  addValues(tolerances, held_out, gap::simulateEach(elements, held_out), zeros, lags);
   return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 

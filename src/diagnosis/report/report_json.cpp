@@ -131,9 +131,7 @@ ordered_json parametersJson(const Diagnosis& diagnosis) {
 }
 
 ordered_json alternativeJson(const Alternative& other) {
-  return {{"verdict", toString(other.verdict)},
-          {"effects", other.effects},
-          {"probability", number(other.probability)}};
+  return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", number(other.probability)}};
 }
 
 ordered_json sizeJson(const SizedValue& size) {

@@ -257,8 +257,9 @@ class Describer {
     candidate.probability = answer_.candidates[c];
     candidate.gap = gap::gapOfParts(errors);
     candidate.closed = closed(candidate.gap);
-    candidate.interval = &single == &judged_ ? result_.closed_interval
-                                             : holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
+    candidate.interval = &single == &judged_
+                             ? result_.closed_interval
+                             : holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
     candidate.visible_share = search_.visible_share[c];
     candidate.testable =
         search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;

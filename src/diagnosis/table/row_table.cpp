@@ -29,8 +29,7 @@ std::vector<double> errorsAsConfigured(const MeasuredRows& measured, const Fitte
   Stiffness of_table;
   std::transform(points.begin(), points.end(), std::back_inserter(of_table),
                  [](const fit::TablePoint& point) { return point.complexStiffness(); });
-  return squaresOf(points, of_table,
-                   *measured.fitter().stiffness(configured.hypothesis, configured.fit.parameters));
+  return squaresOf(points, of_table, *measured.fitter().stiffness(configured.hypothesis, configured.fit.parameters));
 }
 
 std::vector<double> heldOutErrors(const fit::Fit& fit) {
