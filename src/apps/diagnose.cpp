@@ -145,9 +145,10 @@ OptionTable Options::table() {
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
-      Option("--law", law, "LAW",
-             "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
-             "alone, whose laws have few numbers and leave nearly as little")
+      Option(
+          "--law", law, "LAW",
+          "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
+          "alone, whose laws have few numbers and leave nearly as little")
           .rare()
           .oneOf({"simplest", "full"}),
       plotOption(plot, "loops, residuals and the gap").rare(),
@@ -349,9 +350,8 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
     fmt::print(stderr, "\r\033[K");
   }
   const std::string whole = diagnosis::wholeText(diagnosis);
-  fmt::print("{}\n{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence),
-             whole.empty() ? "" : whole + "\n", excerptsTaken(diagnosis), toText(diagnosis.comparison),
-             options.output);
+  fmt::print("{}\n{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+             excerptsTaken(diagnosis), toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
 

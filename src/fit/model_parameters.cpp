@@ -31,8 +31,8 @@ double ModelParameters::bound(Eigen::Index i) const {
 double ModelParameters::firmness(Eigen::Index i) const {
   constexpr double kOfBand = 2.0;
   const Slot& slot = slots_[static_cast<std::size_t>(i)];
-  const bool band = slot.where == Slot::relaxation && (slot.key == "break_frequency" || slot.key == "alpha" ||
-                                                       slot.key == "band_ratio");
+  const bool band = slot.where == Slot::relaxation &&
+                    (slot.key == "break_frequency" || slot.key == "alpha" || slot.key == "band_ratio");
   return band && relaxation_.elements > 1 ? kOfBand : 1.0;
 }
 

@@ -540,8 +540,9 @@ class Loader {
     }
     if (const YAML::Node preloads = node["preloads"]) {
       specification.setPreloads(loadMaps<estimation::Specification::Values>(
-          preloads, "specification.preloads",
-          [&](const auto& block, const auto& path) { return loadNumbers(block, path, std::vector<std::string>()).values(); }));
+          preloads, "specification.preloads", [&](const auto& block, const auto& path) {
+            return loadNumbers(block, path, std::vector<std::string>()).values();
+          }));
     }
   }
 
@@ -847,9 +848,10 @@ std::string specificationYaml(const estimation::Specification& specification, bo
       const std::string note = style.note ? style.note(place) : "";
       const bool says_unit = parameter.unit == "1" || value.find(' ') != std::string::npos;
       text += fmt::format("      {}: {}", parameter.name, value);
-      text += says_unit && note.empty() ? "\n"
-                                        : fmt::format("  #{}{}{}\n", says_unit ? "" : fmt::format(" [{}]", parameter.unit),
-                                                      note.empty() ? "" : " ", note);
+      text += says_unit && note.empty()
+                  ? "\n"
+                  : fmt::format("  #{}{}{}\n", says_unit ? "" : fmt::format(" [{}]", parameter.unit),
+                                note.empty() ? "" : " ", note);
     }
   }
   return text;

@@ -1,4 +1,6 @@
 // The law with the fewest numbers, and the file that it is written to.
+#include "diagnosis/results/simplest_law.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/rounding.h"
-#include "diagnosis/results/simplest_law.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
@@ -123,6 +124,16 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   EXPECT_EQ(io::toYaml({read}), io::toYaml({d.augmented})) << "the file is the component, to the last bit";
 }
 
+TEST(Headline, TellsFrictionOverAllTerms) {
+  const auto dahl = diagnosis::headlineOf({{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {1e4}}, {"gamma", {0.0}}}}});
+  EXPECT_NEAR(dahl.at("maximum_force"), 300.0, 1e-9);
+  EXPECT_NEAR(dahl.at("displacement"), std::log(2.0) * 1e-4, 1e-12);
+  const auto both = diagnosis::headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
+                                           {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
+  EXPECT_NEAR(both.at("maximum_force"), 400.0, 1e-9);
+  EXPECT_NEAR(both.at("displacement"), (std::sqrt(5.0) - 1.0) / 2.0 * 1e-4, 1e-9) << "z: 200 z/(z + 1) + 200 z = 200";
+}
+
 TEST(Headline, TellsStopsBySide) {
   const auto values = diagnosis::headlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}}},
                                              {"bump_stop", {{"stiffness", {2e6}}, {"gap", {3e-3}}, {"side", {1.0}}}},
@@ -134,10 +145,10 @@ TEST(Headline, TellsStopsBySide) {
 }
 
 TEST(Headline, TellsTemperaturePerKelvinAtTheReference) {
-  const auto values = diagnosis::headlineOf(
-      {{"vertical_shift", {{"coefficient", {-2e-3}}, {"reference", {20.0}}}},
-       {"transition_shift", {{"share", {0.1}}, {"width", {50.0}}, {"reference", {20.0}}}},
-       {"arrhenius_shift", {{"activation_energy", {7e4}}, {"reference", {20.0}}}}});
+  const auto values =
+      diagnosis::headlineOf({{"vertical_shift", {{"coefficient", {-2e-3}}, {"reference", {20.0}}}},
+                             {"transition_shift", {{"share", {0.1}}, {"width", {50.0}}, {"reference", {20.0}}}},
+                             {"arrhenius_shift", {{"activation_energy", {7e4}}, {"reference", {20.0}}}}});
   EXPECT_DOUBLE_EQ(values.at("change_of_stiffness_at_20_degC"), -2e-3 - 0.1 / 50.0);
   EXPECT_NEAR(values.at("change_of_rates_at_20_degC"), 7e4 / (8.314462618 * 293.15 * 293.15), 1e-12);
 }

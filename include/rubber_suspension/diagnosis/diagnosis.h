@@ -146,11 +146,11 @@ struct SizedValue {
 
 /// The whole component at one point, as configured and as augmented.
 struct WholeStiffness {
-  double frequency = 0.0;                ///< [Hz]
-  double amplitude = 0.0;                ///< [m]
-  bool nominal_amplitude = false;        ///< it is that of the specification; else the logs' median
-  std::array<double, 2> stiffness{};     ///< K before and after [N/m]
-  std::array<double, 2> loss_angle{};    ///< likewise [rad]
+  double frequency = 0.0;              ///< [Hz]
+  double amplitude = 0.0;              ///< [m]
+  bool nominal_amplitude = false;      ///< it is that of the specification; else the logs' median
+  std::array<double, 2> stiffness{};   ///< K before and after [N/m]
+  std::array<double, 2> loss_angle{};  ///< likewise [rad]
 };
 
 /// An experiment to play on the bench.

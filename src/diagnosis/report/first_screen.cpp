@@ -104,11 +104,11 @@ std::string leftHtml(const Diagnosis& d) {
                                  percent(d.gap.noise_floor));
   html += d.effects.empty() ? "" : fmt::format("; {} with all numbers of the law", percent(d.gap_of_full_law));
   if (!d.effects.empty()) {
-    html +=
-        fmt::format("<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
-                    "cannot remove",
-                    wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
-                    wholePercent(std::min(1.0, d.closed_interval[1])));
+    html += fmt::format(
+        "<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
+        "cannot remove",
+        wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
+        wholePercent(std::min(1.0, d.closed_interval[1])));
   }
   return html;
 }

@@ -93,7 +93,8 @@ std::string evidenceJson(const Diagnosis& diagnosis) {
 }
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent, kFullComponent, kExperiment, kSurrogate, kMissingForce, kEvidence};
+  std::vector<std::string> names = {"report.json", kComponent,    kFullComponent, kExperiment,
+                                    kSurrogate,    kMissingForce, kEvidence};
   const std::vector<std::string> figures = figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);

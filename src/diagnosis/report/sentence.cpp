@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
@@ -58,9 +59,9 @@ std::string effectsText(const Diagnosis& diagnosis) {
 std::string priceText(const Diagnosis& diagnosis) {
   const std::string simple = gapText(diagnosis.gap.augmented);
   const std::string full = gapText(diagnosis.gap_of_full_law);
-  return simple == full ? ""
-                        : fmt::format(" The simple law of augmented.yaml leaves {} instead of {} with all numbers.",
-                                      simple, full);
+  return simple == full
+             ? ""
+             : fmt::format(" The simple law of augmented.yaml leaves {} instead of {} with all numbers.", simple, full);
 }
 
 std::string ownValuesText(const Diagnosis& diagnosis) {
@@ -100,6 +101,27 @@ std::string gainText(const Diagnosis& diagnosis) {
   return "";
 }
 
+// Where all stiffnesses are off by one factor that the tolerance of the force channel allows.
+std::string withinGain(const Diagnosis& diagnosis) {
+  constexpr double kAlike = 0.01;  // of the factor
+  const double tolerance = diagnosis.configured.rig.value_or(io::RigTolerances{}).gain.value;
+  std::vector<double> ratios;
+  for (const SizedValue& size : diagnosis.model_sizes) {
+    if (size.unit == "N/m" && size.configured > 0.0) {
+      ratios.push_back(size.value / size.configured);
+    }
+  }
+  const auto ends = std::minmax_element(ratios.begin(), ratios.end());
+  const bool alike = ratios.size() > 1 && *ends.second - *ends.first < kAlike;
+  const double off = alike ? 0.5 * (*ends.first + *ends.second) - 1.0 : 0.0;
+  return std::abs(off) > kAlike && std::abs(off) <= io::kTolerated * tolerance
+             ? fmt::format(
+                   " All its stiffnesses are off by the same {:.1f} %, which the force channel's tolerance of {:g} % "
+                   "allows: a known weight on the load cell tells.",
+                   100.0 * std::abs(off), 100.0 * tolerance)
+             : "";
+}
+
 std::string agreement(const Gap& gap) {
   return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", gapText(gap.as_configured),
                      gapText(gap.noise_floor));
@@ -120,7 +142,7 @@ std::string sentence(const Diagnosis& diagnosis) {
     case Verdict::parameter_error:
       return fmt::format("{}. Other parameter values reduce the gap from {} to {} (noise {}).{}",
                          ownValuesText(diagnosis), gapText(gap.as_configured), gapText(gap.re_estimated),
-                         gapText(gap.noise_floor), otherwise(diagnosis));
+                         gapText(gap.noise_floor), withinGain(diagnosis) + otherwise(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + gainText(diagnosis);
     case Verdict::confounded:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "rubber_suspension/element/catalogue.h"
@@ -37,9 +38,13 @@ void writeCommonCompliance(std::vector<element::ElementDescription>& entries) {
   }
 }
 
-// Laws of a spring that yields at a displacement: the terms of one friction.
-bool yields(const element::ElementDescription& entry) {
+bool isSlider(const element::ElementDescription& entry) {
   return entry.type == "iwan_table" || entry.type == "variable_friction" || entry.type == "viscoplastic_friction";
+}
+
+// Laws of a force with a limit: the terms of one friction.
+bool yields(const element::ElementDescription& entry) {
+  return isSlider(entry) || entry.type == "friction" || entry.type == "bouc_wen";
 }
 
 bool isStop(const element::ElementDescription& entry) { return entry.type == "bump_stop"; }
@@ -50,39 +55,47 @@ double valueOr(const element::ElementDescription& entry, const std::string& name
   return entry.values.count(name) != 0 ? entry.value(name) : otherwise;
 }
 
-// Force and displacement at half force of springs in parallel that yield, from rest: F(z) = sum k_i min(z, y_i). Limits
-// that grow or wear count as they begin, those that a rate brings up as they end.
-std::vector<HeadlineValue> frictionOf(const std::vector<element::ElementDescription>& entries) {
-  std::vector<std::pair<double, double>> sliders;  // yield displacement, stiffness
-  double maximum_force = 0.0;
-  double slope = 0.0;
-  for (const element::ElementDescription& entry : entries) {
-    for (std::size_t i = 0; yields(entry) && i < entry.list("stiffness").size(); ++i) {
-      sliders.emplace_back(entry.list("yield_displacement")[i], entry.list("stiffness")[i]);
-      maximum_force += sliders.back().first * sliders.back().second;
-      slope += sliders.back().second;
-    }
+// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count as
+// they begin, those that a rate brings up as they end.
+double frictionAt(const element::ElementDescription& entry, double z) {
+  if (entry.type == "friction") {
+    return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);
   }
-  std::sort(sliders.begin(), sliders.end());
+  if (entry.type == "bouc_wen") {  // of n = 1, as Dahl's
+    const double beta = entry.value("beta") + entry.value("gamma");
+    return entry.value("stiffness") / beta * (1.0 - std::exp(-beta * z));
+  }
   double force = 0.0;
-  double travel = 0.0;
-  for (const auto& [yield, stiffness] : sliders) {
-    const double next = force + slope * (yield - travel);
-    if (next >= 0.5 * maximum_force) {
-      break;
-    }
-    force = next;
-    travel = yield;
-    slope -= stiffness;
+  for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
+    force += entry.list("stiffness")[i] * std::min(z, entry.list("yield_displacement")[i]);
   }
-  const double displacement = slope > 0.0 ? travel + (0.5 * maximum_force - force) / slope : travel;
-  return {{"maximum_force", "N", maximum_force, true}, {"displacement", "m", displacement, false}};
+  return force;
+}
+
+// Limit of all together, and the displacement from rest at half of it.
+std::vector<HeadlineValue> frictionOf(const std::vector<element::ElementDescription>& entries) {
+  const auto at = [&](double z) {
+    return std::accumulate(entries.begin(), entries.end(), 0.0,
+                           [&](double sum, const auto& entry) { return sum + frictionAt(entry, z); });
+  };
+  const double maximum = at(std::numeric_limits<double>::infinity());
+  double low = 0.0;
+  double high = 1e-9;
+  while (at(high) < 0.5 * maximum) {
+    low = std::exchange(high, 2.0 * high);
+  }
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (at(middle) < 0.5 * maximum ? low : high) = middle;
+  }
+  return {{"maximum_force", "N", maximum, true}, {"displacement", "m", high, false}};
 }
 
 // Where the force of each side begins, and how it rises once all stops of that side are met.
 std::vector<HeadlineValue> stopsOf(const std::vector<element::ElementDescription>& stops) {
   std::vector<HeadlineValue> result;
-  for (const auto& [side, suffix] : {std::pair(0.0, ""), std::pair(1.0, "_at_z_above_0"), std::pair(-1.0, "_at_z_below_0")}) {
+  for (const auto& [side, suffix] :
+       {std::pair(0.0, ""), std::pair(1.0, "_at_z_above_0"), std::pair(-1.0, "_at_z_below_0")}) {
     double gap = std::numeric_limits<double>::infinity();
     double stiffness = 0.0;
     for (const element::ElementDescription& stop : stops) {
@@ -115,8 +128,8 @@ std::vector<HeadlineValue> changesWithTemperature(const std::vector<element::Ele
   std::vector<HeadlineValue> result;
   for (const auto& [name, value] : {std::pair("stiffness", stiffness), std::pair("rates", rates)}) {
     if (value != 0.0) {
-      result.push_back({fmt::format("change_of_{}_at_{:g}_degC", name, entries.front().value("reference")), "1/K",
-                        value, true});
+      result.push_back(
+          {fmt::format("change_of_{}_at_{:g}_degC", name, entries.front().value("reference")), "1/K", value, true});
     }
   }
   return result;

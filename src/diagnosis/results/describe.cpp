@@ -223,9 +223,8 @@ class Describer {
     const auto elements = law_.full.allElements();
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
-      const auto found =
-          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
+      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }

@@ -44,7 +44,6 @@ struct Law {
   std::vector<MemberLaw> members;
   fit::Hypothesis about;  ///< what is free in each log; without terms
 
-
   /// What the fit needs of it: bounds of each unknown.
   fit::Hypothesis hypothesis() const;
 
@@ -58,7 +57,8 @@ struct FittedLaw {
   fit::Fit fit;
 };
 
-/// Forces of a law about a model over some records [N]. Not for several threads at once: it keeps what it simulated last.
+/// Forces of a law about a model over some records [N]. Not for several threads at once: it keeps what it simulated
+/// last.
 class LawForces {
  public:
   /// The model has to outlive it.
@@ -81,7 +81,7 @@ class LawForces {
 
   fit::HypothesisForces forces_;
   Law law_;
-  fit::Hypothesis terms_;           // of the members that have terms
+  fit::Hypothesis terms_;             // of the members that have terms
   std::vector<Eigen::Index> places_;  // of these among all scales
   bool adds_up_ = false;              // the entries' force is added to that of the rest
   mutable std::optional<std::pair<fit::ParameterVector, std::optional<gap::Forces>>> rest_;

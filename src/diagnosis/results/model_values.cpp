@@ -86,12 +86,12 @@ std::string wholeText(const Diagnosis& d) {
   }
   constexpr double kDegree = 180.0 / element::kPi;
   const WholeStiffness& whole = *d.whole;
-  return fmt::format("At {:.3g} Hz and {}{}{} the whole component has K = {} ({} as configured) and a loss angle of "
-                     "{:.1f}° ({:.1f}°).",
-                     whole.frequency, quantity(whole.amplitude, "m"),
-                     whole.nominal_amplitude ? "" : " (median amplitude of the logs)", referenceText(d),
-                     quantity(whole.stiffness[1], "N/m"), quantity(whole.stiffness[0], "N/m"),
-                     kDegree * whole.loss_angle[1], kDegree * whole.loss_angle[0]);
+  return fmt::format(
+      "At {:.3g} Hz and {}{}{} the whole component has K = {} ({} as configured) and a loss angle of "
+      "{:.1f}° ({:.1f}°).",
+      whole.frequency, quantity(whole.amplitude, "m"), whole.nominal_amplitude ? "" : " (median amplitude of the logs)",
+      referenceText(d), quantity(whole.stiffness[1], "N/m"), quantity(whole.stiffness[0], "N/m"),
+      kDegree * whole.loss_angle[1], kDegree * whole.loss_angle[0]);
 }
 
 std::string offText(const SizedValue& size) {

@@ -26,21 +26,34 @@ bool isAsConfigured(const SizedValue& size) { return size.value == size.configur
 
 // A number to so many decimals, which may be negative.
 std::string toDecimals(double value, int decimals) {
-  const int leading = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  return fmt::format("{:.{}g}", value, std::clamp(leading + decimals, 1, kMostDigits));
+  constexpr double kMostFixed = 1e12;
+  if (std::abs(value) > kMostFixed || decimals > kMostDigits) {
+    return fmt::format("{}", value);
+  }
+  const double step = std::pow(10.0, -std::min(decimals, 0));
+  const std::string text = fmt::format("{:.{}f}", std::round(value / step) * step, std::max(decimals, 0));
+  return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to none
+}
+
+// The unit of the configured file; where that has units, but none of this kind, the one that engineers use.
+std::string unitOf(const io::ComponentDescription& component, const SizedValue& size) {
+  const auto given = component.units.find(size.unit);
+  if (given != component.units.end() || component.units.empty()) {
+    return given == component.units.end() ? "" : given->second;
+  }
+  return size.unit == "m" ? "mm" : size.unit == "N/m" ? "kN/mm" : size.unit == "N" ? "N" : "";
 }
 
 // The shortest text in a unit that reads back as the same number; in SI where there is none.
 std::string exactly(double value, const std::string& si, const std::string& unit) {
-  const std::string text =
-      unit.empty() ? "" : fmt::format("{:.12g} {}", log::UnitConversion(si, unit)(value), unit);
+  const std::string text = unit.empty() ? "" : fmt::format("{:.12g} {}", log::UnitConversion(si, unit)(value), unit);
   return !text.empty() && log::parseQuantity(text, si) == value ? text : fmt::format("{}", value);
 }
 
 std::string roundedText(const SizedValue& size, double value, const std::string& unit, int finer) {
   const log::UnitConversion convert(size.unit, unit.empty() ? size.unit : unit);
   const double half = 0.5 * std::abs(convert(size.interval_95[1]) - convert(size.interval_95[0]));
-  const int decimals = half > 0.0 ? static_cast<int>(std::ceil(-std::log10(0.1 * half))) + finer : kMostDigits;
+  const int decimals = half > 0.0 ? static_cast<int>(std::ceil(-std::log10(0.1 * half))) + finer : kMostDigits + 1;
   return toDecimals(convert(value), decimals) + (unit.empty() ? "" : " " + unit);
 }
 
@@ -49,10 +62,11 @@ io::YamlStyle styleOf(const io::ComponentDescription& component, const std::vect
   io::YamlStyle style;
   style.number = [&, finer](const std::string& place, double value) {
     const SizedValue* const size = at(written, place);
-    const auto unit = size == nullptr ? component.units.end() : component.units.find(size->unit);
-    const std::string unit_text = unit == component.units.end() ? "" : unit->second;
-    return size == nullptr || isAsConfigured(*size) ? exactly(value, size == nullptr ? "1" : size->unit, unit_text)
-                                                    : roundedText(*size, value, unit_text, finer);
+    if (size == nullptr) {
+      return fmt::format("{}", value);
+    }
+    const std::string unit = unitOf(component, *size);
+    return isAsConfigured(*size) ? exactly(value, size->unit, unit) : roundedText(*size, value, unit, finer);
   };
   return style;
 }
@@ -66,11 +80,13 @@ std::string logsOf(const Diagnosis& d) {
 }
 
 std::string originOf(const Diagnosis& d, double gap) {
-  const std::string by = d.run.version.empty() ? "" : fmt::format("rubber_suspension {}, {}; ", d.run.version, d.run.date);
-  return fmt::format("# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
-                     "noise floor {}.\n",
-                     d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), percent(d.gap.as_configured),
-                     percent(d.gap.re_estimated), percent(gap), percent(d.gap.noise_floor));
+  const std::string by =
+      d.run.version.empty() ? "" : fmt::format("rubber_suspension {}, {}; ", d.run.version, d.run.date);
+  return fmt::format(
+      "# Diagnosis of {}: {}{}.\n# Logs: {}.\n# Gap {} as configured, {} re-estimated, {} with this file; "
+      "noise floor {}.\n",
+      d.component, by, toString(d.verdict), log::oneLine(logsOf(d)), percent(d.gap.as_configured),
+      percent(d.gap.re_estimated), percent(gap), percent(d.gap.noise_floor));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "diagnosis/hypotheses/unseen_logs.h"
@@ -15,10 +17,10 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr std::size_t kMostTerms = 3;     // of a law
-constexpr std::size_t kMostNumbers = 6;   // likewise
-constexpr int kSteps = 12;                // of a fit
-constexpr double kOfTypical = 1e-6;       // a scale below this is none
+constexpr std::size_t kMostTerms = 3;    // of a law
+constexpr std::size_t kMostNumbers = 6;  // likewise
+constexpr int kSteps = 12;               // of a fit
+constexpr double kOfTypical = 1e-6;      // a scale below this is none
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -67,7 +69,9 @@ class Subsets {
     moment_ = pick(moment, from) - across.transpose() * of_moment;
     square_ -= of_moment.dot(pick(moment, free));
     for (const fit::BasisTerm& term : terms_) {
-      numbers_.push_back(numbersOf({term.at(term.typical)}).size());
+      const Entries one = {term.at(term.typical)};
+      numbers_.push_back(numbersOf(one).size());
+      types_.push_back(one.front().type);
     }
   }
 
@@ -80,7 +84,8 @@ class Subsets {
  private:
   void tryFrom(std::size_t first, const Indices& chosen, std::size_t numbers) {
     for (std::size_t t = first; t < terms_.size(); ++t) {
-      if (numbers + numbers_[t] > kMostNumbers) {
+      const bool of_one_kind = chosen.empty() || types_[t] == types_[static_cast<std::size_t>(chosen.front())];
+      if (numbers + numbers_[t] > kMostNumbers || (terms_[t].additive && !of_one_kind)) {
         continue;
       }
       Indices more = chosen;
@@ -123,6 +128,7 @@ class Subsets {
 
   std::vector<fit::BasisTerm> terms_;
   std::vector<std::size_t> numbers_;  // of each term
+  std::vector<std::string> types_;    // likewise
   Eigen::MatrixXd gram_;
   Eigen::VectorXd moment_;
   double square_;
@@ -133,7 +139,12 @@ class Chooser {
  public:
   Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& judged,
           const HeldOut& held_out, double before, int threads)
-      : fitter_(fitter), candidates_(candidates), judged_(judged), held_out_(held_out), before_(before), threads_(threads) {}
+      : fitter_(fitter),
+        candidates_(candidates),
+        judged_(judged),
+        held_out_(held_out),
+        before_(before),
+        threads_(threads) {}
 
   SimplestLaw run() {
     result_.fitted = fullLaw(judged_, candidates_);
@@ -233,10 +244,14 @@ class Chooser {
       if (numbers > most || start.entries.empty()) {
         continue;
       }
-      const FittedLaw simple = fitted(m, start.entries);
-      if (std::pow(gapOf(simple), 2) <= allowed) {
-        result_.fitted = simple;
-        return;
+      try {
+        const FittedLaw simple = fitted(m, start.entries);
+        if (std::pow(gapOf(simple), 2) <= allowed) {
+          result_.fitted = simple;
+          return;
+        }
+      } catch (const std::invalid_argument&) {
+        continue;  // its numbers have no model
       }
     }
   }

@@ -35,9 +35,9 @@ struct SimplestLaw {
 /// For each member in turn the law with the fewest numbers whose gap is that of the full law but for what no law of the
 /// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
 /// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
-/// its terms. Laws are one to three of the terms of the candidate or of its `laws`, at their best places; gaps are those
-/// of the logs held out, or else of held-out blocks. It closes more than half of what the full law closes of the squared
-/// gap `before`.
+/// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
+/// places; gaps are those of the logs held out, or else of held-out blocks. It closes more than half of what the full
+/// law closes of the squared gap `before`.
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads);
 

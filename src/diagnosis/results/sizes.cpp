@@ -67,7 +67,9 @@ void addNumbers(const std::string& list, const Entries& entries, std::vector<Val
       const std::string unit = unitOf(element::findElementType(entries[i].type)->parameters, key);
       for (std::size_t j = 0; j < numbers.size(); ++j) {
         values.push_back({{"", io::numberPlace(entry, key, numbers.size() == 1 ? -1 : static_cast<int>(j))},
-                          unit, numbers[j], false});
+                          unit,
+                          numbers[j],
+                          false});
       }
     }
   }

@@ -33,7 +33,7 @@ double medianAmplitude(const std::vector<log::Record>& logs, double frequency) {
   return median(near.empty() ? all : near);
 }
 
-// A loop that is this near to its end is told: a sensor's zero, or heat, goes on for minutes.
+// A loop that is this near to its end is told: a sensor's zero, or heat, takes minutes.
 std::optional<response::Characteristics> settledAt(const io::ComponentDescription& component, double frequency,
                                                    double amplitude) {
   try {
@@ -54,11 +54,11 @@ std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& bef
                  [](const log::Record& record) { return record.mean_frequency; });
   const auto& specification = before.specification();
   WholeStiffness whole;
-  whole.frequency = specification.has("nominal_frequency") ? specification.at("nominal_frequency")
-                                                           : median(frequencies);
+  whole.frequency =
+      specification.has("nominal_frequency") ? specification.at("nominal_frequency") : median(frequencies);
   whole.nominal_amplitude = specification.has("nominal_amplitude");
-  whole.amplitude = whole.nominal_amplitude ? specification.at("nominal_amplitude")
-                                            : medianAmplitude(logs, whole.frequency);
+  whole.amplitude =
+      whole.nominal_amplitude ? specification.at("nominal_amplitude") : medianAmplitude(logs, whole.frequency);
   const auto was = settledAt(before, whole.frequency, whole.amplitude);
   const auto is = settledAt(after, whole.frequency, whole.amplitude);
   if (!was || !is) {

@@ -15,7 +15,8 @@ constexpr int kMostFiner = 8;
 constexpr double kShows = 0.01;  // of a gap: rounding that changes it by less does not show
 
 gap::Forces smoothedForces(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
-  return gap::simulateEach(component.allElements(), records, [](const log::Record& record) { return record.displacement; });
+  return gap::simulateEach(component.allElements(), records,
+                           [](const log::Record& record) { return record.displacement; });
 }
 
 double squareInSample(const io::ComponentDescription& component, const std::vector<log::Record>& records) {
@@ -71,8 +72,7 @@ WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candi
   const FittedLaw full = fullLaw(judged, candidates);
   const LawFitter fitter(prepared.fitter, simple.fitted.law);
   WrittenLaw law;
-  law.sizes =
-      sizesOf(fitter, simple.fitted, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
+  law.sizes = sizesOf(fitter, simple.fitted, simple.form_error, effectsOf(simple.fitted.law, candidates), options);
   law.full = componentOf(prepared, full.fit.parameters, full.law.at(full.fit.parameters.scales));
   const auto exact =
       componentOf(prepared, simple.fitted.fit.parameters, simple.fitted.law.at(simple.fitted.fit.parameters.scales));
@@ -84,8 +84,8 @@ WrittenLaw writtenLaw(const PreparedCase& prepared, const std::vector<fit::Candi
     }
     law.full_gap = gap::gapOfParts(judged.fit.blocks);
   } else {
-    law.errors = unseenErrors(prepared.model, simple.fitted, held_out,
-                              byRounding(exact, law.component, prepared.held_out));
+    law.errors =
+        unseenErrors(prepared.model, simple.fitted, held_out, byRounding(exact, law.component, prepared.held_out));
     law.full_gap = gap::gapOfParts(unseenErrors(prepared.model, full, held_out));
   }
   return law;
