@@ -22,6 +22,7 @@
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/results/model_values.h"
+#include "diagnosis/results/taken_out.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
 #include "io/progress.h"
@@ -158,10 +159,12 @@ OptionTable Options::table() {
           .rare()
           .within(1000, 100000000),
       Option("--threads", threads, "COUNT", "number of threads").rare().within(1, 64),
+      log_options.acceptUnits(),
       log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
-  options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
-                   {"--plan"});
+  options.excludes(
+      {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples", "--accept-units"},
+      {"--plan"});
   options.needs({"--uncertainty"}, {"--from-table"});
   options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});
   return options.excludes(LogOptions::names(), {"--from-table"});
@@ -213,6 +216,11 @@ class RememberedLog : public log::LogSource {
     warnOfTemperature("diagnose", path, has_temperature_, component);
   }
 
+  bool hasTemperature() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return has_temperature_;
+  }
+
  private:
   std::shared_ptr<const log::LogSource> log_;
   mutable std::mutex mutex_;
@@ -244,10 +252,33 @@ class OpenedLogs {
     }
   }
 
+  /// File and whether it has a temperature, once the logs were read.
+  void addTemperatures(std::vector<std::pair<std::string, bool>>& having) const {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      having.emplace_back(paths_[i], logs_[i]->hasTemperature());
+    }
+  }
+
  private:
   std::vector<std::string> paths_;  // of each log
   std::vector<std::shared_ptr<RememberedLog>> logs_;
 };
+
+// One log without is enough that nothing can be said of heat.
+void warnOfSomeTemperatures(const OpenedLogs& logs, const OpenedLogs& hold_out) {
+  std::vector<std::pair<std::string, bool>> having;
+  logs.addTemperatures(having);
+  hold_out.addTemperatures(having);
+  const auto has = [](const auto& log) { return log.second; };
+  const auto one = std::find_if(having.begin(), having.end(), has);
+  const auto other = std::find_if_not(having.begin(), having.end(), has);
+  if (one != having.end() && other != having.end()) {
+    printWarning("diagnose",
+                 fmt::format("{} has no column temperature_degC, and {} has one: effects of temperature are "
+                             "told only where all logs have it",
+                             other->first, one->first));
+  }
+}
 
 void showStage(const std::string& stage, double fraction) {
   if (isatty(STDERR_FILENO) != 0) {
@@ -329,6 +360,11 @@ std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
                            diagnosis.recorded_samples);
 }
 
+std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
+  const std::vector<std::string> phrases = diagnosis::describeTakenOut(diagnosis.taken_out);
+  return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
+}
+
 std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
   return options.compare.empty() ? std::nullopt : std::optional<diagnosis::EarlierReport>(options.compare);
 }
@@ -350,7 +386,8 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
     fmt::print(stderr, "\r\033[K");
   }
   const std::string whole = diagnosis::wholeText(diagnosis);
-  fmt::print("{}\n{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+             takenOut(diagnosis),
              excerptsTaken(diagnosis), toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
@@ -380,6 +417,7 @@ int runTable(const Options& options) {
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
   fit::MeasuredTable table = command::readTable(options.table_path);
   table.uncertainty = uncertainty;
+  table.accept_units = options.log_options.acceptsUnits();
   for (const std::string& note : table.notes) {
     printWarning("diagnose", options.table_path + ": " + note);
   }
@@ -422,6 +460,7 @@ int run(const Options& options) {
     if (!told) {
       logs.tell(component);
       hold_out.tell(component);
+      warnOfSomeTemperatures(logs, hold_out);
     }
     told = true;
   };

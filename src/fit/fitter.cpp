@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "fit/parallel.h"
@@ -43,35 +42,25 @@ Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const Mo
   setNoise(noise);
 }
 
-double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  return gapOf(hypothesis, forces_.at(hypothesis, parameters));
-}
-
-double Fitter::gapOf(const Hypothesis& hypothesis, const std::optional<std::vector<Eigen::VectorXd>>& simulated) const {
-  if (!simulated) {
-    return std::numeric_limits<double>::infinity();
-  }
+double Fitter::gapOf(const Hypothesis& hypothesis, const Forces& forces) const {
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const log::Record& record = records()[r];
-    const Eigen::VectorXd residual = record.withoutRig(record.force - (*simulated)[r]);
+    const Eigen::VectorXd residual = record.withoutRig(record.force - forces[r]);
     double square = residual.squaredNorm();
     if (hypothesis.free_in_log.gain || hypothesis.free_in_log.zero) {
-      square -= takenInLog(hypothesis, r, (*simulated)[r], residual);
+      square -= takenInLog(hypothesis, r, forces[r], residual);
     }
     sum += std::pow(weights_[r], 2) * square;
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams Fitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                                     const std::vector<bool>& active, int threads) const {
-  const auto base = forces_.at(hypothesis, parameters);
-  if (!base) {
-    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
-  }
-  return normalEquations(records(), weights_, *base, forces_.columns(hypothesis, parameters, active, *base, threads),
-                         free, threads, known_.get(), hypothesis.by_zero);
+BlockGrams Fitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                        const Forces& base, FreeInLog free, const std::vector<bool>& active,
+                                        int threads) const {
+  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads), free,
+                         threads, known_.get(), hypothesis.by_zero);
 }
 
 // Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.

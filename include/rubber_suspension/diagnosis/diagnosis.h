@@ -104,7 +104,18 @@ struct Admission {
   double highest_frequency = 0.0;     ///< [Hz]
   double noise = 0.0;                 ///< floor in units of the force's standard deviation
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
+  double recorded = 0.0;              ///< gap of the augmented component to the log as recorded
+  double left = 0.0;                  ///< the same once what the rig did to the log is taken out
   std::vector<std::string> notes;
+};
+
+/// What of one kind was taken out of a log before a model was held against it.
+struct TakenOut {
+  std::string log;
+  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state, displacement_noise
+  /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
+  /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
+  double share = 0.0;
 };
 
 /// Re-estimated over configured value, by the parameter's name.
@@ -242,6 +253,7 @@ struct Diagnosis {
   std::size_t samples = 0;           ///< that the search took
   std::size_t recorded_samples = 0;  ///< that the logs have; more than `samples` where it took excerpts
   std::vector<Admission> admission;
+  std::vector<TakenOut> taken_out;  ///< log by log
   ParameterRatios parameter_ratios;
   std::vector<ParameterByLog> by_log;
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters

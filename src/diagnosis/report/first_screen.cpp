@@ -11,6 +11,7 @@
 #include "diagnosis/report/finding_advice.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
+#include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
@@ -113,6 +114,14 @@ std::string leftHtml(const Diagnosis& d) {
   return html;
 }
 
+std::string takenOutHtml(const Diagnosis& d) {
+  std::string html;
+  for (const std::string& phrase : describeTakenOut(d.taken_out)) {
+    html += (html.empty() ? "" : "<br>") + escape(phrase);
+  }
+  return html;
+}
+
 std::string whereHtml(const Diagnosis& d) {
   if (d.where.empty()) {
     return "";
@@ -153,7 +162,8 @@ std::string firstScreen(const Diagnosis& d, const std::string& loop) {
   const std::string facts =
       fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.verdict), meaningOf(d.verdict))) +
       fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
-      fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) + fact("Where", whereHtml(d)) +
+      fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) +
+      fact("Taken out before, in % of the force", takenOutHtml(d)) + fact("Where", whereHtml(d)) +
       fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
   return fmt::format("<p class=kicker>Gap report: {}{}</p>\n<h1>{}</h1>\n<div class=first>\n<dl>\n{}</dl>\n{}</div>\n",
                      escape(d.component), d.run.date.empty() ? "" : ", " + escape(d.run.date), escape(d.sentence),

@@ -261,6 +261,24 @@ std::string findings(const Diagnosis& d) {
   return html + table.html();
 }
 
+// One row per log, so that what was taken out can be added up.
+std::string takenOut(const Diagnosis& d) {
+  Table table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"});
+  for (const Admission& log : d.admission) {
+    std::string parts;
+    for (const TakenOut& part : d.taken_out) {
+      constexpr double kShown = 5e-4;
+      if (part.log == log.log && std::abs(part.share) > kShown) {
+        parts += fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", escape(spoken(part.kind)), 100.0 * part.share);
+      }
+    }
+    table.add({escape(log.log), percent(log.recorded), parts.empty() ? "nothing" : parts, percent(log.left)});
+  }
+  return "<p>What was taken out of each log before the model with its effects was held against it. In squares it adds "
+         "up: gap as recorded less what was taken out is the gap; less than 0 where the gap grew.</p>\n" +
+         table.html();
+}
+
 std::string excerptsTaken(const Diagnosis& d) {
   if (d.samples == d.recorded_samples) {
     return "";
@@ -357,8 +375,8 @@ std::string toHtml(const Diagnosis& d) {
   const DrawnFigures figures(d);
   return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
                      candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
-                     nextExperiment(d) + couldShow(d) + (d.table ? tableSection(d) : findings(d) + admission(d)) +
-                     runRecord(d));
+                     nextExperiment(d) + couldShow(d) +
+                     (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -61,7 +61,13 @@ ordered_json admissionJson(const Admission& log) {
           {"highest_frequency_hz", log.highest_frequency},
           {"noise_floor", number(log.noise)},
           {"repeats", number(log.repeats)},
+          {"gap_as_recorded", number(log.recorded)},
+          {"gap", number(log.left)},
           {"notes", log.notes}};
+}
+
+ordered_json takenOutJson(const TakenOut& part) {
+  return {{"log", part.log}, {"kind", part.kind}, {"share_of_force", number(part.share)}};
 }
 
 ordered_json findingJson(const measurement::RigFinding& finding) {
@@ -212,6 +218,7 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"re_estimated", number(diagnosis.gap_as_recorded.re_estimated)},
         {"augmented", number(diagnosis.gap_as_recorded.augmented)}}},
       {"rig_findings", list(diagnosis.rig_findings, findingJson)},
+      {"taken_out", list(diagnosis.taken_out, takenOutJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
       {"alternatives", list(diagnosis.alternatives, alternativeJson)},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "diagnosis/results/predictive.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/surrogate.h"
+#include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/whole_stiffness.h"
 #include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
@@ -29,12 +31,16 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
+
 class Describer {
  public:
   Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
-            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+            const std::vector<RawChannels>& raw, std::vector<measurement::RigFinding> findings,
+            const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
+        raw_(raw),
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
@@ -60,6 +66,7 @@ class Describer {
     mapGap();
     describeRig();
     describeLogs();
+    accountForTheRig();
     describeCandidates();
     describeParameters();
     describeAnswer();
@@ -217,8 +224,12 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the judged model and the next likely one leave of it.
+  // What the rig did to each log, by what the judged model and the next likely one leave of it; of a model that leaves
+  // more than it explains it is the model's.
   void describeRig() {
+    if (leavesMoreThanItExplains()) {
+      return;
+    }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = law_.full.allElements();
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
@@ -229,11 +240,30 @@ class Describer {
     }
   }
 
+  bool leavesMoreThanItExplains() const {
+    const auto squared = [](double gap) { return gap * gap; };
+    const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
+    const double noise = std::max(kHidesTheRig, result_.gap.noise_floor);
+    return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
+  }
+
   void describeLogs() {
     result_.admission.resize(noise_.size());
     fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
       result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
     });
+  }
+
+  void accountForTheRig() {
+    const std::vector<LogAccount> accounts =
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
+                   judged_.hypothesis.free_in_log, prepared_.zeros);
+    for (std::size_t r = 0; r < accounts.size(); ++r) {
+      result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
+      result_.admission[r].left = std::sqrt(accounts[r].left());
+      const std::vector<TakenOut> entries = accounts[r].entries();
+      result_.taken_out.insert(result_.taken_out.end(), entries.begin(), entries.end());
+    }
   }
 
   void describeCandidates() {
@@ -307,6 +337,7 @@ class Describer {
 
   const PreparedCase& prepared_;
   const std::vector<LogSurvey>& recorded_;
+  const std::vector<RawChannels>& raw_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
@@ -323,9 +354,9 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
-                   const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
+                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+                   std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -207,21 +207,6 @@ LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law)
   setNoise(fitter.noise());
 }
 
-double LawFitter::gapAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters) const {
-  return fitter_.gapOf(hypothesis, forces_.at(parameters));
-}
-
-fit::BlockGrams LawFitter::normalEquationsAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
-                                             fit::FreeInLog free, const std::vector<bool>& active, int threads) const {
-  (void)active;  // few unknowns, all of which move
-  const auto base = forces_.at(parameters);
-  if (!base) {
-    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
-  }
-  return fit::normalEquations(fitter_.records(), fitter_.weights(), *base, forces_.columns(parameters, *base), free,
-                              threads, nullptr, hypothesis.by_zero);
-}
-
 gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
                     const std::vector<log::Record>& records) {
   gap::Forces forces;

@@ -93,11 +93,21 @@ class LawFitter final : public fit::HypothesisFitter {
  public:
   LawFitter(const fit::Fitter& fitter, const Law& law);
 
-  double gapAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters) const override;
-
  private:
-  fit::BlockGrams normalEquationsAt(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
-                                    fit::FreeInLog free, const std::vector<bool>& active, int threads) const override;
+  std::optional<gap::Forces> simulate(const fit::Hypothesis& /*hypothesis*/,
+                                      const fit::ParameterVector& parameters) const override {
+    return forces_.at(parameters);
+  }
+  double gapOf(const fit::Hypothesis& hypothesis, const gap::Forces& forces) const override {
+    return fitter_.gapOf(hypothesis, forces);
+  }
+  /// Few unknowns, all of which move.
+  fit::BlockGrams normalEquationsAbout(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
+                                       const gap::Forces& base, fit::FreeInLog free,
+                                       const std::vector<bool>& /*active*/, int threads) const override {
+    return fit::normalEquations(fitter_.records(), fitter_.weights(), base, forces_.columns(parameters, base), free,
+                                threads, nullptr, hypothesis.by_zero);
+  }
 
   const fit::Fitter& fitter_;
   LawForces forces_;

@@ -104,7 +104,7 @@ std::string augmentedYaml(const Diagnosis& d) {
   style.head = originOf(d, d.gap.augmented);
   style.note = [&](const std::string& place) {
     const SizedValue* const size = at(d.written, place);
-    return size == nullptr || isAsConfigured(*size) ? ""
+    return size == nullptr || isAsConfigured(*size) || !(size->interval_95[0] < size->interval_95[1]) ? ""
            : std::isfinite(size->configured)
                ? fmt::format("95 %: {}; was {}", intervalText(*size), quantity(size->configured, size->unit))
                : "95 %: " + intervalText(*size);
