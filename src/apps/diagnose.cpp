@@ -21,6 +21,7 @@
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
+#include "diagnosis/results/model_values.h"
 #include "diagnosis/results/taken_out.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
@@ -45,6 +46,7 @@ struct Options {
   std::string plot;
   std::string compare;
   bool evidence = false;
+  std::string law = "simplest";
   std::vector<std::string> rig;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
@@ -144,6 +146,12 @@ OptionTable Options::table() {
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
+      Option(
+          "--law", law, "LAW",
+          "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
+          "alone, whose laws have few numbers and leave nearly as little")
+          .rare()
+          .oneOf({"simplest", "full"}),
       plotOption(plot, "loops, residuals and the gap").rare(),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
@@ -365,6 +373,7 @@ std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
             const Options& options) {
   diagnosis.run = runRecord(options);
+  diagnosis.write_full_law = options.law == "full";
   if (earlier) {
     diagnosis.comparison = earlier->compare(diagnosis);
   }
@@ -376,7 +385,9 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\n{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), takenOut(diagnosis),
+  const std::string whole = diagnosis::wholeText(diagnosis);
+  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+             takenOut(diagnosis),
              excerptsTaken(diagnosis), toText(diagnosis.comparison), options.output);
   return kSuccess;
 }

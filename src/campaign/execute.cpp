@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "command/identify.h"
+#include "diagnosis/results/rounding.h"
 #include "io/sha256.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -183,7 +184,7 @@ void Executor::diagnose(const Job& job, Record& record) {
     const std::string folder = makeReportFolder(job);
     log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
     if (result.workings) {
-      log::writeNewFile(folder + "/augmented.yaml", io::toYaml({result.augmented}));
+      log::writeNewFile(folder + "/augmented.yaml", diagnosis::augmentedYaml(result));
     }
     if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
       log::writeNewFile(folder + "/evidence.json", evidence);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,11 @@ class Fitter final : public HypothesisFitter {
       : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
+  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }
   const HypothesisForces& forces() const { return forces_; }
+  const std::vector<double>& weights() const { return weights_; }
+  double gapOf(const Hypothesis& hypothesis, const std::vector<Eigen::VectorXd>& forces) const override;
+
 
   /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
   /// need not find again. Not while fits run.
@@ -36,8 +41,9 @@ class Fitter final : public HypothesisFitter {
 
  private:
   using Forces = std::vector<Eigen::VectorXd>;
-  const HypothesisForces& simulation() const override { return forces_; }
-  double gapOf(const Hypothesis& hypothesis, const Forces& forces) const override;
+  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+    return forces_.at(hypothesis, parameters);
+  }
   BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
                                   FreeInLog free, const std::vector<bool>& active, int threads) const override;
 

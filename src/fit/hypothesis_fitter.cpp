@@ -68,7 +68,7 @@ ParameterVector HypothesisFitter::configured(const Hypothesis& hypothesis) const
 
 HypothesisFitter::Forces HypothesisFitter::forcesAt(const Hypothesis& hypothesis,
                                                     const ParameterVector& parameters) const {
-  auto forces = simulation().at(hypothesis, parameters);
+  auto forces = simulate(hypothesis, parameters);
   if (!forces) {
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
   }
@@ -76,7 +76,7 @@ HypothesisFitter::Forces HypothesisFitter::forcesAt(const Hypothesis& hypothesis
 }
 
 double HypothesisFitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  const auto forces = simulation().at(hypothesis, parameters);
+  const auto forces = simulate(hypothesis, parameters);
   return forces ? gapOf(hypothesis, *forces) : std::numeric_limits<double>::infinity();
 }
 
@@ -89,7 +89,7 @@ BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Param
     result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   }
   for (Eigen::Index j = 0; j < model().size(); ++j) {
-    result.prior(j, j) = std::pow(kPrior * noise_, 2);
+    result.prior(j, j) = std::pow(kPrior * noise_ * model().firmness(j), 2);
     result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * parameters.model[j];
   }
   result.sumUp();
@@ -131,11 +131,19 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   return result;
 }
 
+double HypothesisFitter::priorOf(const Eigen::VectorXd& logarithms) const {
+  double squares = 0.0;
+  for (Eigen::Index j = 0; j < logarithms.size(); ++j) {
+    squares += std::pow(model().firmness(j) * logarithms[j], 2);
+  }
+  return kPrior * noise_ * std::sqrt(squares);
+}
+
 HypothesisFitter::Place HypothesisFitter::placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const {
   Place place{std::move(parameters), {}, std::numeric_limits<double>::infinity()};
-  if (auto forces = simulation().at(hypothesis, place.parameters)) {
+  if (auto forces = simulate(hypothesis, place.parameters)) {
     place.forces = std::move(*forces);
-    place.cost = std::hypot(gapOf(hypothesis, place.forces), kPrior * noise_ * place.parameters.model.norm());
+    place.cost = std::hypot(gapOf(hypothesis, place.forces), priorOf(place.parameters.model));
   }
   return place;
 }
@@ -180,7 +188,7 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
       break;
     }
     const double promise =
-        std::hypot(promised(total, step), kPrior * noise_ * place.parameters.model.norm());
+        std::hypot(promised(total, step), priorOf(place.parameters.model));
     const bool hopeless = iteration > 0 && promise > limits.reach;
     if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "fit/hypothesis.h"
@@ -73,6 +74,9 @@ class HypothesisFitter {
   /// Free zeros of the displacement where they change the force of a hypothesis at a parameter vector.
   virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
+  /// That what is measured errs by, in units of the force's standard deviation.
+  double noise() const { return noise_; }
+
   /// Regularisation penalty of model parameters at these logarithms, as a gap.
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
 
@@ -91,8 +95,8 @@ class HypothesisFitter {
  private:
   using Forces = std::vector<Eigen::VectorXd>;
 
-  /// What the forces of hypotheses follow from.
-  virtual const HypothesisForces& simulation() const = 0;
+  /// Forces of a hypothesis; nothing where it has no model.
+  virtual std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
   /// Gap of a hypothesis whose forces are these.
   virtual double gapOf(const Hypothesis& hypothesis, const Forces& forces) const = 0;
   /// Normal equations about a parameter vector whose forces are `base`, but for the prior of model parameters.
@@ -110,6 +114,8 @@ class HypothesisFitter {
     Forces forces;
     double cost = 0.0;  ///< gap and prior together
   };
+  /// What departing from the configured model parameters costs within a fit, as a gap.
+  double priorOf(const Eigen::VectorXd& logarithms) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
   /// The same; throws std::invalid_argument where there is no model.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;

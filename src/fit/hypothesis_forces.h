@@ -27,6 +27,7 @@ class HypothesisForces {
       : HypothesisForces(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return *records_; }
+  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return records_; }
   const ModelParameters& model() const { return model_; }
 
   /// True where the force of the model is the sum of those of its elements.

@@ -29,7 +29,9 @@ class TableFitter final : public HypothesisFitter {
 
  private:
   using Forces = std::vector<Eigen::VectorXd>;
-  const HypothesisForces& simulation() const override { return forces_; }
+  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+    return forces_.at(hypothesis, parameters);
+  }
   double gapOf(const Hypothesis& hypothesis, const Forces& forces) const override;
   BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
                                   FreeInLog free, const std::vector<bool>& active, int threads) const override;

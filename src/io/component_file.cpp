@@ -312,6 +312,7 @@ class Loader {
                       log::quoted(key.Scalar()), kMaximumNameLength));
     }
     component_ = key.Scalar();
+    units_.clear();
     if (!node.IsMap()) {
       refuse(node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
     }
@@ -326,6 +327,7 @@ class Loader {
     if (const YAML::Node valid = node["valid_displacement"]) {
       description.valid_displacement = loadValidDisplacement(valid);
     }
+    description.units = units_;
     try {
       description.makeComponent();
     } catch (const std::invalid_argument& error) {
@@ -426,7 +428,7 @@ class Loader {
   }
 
   // One number for both sides, or the two ends.
-  element::Range loadValidDisplacement(const YAML::Node& node) const {
+  element::Range loadValidDisplacement(const YAML::Node& node) {
     const std::string path = "valid_displacement";
     element::ParameterInfo length;
     length.unit = "m";
@@ -449,7 +451,7 @@ class Loader {
 
   // The reference stands before in the tables.
   double loadVertical(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter,
-                      double reference) const {
+                      double reference) {
     if (node.IsScalar() && node.Scalar() == "proportional") {
       return 1.0 / (reference + element::kZeroCelsius);
     }
@@ -538,8 +540,9 @@ class Loader {
     }
     if (const YAML::Node preloads = node["preloads"]) {
       specification.setPreloads(loadMaps<estimation::Specification::Values>(
-          preloads, "specification.preloads",
-          [&](const auto& block, const auto& path) { return loadNumbers(block, path, {}).values(); }));
+          preloads, "specification.preloads", [&](const auto& block, const auto& path) {
+            return loadNumbers(block, path, std::vector<std::string>()).values();
+          }));
     }
   }
 
@@ -620,13 +623,17 @@ class Loader {
     refuse(value.IsDefined() ? value : map, "", "specification." + message);
   }
 
-  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter) const {
+  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter) {
     if (!node.IsScalar()) {
       refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
     }
     double value = 0.0;
     try {
       value = log::parseQuantity(node.Scalar(), parameter.unit);
+      const std::string unit = log::unitOfQuantity(node.Scalar());
+      if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
+        units_.emplace(parameter.unit, unit);
+      }
     } catch (const std::invalid_argument& error) {
       refuse(node, path,
              fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
@@ -663,7 +670,7 @@ class Loader {
   }
 
   std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
-                                  const element::ParameterInfo& parameter) const {
+                                  const element::ParameterInfo& parameter) {
     if (!parameter.is_list || node.IsScalar()) {
       return {loadNumber(node, path, parameter)};
     }
@@ -748,7 +755,8 @@ class Loader {
   }
 
   std::string source_;
-  std::string component_;  // the one being read, for errors
+  std::string component_;                     // the one being read, for errors
+  std::map<std::string, std::string> units_;  // of its numbers, by the SI unit
   // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
   // line.
   std::map<int, int> lines_of_nothing_;
@@ -763,18 +771,31 @@ std::string listYaml(const std::vector<double>& values) {
   return fmt::format("[{}]", log::join(numbers));
 }
 
-std::string flowMap(const element::ElementDescription& description) {
-  std::string text = fmt::format("{{type: {}", description.type);
-  for (const auto& [name, values] : description.values) {
-    text += fmt::format(", {}: {}", name, values.size() == 1 ? number(values[0]) : listYaml(values));
-  }
-  return text + "}";
+std::string styled(const YamlStyle& style, const std::string& place, double value) {
+  return style.number ? style.number(place, value) : number(value);
 }
 
-std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries) {
+std::string entryYaml(const std::string& place, const element::ElementDescription& entry, const YamlStyle& style) {
+  std::string text = fmt::format("{{type: {}", entry.type);
+  std::string notes;
+  for (const auto& [name, values] : entry.values) {
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string number_place = numberPlace(place, name, values.size() > 1 ? static_cast<int>(i) : -1);
+      numbers.push_back(styled(style, number_place, values[i]));
+      const std::string note = style.note ? style.note(number_place) : "";
+      notes += note.empty() ? "" : fmt::format("      # {}: {}\n", number_place.substr(place.size() + 1), note);
+    }
+    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
+  }
+  return fmt::format("{}      - {}}}\n", notes, text);
+}
+
+std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries,
+                        const YamlStyle& style) {
   std::string text = entries.empty() ? "" : fmt::format("    {}:\n", key);
-  for (const element::ElementDescription& entry : entries) {
-    text += fmt::format("      - {}\n", flowMap(entry));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    text += entryYaml(fmt::format("{}[{}]", key, i), entries[i], style);
   }
   return text;
 }
@@ -806,7 +827,7 @@ std::string curveYaml(const estimation::StaticCurve& curve) {
 }
 
 // `added`: then it has to say that it describes the base.
-std::string specificationYaml(const estimation::Specification& specification, bool added) {
+std::string specificationYaml(const estimation::Specification& specification, bool added, const YamlStyle& style) {
   std::string text = "    specification:\n";
   if (added || specification.describes() != estimation::Describes::unsaid) {
     text += "      describes: base\n";
@@ -822,8 +843,15 @@ std::string specificationYaml(const estimation::Specification& specification, bo
   }
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
-      text += fmt::format("      {}: {}{}\n", parameter.name, number(specification.at(parameter.name)),
-                          parameter.unit == "1" ? "" : fmt::format("  # [{}]", parameter.unit));
+      const std::string place = "specification." + parameter.name;
+      const std::string value = styled(style, place, specification.at(parameter.name));
+      const std::string note = style.note ? style.note(place) : "";
+      const bool says_unit = parameter.unit == "1" || value.find(' ') != std::string::npos;
+      text += fmt::format("      {}: {}", parameter.name, value);
+      text += says_unit && note.empty()
+                  ? "\n"
+                  : fmt::format("  #{}{}{}\n", says_unit ? "" : fmt::format(" [{}]", parameter.unit),
+                                note.empty() ? "" : " ", note);
     }
   }
   return text;
@@ -910,8 +938,12 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
   throw ComponentFileError((source.empty() ? "" : source + ": ") + problem + log::join(names));
 }
 
-std::string toYaml(const std::vector<ComponentDescription>& components) {
-  std::string text = "components:\n";
+std::string numberPlace(const std::string& entry, const std::string& key, int index) {
+  return fmt::format("{}.{}{}", entry, key, index < 0 ? "" : fmt::format("[{}]", index));
+}
+
+std::string toYaml(const std::vector<ComponentDescription>& components, const YamlStyle& style) {
+  std::string text = style.head + "components:\n";
   for (const ComponentDescription& component : components) {
     if (!isBaseName(component.name)) {
       throw ComponentFileError(
@@ -921,9 +953,9 @@ std::string toYaml(const std::vector<ComponentDescription>& components) {
     }
     text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
     text += component.model() == estimation::Model::elements
-                ? entriesYaml("elements", component.elements())
-                : specificationYaml(component.specification(), !component.add.empty());
-    text += entriesYaml("add", component.add);
+                ? entriesYaml("elements", component.elements(), style)
+                : specificationYaml(component.specification(), !component.add.empty(), style);
+    text += entriesYaml("add", component.add, style);
     text += component.temperature ? temperatureYaml(*component.temperature) : "";
     text += component.rig ? rigYaml(*component.rig) : "";
     if (const auto& valid = component.valid_displacement) {

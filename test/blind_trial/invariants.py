@@ -110,10 +110,13 @@ def alternatives_follow(report):
 
 def headline_is_the_largest(report):
     """Where the sentence says how far one of the specification's values is off, no other value is farther off beyond its
-    interval."""
+    interval, but for the band of frequencies and values at a bound of the fit."""
     far = []
     for size in report.get("model_sizes", []):
         given, value, (low, high) = size["configured"], size["value"], size["interval_95"]
+        if size["name"] in ("high_frequency", "low_frequency") or any(
+                bound and value == end for bound, end in zip(size["at_bound"], (low, high))):
+            continue
         if given and value and given > 0.0 and value > 0.0 and not low <= given <= high:
             far.append((abs(math.log(value / given)), given, value))
     far = sorted((f for f in far if f[0] > WORTH_SAYING), reverse=True)

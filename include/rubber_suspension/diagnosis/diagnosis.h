@@ -155,6 +155,15 @@ struct SizedValue {
   std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
 };
 
+/// The whole component at one point, as configured and as augmented.
+struct WholeStiffness {
+  double frequency = 0.0;              ///< [Hz]
+  double amplitude = 0.0;              ///< [m]
+  bool nominal_amplitude = false;      ///< it is that of the specification; else the logs' median
+  std::array<double, 2> stiffness{};   ///< K before and after [N/m]
+  std::array<double, 2> loss_angle{};  ///< likewise [rad]
+};
+
 /// An experiment to play on the bench.
 struct ProposedExperiment {
   std::string description;
@@ -227,7 +236,13 @@ struct Diagnosis {
   ProposedExperiment proposed;  ///< its displacement
   io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
-  io::ComponentDescription augmented;  ///< re-estimated, with the effects named
+  /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
+  io::ComponentDescription augmented;
+  io::ComponentDescription augmented_full;  ///< the same with the laws that were judged, all their numbers in full
+  bool write_full_law = false;              ///< the report has augmented_full.yaml
+  double gap_of_full_law = 0.0;             ///< of that one, as `gap.augmented` is of the simplest law
+  std::vector<SizedValue> written;          ///< numbers of `augmented` in full, by their places (io::numberPlace)
+  int finer = 0;                            ///< digits to which they are rounded, beyond a tenth of half the interval
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
 
@@ -243,6 +258,7 @@ struct Diagnosis {
   std::vector<ParameterByLog> by_log;
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
   std::vector<SizedValue> effect_sizes;  ///< of the effects named
+  std::optional<WholeStiffness> whole;   ///< nothing where a component has no settled loop
   CharacteristicErrors errors_re_estimated;
   CharacteristicErrors errors_augmented;
 
@@ -279,7 +295,8 @@ std::string toHtml(const Diagnosis& diagnosis);
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, surrogate.yaml and
+/// Write the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
+/// for, next_experiment.csv, surrogate.yaml and
 /// missing_force.csv where there is a surrogate, evidence.json where it was asked for, the numbers of its figures, and
 /// report.html last. Nothing takes its name before all are written; what an earlier report left there and this one
 /// lacks is removed. Throws std::runtime_error.

@@ -53,16 +53,16 @@ std::string effectsHtml(const Diagnosis& d) {
 std::string sizesHtml(const Diagnosis& d) {
   std::string html;
   for (const SizedValue& size : d.effect_sizes) {
-    const std::string name =
-        size.owner == "friction" && size.name == "displacement" ? "half of the force at" : escape(spoken(size.name));
     html += fmt::format("{}{}{} {}", html.empty() ? "" : "<br>",
-                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", name, quantity(size));
+                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
+                        quantity(size));
   }
   for (const SizedValue* size : changedValues(d)) {
     html += (html.empty() ? "" : "<br>") + escape(d.effects.empty() ? offText(*size) : besideText(*size)) +
             "; 95 %: " + intervalText(*size);
   }
-  return html;
+  const std::string whole = escape(wholeText(d));
+  return html + (html.empty() || whole.empty() ? "" : "<br>") + whole;
 }
 
 std::string sureHtml(const Diagnosis& d) {
@@ -103,11 +103,13 @@ std::string leftHtml(const Diagnosis& d) {
   std::string html = fmt::format("gap {} as configured, {} re-estimated, <b>{} after</b>; noise floor {}",
                                  percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
                                  percent(d.gap.noise_floor));
+  html += d.effects.empty() ? "" : fmt::format("; {} with all numbers of the law", percent(d.gap_of_full_law));
   if (!d.effects.empty()) {
-    html +=
-        fmt::format("<br>closes {} % (95 % on further logs: {} to {} %) of what re-estimation leaves above the noise",
-                    wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
-                    wholePercent(std::min(1.0, d.closed_interval[1])));
+    html += fmt::format(
+        "<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
+        "cannot remove",
+        wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
+        wholePercent(std::min(1.0, d.closed_interval[1])));
   }
   return html;
 }

@@ -21,9 +21,10 @@
 #include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/predictive.h"
 #include "diagnosis/results/recorded_gap.h"
-#include "diagnosis/results/sizes.h"
 #include "diagnosis/results/surrogate.h"
 #include "diagnosis/results/taken_out.h"
+#include "diagnosis/results/whole_stiffness.h"
+#include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
@@ -52,7 +53,12 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    result_.augmented = augmentedDescription(prepared_.model, judged_);
+    before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
+    law_ = writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_);
+    result_.augmented = law_.component;
+    result_.augmented_full = law_.full;
+    result_.gap_of_full_law = law_.full_gap;
+    result_.finer = law_.finer;
     simulateAll();
     measureCandidates();
     measureGap();
@@ -125,7 +131,7 @@ class Describer {
   // Noise is no more than what any of the models leaves.
   void boundFloor() {
     Gap& gap = result_.gap;
-    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
+    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented, law_.full_gap});
     for (const auto& errors : of_candidates_) {
       gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
     }
@@ -133,20 +139,17 @@ class Describer {
 
   void measureGap() {
     noise_ = search_.record_noise;
+    after_ = law_.errors;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
-      before_ = unseenParts(Evidence::kReEstimated);
-      after_ = unseenParts(answer_.model);
       const std::vector<double> floors =
-          noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
+          noiseFloors(law_.full.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                       noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
                      gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
     } else {
-      before_ = search_.re_estimated.fit.blocks;
-      after_ = judged_.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();
@@ -228,7 +231,7 @@ class Describer {
       return;
     }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = result_.augmented.allElements();
+    const auto elements = law_.full.allElements();
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
       const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
@@ -298,9 +301,10 @@ class Describer {
     const fit::Fit& joint = search_.re_estimated.fit;
     result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
     result_.by_log = parametersByLog(prepared_.fitter, joint);
-    Sizes sizes = sizesOf(prepared_.fitter, search_.candidates, judged_, options_);
-    result_.model_sizes = std::move(sizes.model);
-    result_.effect_sizes = std::move(sizes.effects);
+    result_.model_sizes = law_.sizes.model;
+    result_.effect_sizes = law_.sizes.effects;
+    result_.written = law_.sizes.written;
+    result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 
   void describeAnswer() {
@@ -339,6 +343,7 @@ class Describer {
   const Search& search_;
   const Answer& answer_;
   const FittedHypothesis& judged_;
+  WrittenLaw law_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   std::vector<gap::PartError> after_;
