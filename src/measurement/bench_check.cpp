@@ -97,8 +97,8 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
 // Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
-// test pieces scatter by.
-std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.3, kTolerance); }
+// a guess of the stiffness is off by.
+std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.5, kTolerance); }
 
 bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
 
