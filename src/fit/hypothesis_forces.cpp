@@ -176,10 +176,11 @@ ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const Pa
 ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                          std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];
-  if (basis_term.unit_effect) {
+  const double scale = scaleOf(parameters, term);
+  const bool exact = isKnown(basis_term, interactionOf(hypothesis, parameters));
+  if (exact || (basis_term.unit_effect && scale == 0.0)) {
     return knownColumn(hypothesis, parameters, term, base);
   }
-  const double scale = scaleOf(parameters, term);
   const double direction = scale + basis_term.typical > basis_term.upper ? -1.0 : 1.0;
   const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
   ParameterVector moved = parameters;
@@ -207,7 +208,7 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
 }
 
 // Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
-// so, and enough for the direction of a step.
+// so, and enough to tell whether a term at nothing is worth a step.
 ForceColumn HypothesisForces::knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                           std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];

@@ -50,7 +50,7 @@ class HypothesisForces {
                                    const std::vector<bool>& active, const std::vector<Eigen::VectorXd>& base,
                                    int threads) const;
 
-  /// Derivative by the scale of a basis term; about, where others displace the component.
+  /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
   ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
                          const std::vector<Eigen::VectorXd>& base) const;
 

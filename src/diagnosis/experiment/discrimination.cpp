@@ -18,7 +18,7 @@ namespace {
 constexpr double kModelStep = 1e-4;   // of a logarithm, for difference quotients
 constexpr double kTermStep = 0.02;    // of the typical scale
 constexpr double kMostFloors = 10.0;  // count: what decides one question beyond doubt leaves the others open
-constexpr std::size_t kRefitted = 5;  // motions that explanations are fitted to
+constexpr std::size_t kRefitted = 8;  // motions that explanations are fitted to
 constexpr double kLeastNoise = 1e-4;  // of the force
 
 void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
