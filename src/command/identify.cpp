@@ -80,8 +80,7 @@ void checkBenchOf(const std::vector<element::ElementDescription>& elements, cons
     const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
                               finding.finding == measurement::finding::kOtherComponent ||
                               finding.finding == measurement::finding::kPeakToPeak;
-    const bool large = finding.finding == measurement::finding::kUnitFactor &&
-                       std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
+    const bool large = of_stiffness && std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
     const bool short_log = finding.finding == measurement::finding::kTooShort;
     if (!short_log && (!of_stiffness || large)) {
       throw log::LogError(finding.log + ": " + finding.text);

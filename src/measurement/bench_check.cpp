@@ -97,8 +97,8 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
 // Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
-// test pieces scatter by.
-std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.3, kTolerance); }
+// a guess of the stiffness is off by.
+std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.5, kTolerance); }
 
 bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
 
@@ -324,12 +324,23 @@ std::optional<RigFinding> constantFinding(const log::Record& record) {
   return std::nullopt;
 }
 
-// Noise alone, of next to nothing, where the component has a force.
+// By which a displacement changes over so many samples.
+VectorXd wayOver(const VectorXd& displacement, Index samples) {
+  const Index count = std::max<Index>(1, displacement.size() - samples);
+  return displacement.tail(count) - displacement.head(count);
+}
+
+// Noise alone, of next to nothing, neither with the displacement nor with its direction as friction is, where the
+// component has a force.
 std::optional<RigFinding> silenceFinding(const log::Record& record, const Evidence& e) {
   constexpr double kNothing = 0.05;    // of the simulated force
   constexpr double kUnrelated = 0.15;  // correlation
+  const VectorXd way = wayOver(record.displacement, std::max<Index>(1, std::lround(e.period / 8.0)));
+  const VectorXd force = record.force.tail(way.size());
   const bool related = std::abs(e.force_correlation) > kUnrelated ||
-                       std::abs(correlationOf(record.displacement, record.force)) > kUnrelated;
+                       std::abs(correlationOf(record.displacement, record.force)) > kUnrelated ||
+                       std::abs(correlationOf(way, force)) > kUnrelated ||
+                       std::abs(correlationOf(way.cwiseSign(), force)) > kUnrelated;
   if (related || e.force_ratio > kNothing) {
     return std::nullopt;
   }

@@ -288,6 +288,13 @@ TEST(BenchCheck, NamesAChannelThatMeasuredNothing) {
   EXPECT_THAT(namesOf(checkBench(kSpring, {noise})), ElementsAre(finding::kConstant));
 }
 
+// A seal under a spring that it does not have: weak, but it turns with the direction.
+TEST(BenchCheck, TakesNoWeakFrictionForADeadChannel) {
+  log::Record seal = sine(2.0, 1e6, 0.5 * element::kPi);
+  seal.force = 8.0 * seal.force.cwiseSign();
+  EXPECT_TRUE(checkBench(kSpring, {seal}).empty());
+}
+
 // A hold, in which rubber relaxes, and a part of small amplitude within a free play.
 TEST(BenchCheck, TakesNoHoldForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);

@@ -23,7 +23,7 @@ namespace rubber_suspension::measurement {
 /// - delay: the loops give energy because the force is late by an eighth of a period or more;
 /// - unit_factor: the stiffness is off by a factor that a wrong unit makes (1000, 9.81, 25.4, 4.448, 10, ...): about,
 ///   where units are assumed (log::UnitsAre); where they are named within the specification's tolerance of 15 %, by
-///   hundreds 30 %, in all logs alike, or in one log among others by hundreds;
+///   hundreds 50 %, in all logs alike, or in one log among others by hundreds;
 /// - other_component: the stiffness of all logs is off by one other factor, more than this tolerance and all effects of
 ///   rubber can explain together;
 /// - peak_to_peak: the force is that of the component times 2, or 1/2, in all logs;
