@@ -234,18 +234,15 @@ void NodeDiagnostics::updateGaps() {
     const node::MatchCounters matches = watched.channel->gap().counters();
     const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
     watched.matches = matches;
-    if (news) {
-      updateGap(watched);
+    if (!news) {
+      continue;
     }
-  }
-}
-
-void NodeDiagnostics::updateGap(Watched& watched) const {
-  watched.gap = watched.tracker.update(watched.channel->gap());
-  watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
-  if (!watched.running.other_sha256.empty()) {
-    const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
-    watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    watched.gap = watched.tracker.update(watched.channel->gap());
+    watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+    if (!watched.running.other_sha256.empty()) {
+      const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
+      watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    }
   }
 }
 
