@@ -27,6 +27,7 @@ constexpr std::size_t kMostEffects = 3;
 // takes laws for linear: its odds are off by some more.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
+constexpr double kWorthAFit = 2.3;  // sets with one more effect that could be a tenth as likely as the best
 // Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
 constexpr double kHopeless = 2.0;
 
@@ -156,7 +157,7 @@ class Searcher {
   }
 
   // Whether a set of so many effects can come near the best of fewer.
-  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWithinReach; }
+  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWorthAFit; }
 
   // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
   // pair, so that one more than those within reach is taken.
