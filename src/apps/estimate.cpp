@@ -19,6 +19,7 @@
 #include "gap/odd_motion.h"
 #include "io/progress.h"
 #include "log/new_file.h"
+#include "log/text.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
@@ -47,13 +48,6 @@ struct Options {
   OptionTable table();
 };
 
-bool endsWith(const std::string& path, const std::string& extension) {
-  return path.size() > extension.size() &&
-         path.compare(path.size() - extension.size(), std::string::npos, extension) == 0;
-}
-
-bool isMat(const std::string& path) { return endsWith(path, ".mat"); }
-
 // Each way to estimate takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
@@ -73,7 +67,8 @@ OptionTable Options::table() {
              "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
           .rare()
           .standsFor([this] {
-            const io::FileKind kind = isMat(state_space) ? io::FileKind::mat : io::FileKind::state_space_json;
+            const io::FileKind kind =
+                log::endsWith(state_space, ".mat") ? io::FileKind::mat : io::FileKind::state_space_json;
             return Files{{}, {{"--state-space", state_space, kind}}};
           }),
       Option(
@@ -268,7 +263,7 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
 
 // Before any file is written.
 void checkStateSpace(const std::string& path, std::size_t components) {
-  if (!path.empty() && !endsWith(path, ".json") && !(isMat(path) && components == 1)) {
+  if (!path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1)) {
     throw UsageError(
         fmt::format("--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one "
                     "(--component NAME, one of --models)",

@@ -184,11 +184,12 @@ RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::st
 }
 
 RigFinding signFinding(const log::Record& record, const Evidence& e) {
-  return fatal(record, finding::kSign, -1.0,
-               fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} "
-                           "N/m), and its loops take no energy ({:.2g} of the most that there could be), as a mass in "
-                           "fast motion would: the sign of one channel is reversed; --columns force=-NAME",
-                           e.measured.stiffness, e.configured.stiffness, e.work.recorded));
+  return fatal(
+      record, finding::kSign, -1.0,
+      fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
+                  "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
+                  "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME",
+                  e.measured.stiffness, e.configured.stiffness, e.work.recorded));
 }
 
 RigFinding swapFinding(const log::Record& record, const Evidence& e) {

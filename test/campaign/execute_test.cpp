@@ -61,8 +61,7 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   EXPECT_EQ(record.values.at("verdict"), toString(expected.verdict));
   EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
   EXPECT_EQ(record.evidence.at("ratios_by_log").size(), 2U);
-  EXPECT_EQ(record.evidence.at("configured").at("static_stiffness"),
-            component().specification().at("static_stiffness"));
+  EXPECT_GT(record.evidence.at("ratios").at("static_stiffness"), 0.0);
   EXPECT_FALSE(folder_.holds(report_ + "evidence.json"));
 }
 

@@ -205,9 +205,9 @@ class Hdf5Writer {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
-  // Of kRows numbers; nothing is written where there are none.
+  // Nothing is written where there are no values.
   void dataset(const std::string& name, const std::vector<double>& values, hid_t properties = H5P_DEFAULT) const {
-    const hsize_t size = kRows;
+    const hsize_t size = values.empty() ? kRows : values.size();
     const hid_t space = H5Screate_simple(1, &size, nullptr);
     const hid_t dataset =
         H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
