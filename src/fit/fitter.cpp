@@ -17,7 +17,7 @@ namespace {
 // Whether a component gives another force, but for its mean, where its motion is about another place.
 bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
   constexpr Eigen::Index kSamples = 400;
-  constexpr double kAside = 0.2;   // of the amplitude
+  constexpr double kAside = 0.2;  // of the amplitude
   constexpr double kMore = 1e-6;  // of the force: rounding
   log::Record probe;
   probe.dt = record.dt;
@@ -59,8 +59,8 @@ double Fitter::gapOf(const Hypothesis& hypothesis, const Forces& forces) const {
 BlockGrams Fitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                         const Forces& base, FreeInLog free, const std::vector<bool>& active,
                                         int threads) const {
-  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads), free,
-                         threads, known_.get(), hypothesis.by_zero);
+  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads),
+                         free, threads, known_.get(), hypothesis.by_zero);
 }
 
 // Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.
@@ -87,7 +87,8 @@ double Fitter::takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eig
 void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const {
   bool depends = model_depends_on_place_;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
-    depends = depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
+    depends =
+        depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
   }
   const auto elements = depends && !zeros_.empty() ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
   if (!elements) {

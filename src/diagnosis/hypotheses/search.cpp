@@ -168,9 +168,8 @@ class Searcher {
         chosen.push_back(fitted);
       }
     }
-    std::stable_sort(chosen.begin(), chosen.end(), [&](const FittedHypothesis* x, const FittedHypothesis* y) {
-      return oddsOf(*x) > oddsOf(*y);
-    });
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](const FittedHypothesis* x, const FittedHypothesis* y) { return oddsOf(*x) > oddsOf(*y); });
     std::size_t count = 0;
     while (count < std::min(kMostStarts, chosen.size()) &&
            oddsOf(*chosen[count]) > oddsOf(*chosen.front()) - kWithinReach) {
@@ -268,9 +267,8 @@ class Searcher {
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::vector<int> part = members;
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
-      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
-        return pair.hypothesis.members == part;
-      });
+      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(),
+                                      [&](const FittedHypothesis& pair) { return pair.hypothesis.members == part; });
       if (!fitted) {
         parts.push_back({part, std::numeric_limits<double>::infinity(), 0.0,
                          fitter_.configured(fit::makeHypothesis(result_.candidates, part))});
