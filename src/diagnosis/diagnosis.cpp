@@ -113,7 +113,7 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
   auto workings = std::make_shared<Workings>();
-  workings->search = search(MeasuredLogs(ready->fitter, ready->element_fitter), options.threads, options.progress);
+  workings->search = search(MeasuredLogs(ready->fitter), options.threads, options.progress);
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
   return describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);

@@ -331,8 +331,6 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
 
 }  // namespace
 
-VectorXd delayed(const VectorXd& values, double samples) { return delayed(values, samples, 0.0); }
-
 Index RigFit::column(Nuisance nuisance) const { return columnOf(rig, nuisance); }
 
 namespace {

@@ -65,9 +65,6 @@ using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Ei
 /// first samples is the bound.
 bool startsInMotion(const log::Record& record);
 
-/// A signal that comes later by so many samples, by cubic interpolation; held at its ends.
-Eigen::VectorXd delayed(const Eigen::VectorXd& values, double samples);
-
 /// The nuisances of a set of logs, and how wide each may be.
 class RigModel {
  public:

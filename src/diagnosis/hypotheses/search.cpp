@@ -75,11 +75,10 @@ class Searcher {
     }
   }
 
-  // Model parameters as specified and as elements, and what was excited: three tasks that need nothing of each
-  // other.
+  // Two tasks that need nothing of each other.
   void reEstimate() {
     const fit::Hypothesis model;
-    const std::array<std::function<void()>, 3> tasks = {
+    const std::array<std::function<void()>, 2> tasks = {
         [&] {
           const fit::ParameterVector configured = fitter_.configured(model);
           result_.configured_gap = fitter_.gapAt(model, configured);
@@ -87,10 +86,6 @@ class Searcher {
           result_.as_configured = result_.re_estimated;
           result_.as_configured.fit.parameters = configured;
           result_.discretisation = measured_.discretisationError(result_.re_estimated);
-        },
-        [&] {
-          const fit::HypothesisFitter& elements = measured_.elementFitter();
-          result_.element_level = elements.fit(model, elements.configured(model), {kBaseIterations});
         },
         [&] { result_.excitation = measured_.excitation(); }};
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });

@@ -27,7 +27,6 @@ struct Search {
   /// their held-out blocks stand for these.
   FittedHypothesis as_configured;
   FittedHypothesis re_estimated;          ///< model parameters alone
-  fit::Fit element_level;                 ///< every parameter of every element of the model free, nothing added
   std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
   std::vector<FittedHypothesis> pairs;    ///< those that a screening of all found worth a full fit, best first
   std::vector<FittedHypothesis> triples;

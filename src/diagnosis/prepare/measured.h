@@ -21,9 +21,6 @@ class Measured {
   /// Fits with the numbers of the specification free.
   virtual const fit::HypothesisFitter& fitter() const = 0;
 
-  /// Fits with every parameter of every element free.
-  virtual const fit::HypothesisFitter& elementFitter() const = 0;
-
   virtual fit::Excitation excitation() const = 0;
 
   /// The list of effects with their unit effects; those that such a measurement can never show have no terms.

@@ -13,14 +13,12 @@ namespace rubber_suspension::diagnosis {
 /// are no dashpots. A dashpot of the first kind lags by half a step, which looks like a delay.
 std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements);
 
-/// The fitters have to outlive it.
+/// The fitter has to outlive it.
 class MeasuredLogs final : public Measured {
  public:
-  MeasuredLogs(fit::Fitter& fitter, const fit::Fitter& element_fitter)
-      : fitter_(fitter), element_fitter_(element_fitter) {}
+  explicit MeasuredLogs(fit::Fitter& fitter) : fitter_(fitter) {}
 
   const fit::HypothesisFitter& fitter() const override { return fitter_; }
-  const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
   fit::Excitation excitation() const override;
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
                                          int threads) const override;
@@ -29,7 +27,6 @@ class MeasuredLogs final : public Measured {
 
  private:
   fit::Fitter& fitter_;
-  const fit::Fitter& element_fitter_;
 };
 
 }  // namespace rubber_suspension::diagnosis

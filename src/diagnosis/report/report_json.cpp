@@ -258,7 +258,6 @@ std::string toJson(const Diagnosis& diagnosis) {
   if (diagnosis.workings) {
     report["trials"] = hypothesesJson(diagnosis.workings->search);
     report["surrogate_gap"] = number(diagnosis.workings->search.surrogate_gap);
-    report["element_level_gap"] = number(diagnosis.workings->search.element_level.held_out);
   }
   if (diagnosis.table) {
     report["table"] = tableJson(*diagnosis.table);

@@ -27,9 +27,7 @@ struct PreparedCase {
         training(*records),
         held_out(std::move(hold_out)),
         model(component, fit::Level::specification),
-        element_model(component, fit::Level::elements),
         fitter(records, model),
-        element_fitter(records, element_model),
         zeros(std::move(priors)) {
     fitter.setZeros(zeros.training);
   }
@@ -41,9 +39,7 @@ struct PreparedCase {
   const std::vector<log::Record>& training;                 ///< these
   std::vector<log::Record> held_out;
   fit::ModelParameters model;
-  fit::ModelParameters element_model;
   fit::Fitter fitter;
-  fit::Fitter element_fitter;
   ZeroPriors zeros;
 };
 

@@ -22,9 +22,7 @@ MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std:
     : scatter_(std::move(scatter)),
       loops_(std::make_shared<const fit::TableLoops>(points)),
       model_(component, fit::Level::specification),
-      element_model_(component, fit::Level::elements),
-      fitter_(loops_, model_, scatter_.level),
-      element_fitter_(loops_, element_model_, scatter_.level) {}
+      fitter_(loops_, model_, scatter_.level) {}
 
 fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
 

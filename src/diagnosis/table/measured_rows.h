@@ -22,7 +22,6 @@ class MeasuredRows final : public Measured {
   const fit::TableLoops& loops() const { return *loops_; }
 
   const fit::TableFitter& fitter() const override { return fitter_; }
-  const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
   fit::Excitation excitation() const override;
   std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
                                          int threads) const override;
@@ -33,9 +32,7 @@ class MeasuredRows final : public Measured {
   Scatter scatter_;
   std::shared_ptr<const fit::TableLoops> loops_;
   fit::ModelParameters model_;
-  fit::ModelParameters element_model_;
   fit::TableFitter fitter_;
-  fit::TableFitter element_fitter_;
 };
 
 }  // namespace rubber_suspension::diagnosis
