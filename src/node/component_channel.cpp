@@ -29,6 +29,8 @@ component::StreamCounters sum(const component::StreamCounters& a, const componen
   result.repeated += b.repeated;
   result.stepped_back += b.stepped_back;
   result.force_not_finite += b.force_not_finite;
+  result.not_a_rotation += b.not_a_rotation;
+  result.beyond_measure += b.beyond_measure;
   return result;
 }
 
