@@ -198,6 +198,11 @@ double RadialLaw::energy(double r) const {
 
 double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::string& values) const {
   const element::PositionTable table(entry.type, entry.list("displacement"), values, entry.list(values));
+  if (!hasCurve()) {
+    throw std::invalid_argument(fmt::format(
+        "{}.{} follows no curve; accepted: a static_curve or spring_table beside it, or maxwell and dashpot",
+        entry.type, values));
+  }
   double ratio = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const double end = i + 1 < points_.size() ? points_[i + 1].radius : 2.0 * points_[i].radius + 1.0;

@@ -42,7 +42,8 @@ inline std::vector<element::ElementDescription> fullElements(double stiffness, d
           {"spring_table", {{"displacement", points}, {"force", forces}, {"monotone", {0.0}}}},
           {"maxwell_along_curve", {{"displacement", steps}, {"stiffness", branch}, {"break_frequency", {8.0}}}},
           {"dashpot_along_curve", {{"displacement", steps}, {"damping", damping}}},
-          {"bump_stop", {{"stiffness", {2.0 * k}}, {"gap", {2.5 * size}}, {"exponent", {1.5}}, {"reference_depth", {size}}}},
+          {"bump_stop",
+           {{"stiffness", {2.0 * k}}, {"gap", {2.5 * size}}, {"exponent", {1.5}}, {"reference_depth", {size}}}},
           {"iwan", {{"maximum_force", {0.2 * k * size}}, {"displacement", {0.3 * size}}}}};
 }
 

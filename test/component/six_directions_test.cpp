@@ -180,7 +180,8 @@ TEST(SixDirections, TheWrenchDoesTheWorkOfItsDirections) {
   for (const RotationMeasure measure : {RotationMeasure::vector, RotationMeasure::cardan}) {
     const SixDirections bush(framed(fullLaws(measure)));
     EXPECT_GT(closedLoop(bush, 20000).work, 0.0);
-    EXPECT_NEAR(closedLoop(bush, 20000).work, closedLoop(bush, 20000).work_of_directions, 1e-6 * closedLoop(bush, 20000).turnover);
+    EXPECT_NEAR(closedLoop(bush, 20000).work, closedLoop(bush, 20000).work_of_directions,
+                1e-6 * closedLoop(bush, 20000).turnover);
   }
 }
 
