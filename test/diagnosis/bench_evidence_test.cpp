@@ -1,5 +1,5 @@
 // The figure of a report about logs that cannot be what they say: as they are, and with the correction.
-#include "diagnosis/bench_evidence.h"
+#include "diagnosis/prepare/bench_evidence.h"
 
 #include <gmock/gmock.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/report/contradictions.h"
-#include "diagnosis/search_evidence.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/hypotheses/search_evidence.h"
+#include "diagnosis/results/contradictions.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/candidate/registry.h"
 #include "diagnosis/experiment/implant.h"
-#include "diagnosis/screening.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/screening.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-#include "diagnosis/workings.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnosis/candidate/registry.h"
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/experiment/next_experiment.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 

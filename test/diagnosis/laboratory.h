@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "diagnosis/report/contradictions.h"
+#include "diagnosis/results/contradictions.h"
 #include "fit/table_fit.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/io/component_file.h"

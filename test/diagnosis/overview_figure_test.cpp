@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "diagnosis/workings.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {

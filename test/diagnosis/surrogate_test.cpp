@@ -1,5 +1,5 @@
 // What is said of a rest that no effect explains, and the surrogate that a diagnosis writes.
-#include "diagnosis/surrogate.h"
+#include "diagnosis/results/surrogate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/report/missing_force.h"
+#include "diagnosis/results/missing_force.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 #include "shared_runs.h"

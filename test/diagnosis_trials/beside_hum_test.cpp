@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/prepare/rig.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {

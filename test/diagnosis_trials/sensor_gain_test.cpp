@@ -8,7 +8,7 @@
 #include <string>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/prepare/rig.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,5 +1,5 @@
 // Sets that a set of effects is compared with.
-#include "diagnosis/sets.h"
+#include "diagnosis/hypotheses/sets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

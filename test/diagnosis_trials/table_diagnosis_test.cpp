@@ -10,7 +10,7 @@
 
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/prepare/rig.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::diagnosis {

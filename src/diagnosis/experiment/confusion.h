@@ -2,8 +2,8 @@
 #pragma once
 
 #include "diagnosis/experiment/implant.h"
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/criteria.h"
-#include "diagnosis/search.h"
 #include "rubber_suspension/diagnosis/could_show.h"
 
 namespace rubber_suspension::diagnosis {

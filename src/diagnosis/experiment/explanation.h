@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/judge.h"
-#include "diagnosis/search.h"
 
 namespace rubber_suspension::diagnosis {
 

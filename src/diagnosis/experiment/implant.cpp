@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/screening.h"
+#include "diagnosis/hypotheses/screening.h"
 #include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
 #include "numerics/symmetric.h"

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "diagnosis/hypotheses/search.h"
 #include "diagnosis/judge/judge.h"
-#include "diagnosis/search.h"
 #include "fit/fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 

@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/candidate/registry.h"
 #include "diagnosis/experiment/confusion.h"
-#include "diagnosis/rig.h"
-#include "diagnosis/screening.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/screening.h"
+#include "diagnosis/prepare/rig.h"
+#include "diagnosis/results/workings.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/gap/gap.h"

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "diagnosis/augmented.h"
 #include "diagnosis/report/text.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/augmented.h"
+#include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

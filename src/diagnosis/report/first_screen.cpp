@@ -8,9 +8,9 @@
 #include <map>
 
 #include "diagnosis/report/finding_advice.h"
-#include "diagnosis/report/model_values.h"
 #include "diagnosis/report/text.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/model_values.h"
+#include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

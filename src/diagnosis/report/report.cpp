@@ -12,9 +12,9 @@
 
 #include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/report/figure_data.h"
-#include "diagnosis/report/missing_force.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/missing_force.h"
+#include "diagnosis/results/workings.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/log.h"

@@ -5,7 +5,7 @@
 
 #include "diagnosis/report/could_show_json.h"
 #include "diagnosis/report/table_section.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {

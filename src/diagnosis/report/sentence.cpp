@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "diagnosis/judge/criteria.h"
-#include "diagnosis/report/model_values.h"
 #include "diagnosis/report/text.h"
+#include "diagnosis/results/model_values.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {

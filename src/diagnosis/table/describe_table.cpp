@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/augmented.h"
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/report/sentence.h"
-#include "diagnosis/report/sizes.h"
+#include "diagnosis/results/augmented.h"
+#include "diagnosis/results/sizes.h"
 #include "diagnosis/table/next_row.h"
 #include "rubber_suspension/gap/gap.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "diagnosis/candidate/registry.h"
-#include "diagnosis/measured_logs.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/prepare/measured_logs.h"
 
 namespace rubber_suspension::diagnosis {
 

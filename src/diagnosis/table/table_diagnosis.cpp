@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/refused.h"
-#include "diagnosis/search_evidence.h"
 #include "diagnosis/table/describe_table.h"
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
