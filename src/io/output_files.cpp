@@ -56,7 +56,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
       {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},
       {FileKind::characteristics_csv, "a table of characteristics", {"frequency_Hz,amplitude_m,"}, {}},
-      {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'"}},
+      {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'", "'gbs'"}},
       {FileKind::state_space_json, "a state-space model", {"{"}, {"rubber_suspension/state_space/"}},
       {FileKind::mat, "a state-space model", {"rubber_suspension"}, {}},
   };
