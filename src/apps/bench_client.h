@@ -10,7 +10,7 @@
 
 #include "command_line/command.h"
 #include "ros_interface/log_player.h"
-#include "roscpp_fixes/loopback.h"
+#include "roscpp_fixes/process_fixes.h"
 
 namespace rubber_suspension::apps {
 

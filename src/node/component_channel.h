@@ -2,41 +2,43 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "node/gap_monitor.h"
 #include "node/latency_histogram.h"
 #include "node/promotion.h"
 #include "node/temperature_feed.h"
-#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/component/pose_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::node {
 
-/// The state of a model beside the configured one as it is saved.
-struct SavedPromotion {
-  std::string description;  ///< of the model, as a component file
-  RunStage stage = RunStage::configured;
-  double weight = 0.0;  ///< of its force in the published one
-  bool started = false;
+/// Where a model stands.
+struct SavedStream {
+  bool started = false;       ///< false: no sample yet, the rest means nothing
   std::int64_t stamp = 0;     ///< [ns] of the last accepted sample
-  double displacement = 0.0;  ///< [m] at that sample
+  double displacement = 0.0;  ///< [m] at that sample; of six directions the memory has the coordinates
   std::vector<double> memory;
 };
 
+/// The state of a model beside the configured one.
+struct SavedPromotion : SavedStream {
+  std::string description;  ///< of the model, as a component file
+  RunStage stage = RunStage::configured;
+  double weight = 0.0;  ///< of its force in the published one
+};
+
 /// The state of a component as it is saved, with what is needed to refuse it where it does not belong.
-struct SavedState {
+struct SavedState : SavedStream {
   std::string component;
   std::vector<element::ElementDescription> elements;  ///< of the component whose state it is
-  bool started = false;                               ///< false: no sample yet, the rest means nothing
-  std::int64_t stamp = 0;                             ///< [ns] of the last accepted sample
-  double displacement = 0.0;                          ///< [m] at that sample
-  std::vector<double> memory;
-  std::optional<SavedPromotion> promotion;  ///< of the model beside, where there is one
+  std::optional<SavedPromotion> promotion;            ///< of the model beside, where there is one
 };
 
 /// What gives the force of a component.
@@ -49,35 +51,38 @@ struct RunningModel {
   std::vector<std::string> added;  ///< types of the elements that the other model adds
   std::string note;                ///< why a stage was left, where it did not go on as asked
 
-  friend bool operator==(const RunningModel& a, const RunningModel& b) {
-    return a.stage == b.stage && a.since == b.since && a.configured_sha256 == b.configured_sha256 &&
-           a.other_sha256 == b.other_sha256 && a.note == b.note;
+  friend bool operator!=(const RunningModel& a, const RunningModel& b) {
+    return std::tie(a.stage, a.since, a.configured_sha256, a.other_sha256, a.note) !=
+           std::tie(b.stage, b.since, b.configured_sha256, b.other_sha256, b.note);
   }
-  friend bool operator!=(const RunningModel& a, const RunningModel& b) { return !(a == b); }
 };
 
-/// What a channel did since it was made, and since the last report.
-struct ChannelReport {
-  component::StreamCounters counters;   ///< since the node started, over resets and reloads
+/// What a channel did since it was made, over resets and reloads, and since the last report.
+struct ChannelReport : component::StreamCounters {
   std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
   std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
+  std::uint64_t beyond_rotation = 0;    ///< poses that were answered beyond `valid_rotation`
+  double valid_rotation = 0.0;          ///< of six directions [rad]
   std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
   std::uint64_t undecodable = 0;  ///< messages that are no samples
   std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
   bool enabled = true;
   bool started = false;
-  double last_time = 0.0;                  ///< stamp of the last accepted sample [s]
-  double displacement = 0.0;               ///< of the last accepted sample [m]
-  bool shifts_with_temperature = false;    ///< whether the component does
-  std::optional<double> temperature;       ///< of the last sample [degC], where one has come
-  std::uint64_t refused_temperatures = 0;  ///< not finite, or none at which the component's shift holds
-  LatencyHistogram latency;                ///< of the samples since the last report
+  double last_time = 0.0;                            ///< stamp of the last accepted sample [s]
+  double displacement = 0.0;                         ///< of the last accepted sample [m]
+  std::optional<component::SixNumbers> coordinates;  ///< likewise, of six directions [m, rad]
+  bool shifts_with_temperature = false;              ///< whether the component does
+  std::optional<double> temperature;                 ///< of the last sample [degC], where one has come
+  std::uint64_t refused_temperatures = 0;            ///< not finite, or none at which the component's shift holds
+  LatencyHistogram latency;                          ///< of the samples since the last report
 };
 
 /// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
 /// a file is read, a model is estimated or a message is published.
 class ComponentChannel {
+  class Promotion;
+
  public:
   /// Throws std::invalid_argument where the description has no solution. max_gap in [s]; samples_kept as in GapMonitor.
   ComponentChannel(const io::ComponentDescription& description, double max_gap,
@@ -85,8 +90,21 @@ class ComponentChannel {
 
   const std::string& name() const { return name_; }
 
+  /// Whether it takes poses, and no displacements.
+  bool hasSixDirections() const { return has_six_; }
+
   /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
+
+  /// The same of six directions: position [m] and rotation of B in A; the wrench on B, in A's axes.
+  bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
+            component::Wrench& wrench);
+
+  /// A measured wrench on B at B's origin, in A's axes; one of a stamp that a pose has is compared with its wrench.
+  void addMeasured(std::int64_t stamp, const component::Wrench& wrench);
+
+  /// The matched samples of the last seconds: of one direction, or of six in their order, with generalised forces.
+  std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
   /// The temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, where it is none at
   /// which the component's shift holds.
@@ -106,8 +124,10 @@ class ComponentChannel {
 
   SavedState save() const;
 
-  /// Throws std::invalid_argument if the state is not one of this component; then nothing has changed.
-  void checkState(const SavedState& state) const;
+  /// Throws std::invalid_argument if the state is not one of this component. Returns the model beside, if it has one.
+  std::shared_ptr<Promotion> checkState(const SavedState& state) const;
+
+  /// Go on from a state; throws as checkState(), and nothing has changed.
   void load(const SavedState& state);
 
   /// A model made ready for exchange(), outside of any lock.
@@ -131,37 +151,31 @@ class ComponentChannel {
   /// The configured component; another object after exchange().
   std::shared_ptr<const io::ComponentDescription> configured() const;
 
-  /// Measured forces go here; what is accepted and answered is already there.
-  GapMonitor& gap() { return gap_; }
+  /// Measured forces go here; what is accepted and answered is already there. Of six directions one each.
+  GapMonitor& gap(std::size_t direction = 0) { return gaps_[direction]; }
 
   /// What happened so far; starts a new interval of the latency.
   ChannelReport report();
 
  private:
-  class Promotion;
-
-  std::shared_ptr<Promotion> restored(const SavedState& state) const;
   void dropFinished(std::shared_ptr<Promotion>& finished);
-  void keepTemperature(Model& model) const;
-  void keepTemperature(const std::shared_ptr<Promotion>& promotion) const;
+  bool isBeside() const;
+  void keepTemperature();
+  bool begins(std::int64_t stamp, bool finite);
+  void clearGaps();
 
   std::string name_;
   double max_gap_;
   PromotionSettings promotion_settings_;
+  bool has_six_;
   mutable std::mutex mutex_;
   std::shared_ptr<Model> model_;
   std::shared_ptr<Promotion> promotion_;  // the model beside, if any
   std::string note_;                      // how the last promotion ended
   std::int64_t since_ = 0;                // and with which sample
-  component::StreamCounters earlier_;     // of the models before a reload
-  std::uint64_t beyond_valid_ = 0;
-  std::uint64_t disabled_ = 0;
-  std::uint64_t lost_ = 0;
-  std::uint64_t refused_temperatures_ = 0;
-  bool enabled_ = true;
+  ChannelReport counts_;                  // what is counted here, and by models before a reload
   TemperatureFeed temperatures_;
-  LatencyHistogram latency_;
-  GapMonitor gap_;  // has a lock of its own
+  std::deque<GapMonitor> gaps_;  // each has a lock of its own
 };
 
 }  // namespace rubber_suspension::node
