@@ -15,6 +15,9 @@ constexpr std::size_t kLongestComponentName = 100;  ///< bytes; the component fi
 template <std::size_t kNumbers>
 bool isStamped(const std::uint8_t* data, std::size_t size);
 
+/// Its kind.
+using MessageCheck = bool(const std::uint8_t* data, std::size_t size);
+
 constexpr std::size_t kPoseNumbers = 7;    ///< position and quaternion
 constexpr std::size_t kWrenchNumbers = 6;  ///< force and moment
 

@@ -3,6 +3,8 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <fmt/format.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <rubber_suspension/Diagnosis.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
@@ -12,8 +14,10 @@
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/GapShare.h>
 #include <rubber_suspension/MeasuredForce.h>
+#include <rubber_suspension/PoseArray.h>
 #include <rubber_suspension/ResetComponent.h>
 #include <rubber_suspension/Running.h>
+#include <rubber_suspension/WrenchArray.h>
 #include <sensor_msgs/Temperature.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -81,7 +85,21 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       topic<Diagnosis>("COMPONENT/diagnosis", Kind::published,
                        "latched: where ~diagnose is true, which effect the model lacks, since when, and how sure that "
                        "is"),
-      topic<DisplacementArray>("displacements", Kind::subscribed, "all components in one message"),
+      topic<geometry_msgs::PoseStamped>("COMPONENT/pose", Kind::subscribed,
+                                        "of six directions, in place of displacement: body B in body A, whose frame is "
+                                        "that of the header; each accepted sample is answered by one wrench"),
+      topic<geometry_msgs::WrenchStamped>("COMPONENT/wrench", Kind::published,
+                                          "the answer, with the header of the pose: what has to be applied to B, at "
+                                          "B's origin, to hold the pose, in A's axes"),
+      topic<geometry_msgs::WrenchStamped>("COMPONENT/measured_wrench", Kind::subscribed,
+                                          "optional: with the wrench of the real component, likewise, the node watches "
+                                          "the gap of each direction"),
+      topic<Gap>("COMPONENT/DIRECTION/gap", Kind::published,
+                 "of six directions: the gap of each that is not free, x to rz, along and about the axes of the "
+                 "component"),
+      topic<PoseArray>("poses", Kind::subscribed, "all components of six directions in one message"),
+      topic<WrenchArray>("wrenches", Kind::published, "the answer to it"),
+      topic<DisplacementArray>("displacements", Kind::subscribed, "all components of one direction in one message"),
       topic<ForceArray>("forces", Kind::published, "the answer to it"),
       topic<diagnostic_msgs::DiagnosticArray>("/diagnostics", Kind::published,
                                               "once per second: rate, drops, rejects, latency and gap per component"),
@@ -128,7 +146,7 @@ std::string topicReference() {
       "```\n\n## Messages\n";
   text += definition<Displacement>() + definition<Force>() + definition<MeasuredForce>() + definition<Gap>() +
           definition<GapShare>() + definition<Running>() + definition<Diagnosis>() + definition<DisplacementArray>() +
-          definition<ForceArray>();
+          definition<ForceArray>() + definition<PoseArray>() + definition<WrenchArray>();
   return text;
 }
 
