@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -30,51 +30,25 @@ void add(const component::StreamCounters& news, component::StreamCounters& sum) 
   }
 }
 
-// All that a component of six directions consists of, as if it had one: a state of it fits no other.
-std::vector<element::ElementDescription> listed(const component::SixDirectionsLaws& laws) {
-  const auto numbers = [](const Eigen::Isometry3d& frame) {
-    return std::vector<double>(frame.matrix().data(), frame.matrix().data() + frame.matrix().size());
-  };
-  std::vector<element::ElementDescription> list = {
-      {"arrangement",
-       {{"coupling", {static_cast<double>(laws.translation), static_cast<double>(laws.rotation)}},
-        {"axis", {static_cast<double>(laws.axis)}},
-        {"measure", {static_cast<double>(laws.measure)}},
-        {"on_a", numbers(laws.on_a)},
-        {"on_b", numbers(laws.on_b)}}}};
-  for (std::size_t i = 0; i < component::kDirections; ++i) {
-    for (const element::ElementDescription& element : laws.elements[i]) {
-      list.push_back({fmt::format("{}.{}", component::toString(static_cast<component::Direction>(i)), element.type),
-                      element.values});
-    }
-  }
-  return list;
+SavedStream savedOf(const component::SampleStream& stream) {
+  return {stream.started(), stream.lastStamp(), stream.state().displacement(), stream.state().memory()};
 }
+
+SavedStream savedOf(const component::PoseStream& stream) {
+  return {stream.started(), stream.lastStamp(), 0.0, stream.state().numbers()};
+}
+
+void goOn(component::SampleStream& stream, const SavedStream& saved) {
+  stream.deserialise(saved.stamp, saved.displacement, saved.memory);
+}
+
+void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.deserialise(saved.stamp, saved.memory); }
 
 // Refuses a model that cannot be computed beside another.
 void requireOneDirection(const io::ComponentDescription& description) {
   if (description.six) {
     throw std::invalid_argument(fmt::format(
         "{}: a component of six directions cannot be promoted; accepted: one of one direction", description.name));
-  }
-}
-
-// The samples that all windows have, of stamps that increase in each.
-void keepCommonStamps(std::vector<std::vector<MatchedSample>>& windows) {
-  const auto earlier = [](const MatchedSample& a, const MatchedSample& b) { return a.stamp < b.stamp; };
-  std::vector<MatchedSample> common = windows[0];
-  for (const auto& window : windows) {
-    std::vector<MatchedSample> both;
-    std::set_intersection(common.begin(), common.end(), window.begin(), window.end(), std::back_inserter(both),
-                          earlier);
-    common = std::move(both);
-  }
-  for (auto& window : windows) {
-    window.erase(std::remove_if(window.begin(), window.end(),
-                                [&](const MatchedSample& sample) {
-                                  return !std::binary_search(common.begin(), common.end(), sample, earlier);
-                                }),
-                 window.end());
   }
 }
 
@@ -87,93 +61,52 @@ class ComponentChannel::Model {
         sha256(io::sha256(io::toYaml({description}))),
         valid(description.six ? std::nullopt : description.validDisplacement()) {
     if (description.six) {
-      six_.emplace(description, max_gap);
+      six.emplace(description.six->makeComponent(), max_gap);
     } else {
-      one_.emplace(description, max_gap);
+      one.emplace(description.makeComponent(), max_gap);
     }
   }
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  component::SampleStream& samples() { return one_->stream; }
-  component::PoseStream& poses() { return six_->stream; }
-  const component::SixDirections& six() const { return six_->component; }
-  const component::SixDirectionsState& place() const { return six_->stream.state(); }
-
-  // What is asked of either.
+  // What is asked of either kind, by its component and stream.
   template <class Ask>
   auto ask(Ask question) const {
-    return six_ ? question(*six_) : question(*one_);
+    return six ? question(six->component, six->stream) : question(one->component, one->stream);
   }
-  template <class Do>
-  void tell(Do order) {
-    six_ ? order(*six_) : order(*one_);
+  template <class Order>
+  void tell(Order order) {
+    six ? order(six->stream) : order(one->stream);
   }
 
+  // Those of which the model consists; of six directions, which have more than elements, a hash of it all.
   std::vector<element::ElementDescription> elements() const {
-    return ask([](const auto& model) { return model.elements(); });
+    return six ? std::vector<element::ElementDescription>{{sha256, {}}} : one->component.elements();
   }
   SavedStream save() const {
-    return ask([](const auto& model) { return model.save(); });
+    return ask([](const auto& /*component*/, const auto& stream) { return savedOf(stream); });
   }
   void restore(const SavedStream& saved) {
-    tell([&](auto& model) { saved.started ? model.restore(saved) : model.stream.reset(); });
+    tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
   }
-  void reset() {
-    tell([](auto& model) { model.stream.reset(); });
+  void check(const SavedStream& saved) const {
+    ask([&](const auto& /*component*/, auto copy) { goOn(copy, saved); });
   }
-  void setTemperature(double temperature) {
-    tell([&](auto& model) { model.stream.setTemperature(temperature); });
-  }
-  component::StreamCounters counters() const {
-    return ask([](const auto& model) { return model.stream.counters(); });
-  }
-  std::int64_t lastStamp() const {
-    return ask([](const auto& model) { return model.stream.lastStamp(); });
-  }
+
+  // The stream refers to the component, so the two stay at one address.
+  template <class Component, class Stream>
+  struct Fed {
+    Fed(Component made, double max_gap) : component(std::move(made)), stream(component, max_gap) {}
+
+    const Component component;
+    Stream stream;
+  };
 
   const std::shared_ptr<const io::ComponentDescription> described;
   const std::string sha256;
   const std::optional<element::Range> valid;  // [m]
-
- private:
-  // A component with its stream, which refers to it, so the two stay at one address.
-  struct OneDirection {
-    OneDirection(const io::ComponentDescription& description, double max_gap)
-        : component(description.makeComponent()), stream(component, max_gap) {}
-
-    std::vector<element::ElementDescription> elements() const { return component.elements(); }
-    SavedStream save() const {
-      return {stream.started(), stream.lastStamp(), stream.state().displacement(), stream.state().memory()};
-    }
-    void restore(const SavedStream& saved) { stream.deserialise(saved.stamp, saved.displacement, saved.memory); }
-    void check(const SavedStream& saved) const {
-      component::ComponentState state = component.makeState();
-      component.restore(state, saved.displacement, saved.memory);
-    }
-
-    const component::Component component;
-    component::SampleStream stream;
-  };
-
-  struct SixDirections {
-    SixDirections(const io::ComponentDescription& description, double max_gap)
-        : component(description.six->makeComponent()), stream(component, max_gap) {}
-
-    std::vector<element::ElementDescription> elements() const { return listed(component.laws()); }
-    SavedStream save() const { return {stream.started(), stream.lastStamp(), 0.0, stream.state().numbers()}; }
-    void restore(const SavedStream& saved) { stream.deserialise(saved.stamp, saved.memory); }
-    void check(const SavedStream& saved) const {
-      component::SixDirectionsState state = component.makeState();
-      component.restore(state, saved.memory);
-    }
-
-    const component::SixDirections component;
-    component::PoseStream stream;
-  };
-
-  std::optional<OneDirection> one_;
-  std::optional<SixDirections> six_;
+  std::optional<Fed<component::Component, component::SampleStream>> one;
+  std::optional<Fed<component::SixDirections, component::PoseStream>> six;
 };
 
 // The model beside the configured one. It is fed with the samples that this one accepts.
@@ -188,7 +121,7 @@ class ComponentChannel::Promotion {
   element::ComponentForce push(std::int64_t stamp, double displacement, const element::ComponentForce& configured,
                                double& beside) {
     fade.advance(stamp);
-    const component::StreamForce answer = model->samples().push(stamp, displacement);
+    const component::StreamForce answer = model->one->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       fade.end();
       note = "its force was not finite";
@@ -248,7 +181,7 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
     if (!begins(stamp, std::isfinite(displacement))) {
       return false;
     }
-    const component::StreamForce answer = model_->samples().push(stamp, displacement);
+    const component::StreamForce answer = model_->one->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
@@ -273,7 +206,7 @@ bool ComponentChannel::push(std::int64_t stamp, const Eigen::Vector3d& position,
     if (!begins(stamp, position.allFinite() && rotation.coeffs().allFinite())) {
       return false;
     }
-    answer = model_->poses().push(stamp, position, rotation);
+    answer = model_->six->stream.push(stamp, position, rotation);
     if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
@@ -293,7 +226,8 @@ void ComponentChannel::addMeasured(std::int64_t stamp, const component::Wrench& 
   }
 }
 
-// The monitors hold a wrench as it was measured, in A's axes: what it comes to in the directions is up to the pose.
+// The monitors of six directions hold the wrench as it was measured: what it comes to in the directions is up to the
+// pose. Samples that not all have are left out.
 std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds) const {
   std::vector<std::vector<MatchedSample>> windows;
   for (const GapMonitor& gap : gaps_) {
@@ -302,32 +236,36 @@ std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds
   if (!has_six_) {
     return windows;
   }
-  keepCommonStamps(windows);
-  std::shared_ptr<const Model> model;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    model = model_;
-  }
-  for (std::size_t n = 0; n < windows[0].size(); ++n) {
+  const component::SixDirections component = configured()->six->makeComponent();
+  std::vector<std::vector<MatchedSample>> result(windows.size());
+  for (const MatchedSample& sample : windows[0]) {
+    std::array<MatchedSample, component::kDirections> of;
     component::SixNumbers coordinates;
-    component::SixNumbers measured;
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      coordinates[i] = windows[static_cast<std::size_t>(i)][n].displacement;
-      measured[i] = windows[static_cast<std::size_t>(i)][n].measured;
+    component::Wrench measured;
+    bool complete = true;
+    for (std::size_t i = 0; i < of.size() && complete; ++i) {
+      const auto found = std::lower_bound(windows[i].begin(), windows[i].end(), sample.stamp,
+                                          [](const MatchedSample& a, std::int64_t stamp) { return a.stamp < stamp; });
+      complete = found != windows[i].end() && found->stamp == sample.stamp;
+      of[i] = complete ? *found : MatchedSample();
+      const auto at = static_cast<Eigen::Index>(i);
+      coordinates[at] = of[i].displacement;
+      (i < component::kRx ? measured.force : measured.moment)[at % 3] = of[i].measured;
     }
-    const component::SixNumbers forces =
-        model->six().directionForces(model->six().pose(coordinates), {measured.head<3>(), measured.tail<3>()});
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      windows[static_cast<std::size_t>(i)][n].measured = forces[i];
+    const component::SixNumbers forces = component.directionForces(component.pose(coordinates), measured);
+    for (std::size_t i = 0; i < of.size() && complete; ++i) {
+      of[i].measured = forces[static_cast<Eigen::Index>(i)];
+      result[i].push_back(of[i]);
     }
   }
-  return windows;
+  return result;
 }
 
 bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!std::isfinite(temperature) ||
-      !model_->ask([](const auto& model) { return model.component.temperatures(); }).contains(temperature)) {
+      !model_->ask([](const auto& component, const auto& /*stream*/) { return component.temperatures(); })
+           .contains(temperature)) {
     ++counts_.refused_temperatures;
     return false;
   }
@@ -338,9 +276,9 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
 // The temperature that was measured last holds, whatever the state says.
 void ComponentChannel::keepTemperature() {
   if (const std::optional<double>& temperature = temperatures_.current()) {
-    model_->setTemperature(*temperature);
+    model_->tell([&](auto& stream) { stream.setTemperature(*temperature); });
     if (promotion_) {
-      promotion_->model->setTemperature(*temperature);
+      promotion_->model->one->stream.setTemperature(*temperature);
     }
   }
 }
@@ -361,9 +299,9 @@ void ComponentChannel::countLost(std::uint64_t samples) {
 void ComponentChannel::reset() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    model_->reset();
+    model_->tell([](auto& stream) { stream.reset(); });
     if (promotion_) {
-      promotion_->model->reset();
+      promotion_->model->one->stream.reset();
     }
   }
   clearGaps();
@@ -401,7 +339,7 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
     throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
   }
   try {
-    model->ask([&](const auto& of) { of.check(state); });
+    model->check(state);
     if (!state.promotion) {
       return {};
     }
@@ -440,11 +378,11 @@ void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   if (!sameElements(model_->elements(), model->elements())) {
     std::swap(promotion_, promotion);
     note_ = promotion ? "the component file was read again and has another model" : "";
-    since_ = model_->lastStamp();
+    since_ = model_->save().stamp;
   } else {
     model->restore(model_->save());
   }
-  add(model_->counters(), counts_);
+  model_->ask([&](const auto& /*component*/, const auto& stream) { add(stream.counters(), counts_); });
   std::swap(model_, old);
   keepTemperature();
 }
@@ -512,18 +450,19 @@ ChannelReport ComponentChannel::report() {
   dropFinished(finished);
   ChannelReport result = counts_;
   counts_.latency = {};
-  add(model_->counters(), result);
   result.valid = model_->valid;
-  result.last_time = 1e-9 * static_cast<double>(model_->lastStamp());
+  model_->ask([&](const auto& component, const auto& stream) {
+    add(stream.counters(), result);
+    result.started = stream.started();
+    result.last_time = 1e-9 * static_cast<double>(stream.lastStamp());
+    result.shifts_with_temperature = component.shiftsWithTemperature();
+  });
   if (has_six_) {
-    result.valid_rotation = model_->six().laws().valid_rotation;
-    result.coordinates = model_->place().coordinates();
+    result.valid_rotation = model_->six->component.laws().valid_rotation;
+    result.coordinates = model_->six->stream.state().coordinates();
   } else {
-    result.displacement = model_->samples().state().displacement();
+    result.displacement = model_->one->stream.state().displacement();
   }
-  result.started = model_->ask([](const auto& model) { return model.stream.started(); });
-  result.shifts_with_temperature =
-      model_->ask([](const auto& model) { return model.component.shiftsWithTemperature(); });
   result.temperature = temperatures_.current();
   return result;
 }
