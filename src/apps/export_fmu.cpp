@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"export_fmu",
-       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable.",
+       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable; of six "
+       "directions pose in, wrench out.",
        {{"FMI 2.0", "--config component.yaml --output bush.fmu"},
         {"FMI 3.0", "--config component.yaml --fmi 3 --output bush.fmu"},
         {"One of several components", "--config example.yaml --component left_secondary --output left.fmu"}}},
