@@ -107,6 +107,11 @@ TEST_P(SixDirections, WrenchesAreThoseOfTheComponent) {
   EXPECT_GT(largest, 1e3);
 }
 
+TEST_P(SixDirections, TheDescriptionBreaksNoRule) {
+  EXPECT_EQ(brokenRules(modelDescription(dataOf(bush()), GetParam(), "test 1.0"), GetParam()),
+            std::vector<std::string>());
+}
+
 TEST_P(SixDirections, ASavedStateGoesOnWithTheSameBits) {
   start(0);
   drive(0, 100);
