@@ -157,7 +157,7 @@ ComponentChannel::ComponentChannel(const io::ComponentDescription& description, 
       promotion_settings_(promotion_settings),
       has_six_(description.six != nullptr),
       model_(makeModel(description, max_gap)) {
-  for (std::size_t i = 0; i < (has_six_ ? component::kDirections : 1); ++i) {
+  for (std::size_t i = 0; i < (has_six_ ? std::size_t{component::kDirections} : 1); ++i) {
     gaps_.emplace_back(has_six_ ? GapMonitor::kCapacity : samples_kept);
   }
 }

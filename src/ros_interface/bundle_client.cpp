@@ -11,20 +11,23 @@
 #include "ros_interface/connection.h"
 
 namespace rubber_suspension::ros_interface {
+namespace {
+
+const char* topicOf(const DisplacementArray& /*message*/) { return "displacements"; }
+const char* topicOf(const ForceArray& /*message*/) { return "forces"; }
+const char* topicOf(const PoseArray& /*message*/) { return "poses"; }
+const char* topicOf(const WrenchArray& /*message*/) { return "wrenches"; }
+
+std::vector<double>& samplesOf(DisplacementArray& bundle) { return bundle.displacement; }
+std::vector<geometry_msgs::Pose>& samplesOf(PoseArray& bundle) { return bundle.poses; }
+handle_.setCallbackQueue(&queue_);
+
+}  // namespace
 template <class Bundle, class Sample, class Answer>
 BundleClientOf<Bundle, Sample, Answer>::BundleClientOf(const ros::NodeHandle& handle,
                                                        std::vector<std::string> components, double timeout)
     : handle_(handle), timeout_(timeout) {
   constexpr std::uint32_t kBundleQueueSize = 10000;
-
-  const char* topicOf(const DisplacementArray& /*message*/) { return "displacements"; }
-  const char* topicOf(const ForceArray& /*message*/) { return "forces"; }
-  const char* topicOf(const PoseArray& /*message*/) { return "poses"; }
-  const char* topicOf(const WrenchArray& /*message*/) { return "wrenches"; }
-
-  std::vector<double>& samplesOf(DisplacementArray & bundle) { return bundle.displacement; }
-  std::vector<geometry_msgs::Pose>& samplesOf(PoseArray & bundle) { return bundle.poses; }
-  handle_.setCallbackQueue(&queue_);
   message_.components = std::move(components);
   publisher_ = handle_.advertise<Bundle>(topicOf(message_), kBundleQueueSize);
   const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =

@@ -84,7 +84,7 @@ Eigen::Isometry3d BushedVehicle::motion(const SimTK::State& state, const Mount& 
   for (int row = 0; row < 3; ++row) {
     result.translation()[row] = pose.p()[row];
     for (int column = 0; column < 3; ++column) {
-      result.linear()(row, column) = pose.R()(row, column);
+      result.linear()(row, column) = pose.R().asMat33()(row, column);
     }
   }
   return result;

@@ -39,7 +39,7 @@ Eigen::Matrix3d toEigen(const SimTK::Rotation& rotation) {
   Eigen::Matrix3d result;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      result(row, column) = rotation(row, column);
+      result(row, column) = rotation.asMat33()(row, column);
     }
   }
   return result;
