@@ -20,14 +20,15 @@ const char* topicOf(const WrenchArray& /*message*/) { return "wrenches"; }
 
 std::vector<double>& samplesOf(DisplacementArray& bundle) { return bundle.displacement; }
 std::vector<geometry_msgs::Pose>& samplesOf(PoseArray& bundle) { return bundle.poses; }
-handle_.setCallbackQueue(&queue_);
 
 }  // namespace
+
 template <class Bundle, class Sample, class Answer>
 BundleClientOf<Bundle, Sample, Answer>::BundleClientOf(const ros::NodeHandle& handle,
                                                        std::vector<std::string> components, double timeout)
     : handle_(handle), timeout_(timeout) {
   constexpr std::uint32_t kBundleQueueSize = 10000;
+  handle_.setCallbackQueue(&queue_);
   message_.components = std::move(components);
   publisher_ = handle_.advertise<Bundle>(topicOf(message_), kBundleQueueSize);
   const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
