@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/report/contradictions.h"
+#include "diagnosis/results/contradictions.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/response/sweep.h"
 

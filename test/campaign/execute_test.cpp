@@ -5,7 +5,7 @@
 
 #include "campaign/scratch_folder.h"
 #include "command/identify.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/prepare/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {

@@ -1,5 +1,5 @@
 // Errors of stiffness, loss angle and energy: of a known model, at any scale of time.
-#include "diagnosis/report/characteristics.h"
+#include "diagnosis/results/characteristics.h"
 
 #include <gtest/gtest.h>
 

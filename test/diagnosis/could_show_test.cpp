@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/candidate/registry.h"
 #include "diagnosis/experiment/implant.h"
-#include "diagnosis/screening.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/screening.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
 #include "rig.h"
@@ -162,7 +162,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     std::vector<log::Record> with = records;
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
     const fit::Fitter fitted(with, model);
-    const double left = fitted.fit({}, fitted.configured({}), 10).gap;
+    const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
     // The model is not linear in its parameters, and noise of 0.2 % of the force is left as well.
     EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;
     ++compared;

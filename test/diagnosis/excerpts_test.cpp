@@ -1,5 +1,5 @@
 // Of logs that are longer than a search takes, excerpts stand for the whole.
-#include "diagnosis/excerpts.h"
+#include "diagnosis/prepare/excerpts.h"
 
 #include <gmock/gmock.h>
 

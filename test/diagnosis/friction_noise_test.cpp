@@ -1,5 +1,5 @@
 // What a motion before a log leaves in Berg's friction.
-#include "diagnosis/friction_noise.h"
+#include "diagnosis/prepare/friction_noise.h"
 
 #include <gtest/gtest.h>
 

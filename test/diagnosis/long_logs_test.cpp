@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/lead_in.h"
-#include "diagnosis/log_survey.h"
-#include "diagnosis/motion_survey.h"
-#include "diagnosis/recorded_gap.h"
+#include "diagnosis/prepare/lead_in.h"
+#include "diagnosis/prepare/log_survey.h"
+#include "diagnosis/prepare/motion_survey.h"
+#include "diagnosis/results/recorded_gap.h"
 #include "gap/simulate.h"
 #include "log/samples.h"
 #include "rubber_suspension/element/constants.h"

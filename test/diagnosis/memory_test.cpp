@@ -1,5 +1,5 @@
 // Logs beyond the machine's memory are refused before the search.
-#include "diagnosis/memory.h"
+#include "diagnosis/prepare/memory.h"
 
 #include <gmock/gmock.h>
 

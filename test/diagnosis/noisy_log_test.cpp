@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnosis/rig_noise.h"
+#include "diagnosis/prepare/rig_noise.h"
 
 namespace rubber_suspension {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/candidate/registry.h"
-#include "diagnosis/friction_noise.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/prepare/friction_noise.h"
 #include "fit/fitter.h"
 #include "fit/mass_bandwidth.h"
 #include "fit/model_parameters.h"

@@ -14,16 +14,16 @@
 #include <regex>
 #include <sstream>
 
-#include "diagnosis/augmented.h"
 #include "diagnosis/report/candidate_section.h"
 #include "diagnosis/report/figure_data.h"
 #include "diagnosis/report/finding_advice.h"
 #include "diagnosis/report/first_screen.h"
-#include "diagnosis/report/model_values.h"
 #include "diagnosis/report/page_style.h"
 #include "diagnosis/report/run_record.h"
 #include "diagnosis/report/text.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/augmented.h"
+#include "diagnosis/results/model_values.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/element/iwan.h"
 
@@ -285,7 +285,7 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
 TEST(FirstScreen, AnswersTheFiveQuestions) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
-  d.verdict = "named";
+  d.verdict = diagnosis::Verdict::named;
   d.sentence = "The model lacks friction.";
   d.effects = {"friction"};
   d.gap = {0.14, 0.12, 0.02, 0.015};

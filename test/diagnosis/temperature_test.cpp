@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/candidate/registry.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
 #include "diagnosis/report/temperature_note.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/record.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/rig.h"
+#include "diagnosis/prepare/rig.h"
 
 namespace rubber_suspension {
 namespace {

@@ -1,4 +1,4 @@
-// The reference page in docs/ is the one that the code prints, and the page of theory knows what is on it.
+// The reference page in docs/ is the one that the code prints, and the pages of theory know every element on it.
 #include "io/reference.h"
 
 #include <gtest/gtest.h>
@@ -14,11 +14,11 @@ TEST(ParameterReference, IsThePageInDocs) {
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
 }
 
-// Every element that a file may name has its law on the page of theory.
+// Every element that a file may name has its law on a page of theory.
 TEST(Theory, KnowsEveryElement) {
-  const std::string page = pageInDocs("theory");
+  const std::string pages = pageInDocs("elements") + pageInDocs("theory");
   for (const element::ElementType& type : element::elementTypes()) {
-    EXPECT_NE(page.find("`" + type.name + "`"), std::string::npos) << type.name;
+    EXPECT_NE(pages.find("`" + type.name + "`"), std::string::npos) << type.name;
   }
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Holds the pages written by hand to the files, commands and launch files that they name, pages and comments to the words
-of the field, and the messages of the sources to the options that commands have.
+of the field, the messages of the sources to the options that commands have, and docs/api.md to the public headers.
 
 Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -17,6 +17,9 @@ FOREIGN = {
     "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
     "bear out": "confirm", "goes on": "continues",
 }
+LONGEST_PAGE = 150  # lines of a page of docs/ that is written by hand
+LONGEST_TOUR = 120  # lines of README.md
+GENERATED = {"commands.md", "parameters.md", "topics.md", "effects.md"}
 WRITTEN = {"augmented.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
 # These of them have a plain meaning in comments, too.
 PLAIN_IN_COMMENTS = {"own parameter"}
@@ -48,6 +51,15 @@ def link_violations(root, path, text):
             yield f"link to {target}, which does not exist"
         elif anchor and anchor not in anchors(file.read_text(encoding="utf-8")):
             yield f"link to {target}, but {file.relative_to(root)} has no such heading"
+
+
+def length_violations(root):
+    """Pages that are too long to be read in a few minutes."""
+    limits = {path: LONGEST_PAGE for path in (root / "docs").glob("*.md") if path.name not in GENERATED}
+    for path, limit in sorted({**limits, root / "README.md": LONGEST_TOUR}.items()):
+        length = len(path.read_text(encoding="utf-8").splitlines())
+        if length > limit:
+            yield f"{path.relative_to(root)}: {length} lines, more than {limit}"
 
 
 def options(root):
@@ -121,6 +133,18 @@ def message_violations(path, text, known):
                 yield f"a message names {option}, which is no option there: \"{literal[:60]}\""
 
 
+def header_violations(root):
+    """Each public header stands in one row of docs/api.md, with a word on its use; each that stands there exists."""
+    public = {str(path.relative_to(root / "include/rubber_suspension")) for path in (root / "include").rglob("*.h")}
+    text = (root / "docs/api.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`[\w/]+\.h`.*?) \|(.*)\|$", text, re.M)
+    named = [name for names, _ in rows for name in re.findall(r"`([\w/]+\.h)`", names)]
+    yield from (f"does not name {name}" for name in sorted(public - set(named)))
+    yield from (f"names {name}, which is no public header" for name in sorted(set(named) - public))
+    yield from (f"names {name} in {named.count(name)} rows" for name in sorted(set(named)) if named.count(name) > 1)
+    yield from (f"does not say what {names} is for" for names, use in rows if not use.strip())
+
+
 def main(root):
     known = {"options": options(root), "sources": sources(root),
              "arguments": {path.name: {arg.get("name") for arg in ElementTree.parse(path).getroot().findall("arg")}
@@ -135,6 +159,8 @@ def main(root):
     for path in sorted(path for folder in ("src", "include") for path in (root / folder).rglob("*.[hc]*")):
         text, name = path.read_text(encoding="utf-8"), path.relative_to(root)
         found += [f"{name}: {v}" for v in (*comment_violations(text), *message_violations(name, text, known["options"]))]
+    found += length_violations(root)
+    found += [f"docs/api.md: {violation}" for violation in header_violations(root)]
     for path in (root / "docs/images").iterdir():
         if path.stat().st_size > LARGEST_PICTURE:
             size = path.stat().st_size

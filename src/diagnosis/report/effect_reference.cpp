@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "diagnosis/candidate/registry.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "diagnosis/judge/evidence_json.h"
 #include "diagnosis/report/figure_data.h"
-#include "diagnosis/report/missing_force.h"
 #include "diagnosis/report/report_figures.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/missing_force.h"
+#include "diagnosis/results/workings.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/log/log.h"
@@ -86,15 +86,8 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
 }  // namespace
 
 std::string evidenceJson(const Diagnosis& diagnosis) {
-  if (!diagnosis.workings || !diagnosis.workings->evidence) {
-    return "";
-  }
-  NamedEvidence named{*diagnosis.workings->evidence, {}, {}};
-  for (const fit::Candidate& candidate : diagnosis.workings->search.candidates) {
-    named.effects.push_back(candidate.effect);
-    named.on_rig.push_back(candidate.on_rig);
-  }
-  return toJson(named);
+  const bool wanted = diagnosis.workings && diagnosis.workings->write_evidence;
+  return wanted ? toJson(diagnosis.workings->evidence) : "";
 }
 
 std::vector<std::string> reportFiles() {

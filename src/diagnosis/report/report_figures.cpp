@@ -10,10 +10,10 @@
 #include <map>
 #include <numeric>
 
-#include "diagnosis/bench_evidence.h"
-#include "diagnosis/report/missing_force.h"
+#include "diagnosis/prepare/bench_evidence.h"
 #include "diagnosis/report/table_figures.h"
-#include "diagnosis/workings.h"
+#include "diagnosis/results/missing_force.h"
+#include "diagnosis/results/workings.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "diagnosis/results/workings.h"
 #include "diagnosis/table/measured_rows.h"
-#include "diagnosis/workings.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 
 namespace rubber_suspension::diagnosis {

@@ -1,0 +1,23 @@
+// Candidate effect: a stop that is met beyond a gap.
+#include "diagnosis/hypotheses/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+fit::Candidate bumpStop(const fit::Excitation& excitation) {
+  fit::Candidate candidate{
+      "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
+  for (const double side : {0.0, 1.0, -1.0}) {
+    for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+      candidate.terms.push_back(
+          fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness,
+                            {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}}));
+    }
+  }
+  return candidate;
+}
+
+const CandidateEntry kBumpStopEntry(70, bumpStop);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

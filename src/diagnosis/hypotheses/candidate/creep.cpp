@@ -1,0 +1,32 @@
+// Candidate effect: relaxation that is slower than the motion.
+#include <algorithm>
+
+#include "diagnosis/hypotheses/candidate/creep_time.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+fit::Candidate creep(const fit::Excitation& excitation) {
+  fit::Candidate candidate{"creep", "slow relaxation: force under a hold drifts with the logarithm of time", false, {}};
+  // The law of creep, which begins within the time of relaxation, and departures from it.
+  const double longest = longestRelaxationTime(excitation);
+  constexpr double kBegins = 0.2;      // of the longest time of relaxation
+  constexpr double kBeyondLog = 10.0;  // longest durations: no log tells a later end
+  constexpr double kShortest = 1.2;    // of the longest time of relaxation
+  candidate.terms.push_back(
+      fit::additiveTerm("creep", "stiffness_per_decade", 0.05 * excitation.stiffness,
+                        {{"shortest_time", {kBegins * longest}},
+                         {"longest_time", {kBeyondLog * std::max(longest, excitation.longest_duration)}}}));
+  for (double time = kShortest * longest; time < 3.0 * excitation.longest_duration; time *= 2.5) {
+    candidate.terms.push_back(fit::additiveTerm("maxwell", "stiffness", 0.05 * excitation.stiffness,
+                                                {{"break_frequency", {1.0 / (2.0 * element::kPi * time)}}}));
+  }
+  return candidate;
+}
+
+const CandidateEntry kCreepEntry(30, creep);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

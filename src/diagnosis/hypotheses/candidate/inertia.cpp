@@ -1,0 +1,21 @@
+// Candidate effect: mass that moves with the displacement.
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "fit/mass_bandwidth.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+fit::Candidate inertia(const fit::Excitation& excitation) {
+  const double omega = 2.0 * element::kPi * excitation.highest_frequency;
+  fit::BasisTerm mass = fit::additiveTerm("inertia", "mass", 0.05 * excitation.stiffness / (omega * omega),
+                                          {{"bandwidth", {excitation.mass_bandwidth}}});
+  mass.on_rig = true;
+  mass.exact = fit::acceleration;
+  return {"inertia", "moving fixture: error of stiffness grows with frequency squared, in phase", true, {mass}};
+}
+
+const CandidateEntry kInertiaEntry(120, inertia);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

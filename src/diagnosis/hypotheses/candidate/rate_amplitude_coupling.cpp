@@ -1,0 +1,70 @@
+// Candidate effect: amplitude dependence that itself depends on the rate.
+#include <array>
+
+#include "diagnosis/hypotheses/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr std::array<double, 3> kBands = {0.03, 0.15,
+                                          0.7};  // break frequencies over the highest frequency of the motion
+
+// Flow that large forces accelerate, and flow that begins at a limit of the force.
+void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  const auto add = [&](const char* law, const char* limit, double band, double share,
+                       element::ParameterValues shape = {}) {
+    shape["break_frequency"] = {band * excitation.highest_frequency};
+    shape[limit] = {share * excitation.largest_displacement};
+    terms.push_back(fit::additiveTerm(law, "stiffness", 0.2 * excitation.stiffness, shape));
+  };
+  for (const double band : kBands) {
+    for (const double share : {0.03, 0.1, 0.3}) {
+      add("nonlinear_maxwell", "displacement", band, share);
+      add("nonlinear_maxwell", "displacement", band, share, {{"power", {3.0}}});
+    }
+    for (const double share : {0.05, 0.25}) {
+      add("sliding_maxwell", "yield_displacement", band, share);
+    }
+  }
+}
+
+// Flow beyond a limit, the faster the farther beyond: up to twice to five times the limit at the highest rate.
+void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  for (const double share : {0.02, 0.07, 0.25}) {
+    for (const double rate_share : {0.07, 0.3, 1.0}) {
+      terms.push_back(fit::additiveTerm("overstress", "stiffness", 0.2 * excitation.stiffness,
+                                        {{"yield_displacement", {share * excitation.largest_displacement}},
+                                         {"reference_rate", {rate_share * excitation.highest_rate}}}));
+    }
+  }
+}
+
+// A structure that motion breaks and rest builds up again: within a cycle of the highest frequency or over several.
+void addThixotropy(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  for (const double band : kBands) {
+    for (const double cycles : {0.5, 5.0}) {
+      terms.push_back(fit::additiveTerm("thixotropic_maxwell", "stiffness", 0.2 * excitation.stiffness,
+                                        {{"break_frequency", {band * excitation.highest_frequency}},
+                                         {"build_up_time", {cycles / excitation.highest_frequency}},
+                                         {"travel", {excitation.largest_displacement}}}));
+    }
+  }
+}
+
+// It can look like friction and like relaxation, which are the simpler explanations: named only where they fail.
+fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
+  fit::Candidate candidate{"rate_amplitude_coupling",
+                           "flow that large forces or fast motion accelerate: stiffness falls with amplitude, and more "
+                           "so at higher frequency",
+                           false,
+                           {}};
+  addFlow(excitation, candidate.terms);
+  addOverstress(excitation, candidate.terms);
+  addThixotropy(excitation, candidate.terms);
+  return candidate;
+}
+
+const CandidateEntry kRateAmplitudeCouplingEntry(160, rateAmplitudeCoupling);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,31 @@
+// Candidate effect: further relaxation times within the band of the excitation.
+#include "diagnosis/hypotheses/candidate/creep_time.h"
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// Faster than creep. Of all that is faster than the motion, as a spectrum without an end has it, the logs show damping
+// alone: one element stands for it.
+fit::Candidate relaxation(const fit::Excitation& excitation) {
+  const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
+  constexpr double kRatio = 2.2;
+  constexpr double kBeyondMotion = 8.0;
+  fit::Candidate candidate{
+      "relaxation", "further relaxation: error in stiffness and loss depends on frequency only", false, {}};
+  const auto add = [&](double frequency) {
+    candidate.terms.push_back(
+        fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
+  };
+  for (double frequency = slowest; frequency < 2.0 * excitation.highest_frequency; frequency *= kRatio) {
+    add(frequency);
+  }
+  add(kBeyondMotion * excitation.highest_frequency);
+  return candidate;
+}
+
+const CandidateEntry kRelaxationEntry(20, relaxation);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

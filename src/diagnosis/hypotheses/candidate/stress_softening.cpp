@@ -1,0 +1,91 @@
+// Candidate effect: softening by past displacement.
+#include "diagnosis/hypotheses/candidate/registry.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
+  fit::BasisTerm term = fit::additiveTerm("stress_softening", "reduction", 0.1, shape);
+  term.upper = 0.8;
+  term.additive = false;
+  term.softening = true;
+  return term;
+}
+
+// Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
+// displacement only; at once or over some cycles.
+void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
+  for (const double path : {0.0, 8.0}) {
+    for (const double width : {0.05, 0.15, 0.5, 1.5}) {
+      terms.push_back(factorTerm({{"width", {width}}, {"path", {path * largest}}}));
+    }
+  }
+  for (const double path : {2.0, 32.0}) {
+    for (const double width : {0.15, 1.5}) {
+      terms.push_back(factorTerm({{"width", {width}}, {"path", {path * largest}}}));
+    }
+  }
+}
+
+// The farther the test piece was moved, the more it softens.
+void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
+  const auto add = [&](double exponent, double width, double path) {
+    terms.push_back(factorTerm(
+        {{"width", {width}}, {"path", {path * largest}}, {"reach_exponent", {exponent}}, {"full_reach", {largest}}}));
+  };
+  add(1.0, 1.5, 0.0);
+  add(1.0, 1.5, 8.0);
+  add(1.0, 0.15, 8.0);
+  add(2.0, 1.5, 0.0);
+  add(2.0, 1.5, 8.0);
+}
+
+// By displacement in place of energy: what is lost deep within is not lost on the way there.
+void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
+  for (const double path : {0.0, 8.0}) {
+    for (const double exponent : {0.0, 1.0}) {
+      terms.push_back(factorTerm({{"width", {1.5}},
+                                  {"ratio_power", {1.0}},
+                                  {"path", {path * largest}},
+                                  {"reach_exponent", {exponent}},
+                                  {"full_reach", {largest}}}));
+    }
+  }
+}
+
+// Of one direction alone, and one that is lost again at rest.
+void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
+  for (const double side : {1.0, -1.0}) {
+    terms.push_back(
+        factorTerm({{"width", {0.5}}, {"path", {8.0 * excitation.largest_displacement}}, {"side", {side}}}));
+  }
+  for (const double share : {0.03, 0.2, 1.0}) {
+    const double time = share * excitation.longest_duration;
+    terms.push_back(factorTerm({{"width", {0.5}}, {"recovery_time", {time}}}));
+    terms.push_back(factorTerm({{"width", {1.5}}, {"ratio_power", {1.0}}, {"recovery_time", {time}}}));
+  }
+}
+
+// What the first loading carries more than a factor on the settled force can tell.
+void addFirstLoading(double stiffness, std::vector<fit::BasisTerm>& terms) {
+  for (const double share : {0.02, 0.1, 0.5}) {
+    terms.push_back(
+        fit::additiveTerm("first_loading", "stiffness", 0.1 * stiffness / share, {{"yield_share", {share}}}));
+  }
+}
+
+fit::Candidate stressSoftening(const fit::Excitation& excitation) {
+  fit::Candidate candidate{
+      "stress_softening", "softening below the largest past displacement, gone by cycle 3 to 5", false, {}};
+  addAtAnyReach(excitation.largest_displacement, candidate.terms);
+  addByReach(excitation.largest_displacement, candidate.terms);
+  addByDisplacement(excitation.largest_displacement, candidate.terms);
+  addOneSidedAndRecovering(excitation, candidate.terms);
+  addFirstLoading(excitation.stiffness, candidate.terms);
+  return candidate;
+}
+
+const CandidateEntry kStressSofteningEntry(90, stressSoftening);
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis

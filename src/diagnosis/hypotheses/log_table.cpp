@@ -1,0 +1,202 @@
+// Errors, floors and sizes by log.
+#include "diagnosis/hypotheses/log_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/results/augmented.h"
+#include "fit/free_in_log.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// Of what the rig may not have added, in units of the variance of the force.
+double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
+  return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
+}
+
+// What a slow trend or a gain of a log takes of what is left of it.
+double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated) {
+  const Eigen::VectorXd residual = record.force - simulated;
+  const log::Record freed = fit::withFreeInLog(free, record, simulated);
+  return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
+}
+
+std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::vector<log::Record>& records,
+                                  const gap::Forces& with, const gap::Forces& without) {
+  std::vector<double> sizes;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double taken = candidate.free_in_log.any() ? takenInLog(candidate.free_in_log, records[r], with[r]) : 0.0;
+    const double size = meanSquare(records[r], with[r] - without[r]) + taken;
+    sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
+  }
+  return sizes;
+}
+
+// Mean squares by log of errors of parts, the first log being that of this place.
+void addErrors(const std::vector<gap::PartError>& parts, std::size_t first, std::vector<double>& errors) {
+  std::vector<double> sum(errors.size(), 0.0);
+  std::vector<double> weight(errors.size(), 0.0);
+  for (const gap::PartError& part : parts) {
+    const std::size_t log = first + static_cast<std::size_t>(part.log);
+    sum[log] += part.weight * part.error;
+    weight[log] += part.weight;
+  }
+  for (std::size_t log = first; log < errors.size(); ++log) {
+    errors[log] = weight[log] > 0.0 ? sum[log] / weight[log] : errors[log];
+  }
+}
+
+// The hypothesis that leaves least of the logs of the fit, but for those with trends, which take slow noise with them.
+const FittedHypothesis& bestOf(const Search& search) {
+  const FittedHypothesis* best = &search.re_estimated;
+  for (const FittedHypothesis* fitted : search.withEffects()) {
+    best = !fitted->hypothesis.free_in_log.trend && fitted->fit.score() < best->fit.score() ? fitted : best;
+  }
+  return *best;
+}
+
+// How far the logarithm of the floor of a record may be off: three parts of the record each have a floor, and their
+// mean is off by its standard error. Samples of other parts do not count.
+double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residual) {
+  constexpr Eigen::Index kParts = 3;
+  const Eigen::VectorXd left = record.withoutRig(residual);
+  const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
+  log::Record part = record;
+  part.nuisances.resize(record.size(), 0);
+  std::array<double, kParts> logarithms{};
+  for (Eigen::Index p = 0; p < kParts; ++p) {
+    const Eigen::Index first = record.size() * p / kParts;
+    const Eigen::Index size = record.size() * (p + 1) / kParts - first;
+    part.counts = Eigen::VectorXd::Zero(record.size());
+    part.counts.segment(first, size) = counts.segment(first, size);
+    logarithms[static_cast<std::size_t>(p)] = std::log(std::max(measurement::relativeFloor(part, left), 1e-9));
+  }
+  const Eigen::Map<const Eigen::ArrayXd> values(logarithms.data(), kParts);
+  return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
+}
+
+class LogTable {
+ public:
+  LogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen, int threads,
+           Evidence& evidence)
+      : prepared_(prepared), search_(search), unseen_(unseen), threads_(threads), evidence_(evidence) {}
+
+  void add() {
+    addLogs();
+    fit::parallelFor(evidence_.hypotheses.size(), threads_, [&](std::size_t h) {
+      addErrorsOf(static_cast<int>(h), evidence_.hypotheses[h]);
+      addSizesOf(static_cast<int>(h), evidence_.hypotheses[h]);
+    });
+  }
+
+ private:
+  void addLogs() {
+    const FittedHypothesis& best = bestOf(search_);
+    const gap::Forces forces = *prepared_.fitter.forces().at(best.hypothesis, best.fit.parameters);
+    addLogs(prepared_.training, forces, search_.record_noise, false);
+    if (!prepared_.held_out.empty()) {
+      const gap::Forces unseen = predict(prepared_.model, best, prepared_.held_out);
+      addLogs(prepared_.held_out, unseen,
+              noiseFloors(augmentedDescription(prepared_.model, best).allElements(), freeOfNoise(best.hypothesis),
+                          unseen, prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training)),
+              true);
+    }
+    countBlocks(search_.re_estimated.fit.blocks, 0);
+    if (!unseen_.empty()) {
+      countBlocks(unseen_[Evidence::kReEstimated], prepared_.training.size());
+    }
+  }
+
+  void countBlocks(const std::vector<gap::PartError>& blocks, std::size_t first) {
+    for (const gap::PartError& block : blocks) {
+      ++evidence_.logs[first + static_cast<std::size_t>(block.log)].blocks;
+    }
+  }
+
+  void addLogs(const std::vector<log::Record>& records, const gap::Forces& forces, const std::vector<double>& floors,
+               bool unseen) {
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
+      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen, 0});
+    }
+  }
+
+  void addErrorsOf(int place, HypothesisEvidence& hypothesis) const {
+    const FittedHypothesis& fitted = search_.at(place);
+    hypothesis.log_errors.assign(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
+    addErrors(place == Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0, hypothesis.log_errors);
+    if (!unseen_.empty()) {
+      addErrors(unseen_[static_cast<std::size_t>(place)], prepared_.training.size(), hypothesis.log_errors);
+    }
+  }
+
+  // Nothing is fitted there: no block has to be left out.
+  std::vector<gap::PartError> partsAsConfigured() const {
+    const FittedHypothesis& model = search_.as_configured;
+    return gap::partErrors(prepared_.training, *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));
+  }
+
+  void addSizesOf(int place, HypothesisEvidence& hypothesis) const {
+    const FittedHypothesis& fitted = search_.at(place);
+    if (fitted.hypothesis.members.empty()) {
+      return;
+    }
+    hypothesis.sizes = memberSizes(search_.candidates, prepared_.fitter.forces(), fitted);
+    for (const log::Record& record : prepared_.held_out) {  // each on a new component
+      const FittedHypothesis of_record{fit::aboutOtherRecords(fitted.hypothesis, {record}), fitted.fit};
+      const auto sizes = memberSizes(search_.candidates, fit::HypothesisForces({record}, prepared_.model), of_record);
+      for (std::size_t m = 0; m < sizes.size(); ++m) {
+        hypothesis.sizes[m].push_back(sizes[m].front());
+      }
+    }
+  }
+
+  const PreparedCase& prepared_;
+  const Search& search_;
+  const std::vector<UnseenErrors>& unseen_;
+  int threads_;
+  Evidence& evidence_;
+};
+
+}  // namespace
+
+fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
+                                   std::size_t member) {
+  fit::ParameterVector parameters = fitted.fit.parameters;
+  const auto terms = [&](std::size_t m) {
+    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
+    return static_cast<Eigen::Index>(candidates[candidate].terms.size());
+  };
+  Eigen::Index first = 0;
+  for (std::size_t m = 0; m < member; ++m) {
+    first += terms(m);
+  }
+  parameters.scales.segment(first, terms(member)).setZero();
+  return parameters;
+}
+
+std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
+                                             const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
+  const gap::Forces with = *forces.at(fitted.hypothesis, fitted.fit.parameters);
+  std::vector<std::vector<double>> sizes;
+  for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
+    const auto without = forces.at(fitted.hypothesis, withoutMember(candidates, fitted, m));
+    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
+    sizes.push_back(sizesOfMember(candidates[candidate], forces.records(), with, *without));
+  }
+  return sizes;
+}
+
+void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
+                 int threads, Evidence& evidence) {
+  LogTable(prepared, search, unseen, threads, evidence).add();
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,76 @@
+// Held-out errors of many hypotheses at once, to choose those that are worth a full fit.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "fit/hypothesis_fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A hypothesis by its members, and its held-out error.
+struct Screened {
+  std::vector<int> members;
+  double error;
+};
+
+/// One set of normal equations with the basis terms of all candidates, from which any hypothesis about the same model
+/// follows as if it were linear. Fitter and candidates have to outlive it.
+class Screening {
+ public:
+  /// About a fitted hypothesis: its model parameters and scales, all other candidates at nothing.
+  Screening(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+            const FittedHypothesis& about, int threads);
+
+  Screened screen(std::vector<int> members) const;
+
+  /// In-sample error of a hypothesis, which is found faster.
+  double leftBy(const std::vector<int>& members) const;
+
+  /// Each other candidate that competes added to these, best first.
+  std::vector<Screened> additions(const std::vector<int>& members) const;
+
+  /// The best of all pairs, best first.
+  std::vector<Screened> pairs() const;
+
+  /// Where the parameters of a hypothesis leave least.
+  fit::ParameterVector bestOf(const std::vector<int>& members) const;
+
+  /// The normal equations: model parameters, basis terms of one candidate after the other, what is free
+  /// in each log, residual.
+  const fit::BlockGrams& blocks() const { return blocks_; }
+  Eigen::Index modelSize() const { return model_size_; }
+  const std::vector<std::vector<Eigen::Index>>& columnsOf() const { return columns_of_; }
+  const std::vector<fit::BasisTerm>& terms() const { return all_.terms; }
+  const std::vector<fit::Candidate>& candidates() const { return candidates_; }
+
+  /// The columns of what is free in each log.
+  std::vector<Eigen::Index> freeColumns(fit::FreeInLog free) const;
+
+  /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
+  /// out of the noise.
+  void measureVisibility(double noise, Search& result) const;
+
+ private:
+  /// Columns of a hypothesis among all, and how far each may move.
+  struct Part {
+    std::vector<Eigen::Index> columns;
+    Eigen::VectorXd lower;
+    Eigen::VectorXd upper;
+  };
+  Part partOf(const std::vector<int>& members) const;
+  Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
+  std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
+
+  const std::vector<fit::Candidate>& candidates_;
+  Eigen::Index model_size_;
+  int threads_;
+  fit::ParameterVector about_;  // of all candidates
+  fit::Hypothesis all_;
+  std::vector<std::vector<Eigen::Index>> columns_of_;
+  fit::BlockGrams blocks_;
+  Eigen::VectorXd lower_;
+  Eigen::VectorXd upper_;
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,327 @@
+// The search over candidate effects.
+#include "diagnosis/hypotheses/search.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include "diagnosis/hypotheses/odds.h"
+#include "diagnosis/hypotheses/screening.h"
+#include "diagnosis/hypotheses/starts.h"
+#include "diagnosis/judge/evidence.h"
+#include "diagnosis/prepare/measured.h"
+#include "fit/parallel.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr int kBaseIterations = 14;
+constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
+constexpr std::size_t kMostStarts = 4;     // hypotheses that further effects are added to
+constexpr std::size_t kMostEffects = 3;
+// Logarithm of odds: what is less likely than the best by so much is not fitted, and nothing is added to it. Screening
+// takes laws for linear: its odds are off by about as much.
+constexpr double kWithinReach = 4.6;
+constexpr double kScreeningKnown = 4.6;
+// Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
+constexpr double kHopeless = 3.0;
+
+void sortByScore(std::vector<FittedHypothesis>& list) {
+  std::stable_sort(list.begin(), list.end(),
+                   [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
+}
+
+// A set of effects that may be worth a fit, and where that starts.
+struct Planned {
+  std::vector<int> members;
+  double error = 0.0;  // as screened
+  double odds = 0.0;
+  fit::ParameterVector start;
+};
+
+class Searcher {
+ public:
+  Searcher(const Measured& measured, int threads, const ProgressCallback& progress)
+      : measured_(measured), fitter_(measured.fitter()), threads_(threads), progress_(progress) {}
+
+  Search run() {
+    say("re-estimating the model parameters", 0.0);
+    reEstimate();
+    result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
+    say("screening single effects", 0.2);
+    const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
+    say("fitting single effects", 0.3);
+    fitSingles(screening);
+    look(screening);
+    for (std::size_t effects = 2; effects <= kMostEffects && isWorthMore(effects); ++effects) {
+      say(effects == 2 ? "fitting pairs" : "fitting triples", effects == 2 ? 0.5 : 0.75);
+      if (!fitSets(plan(screening, effects), effects == 2 ? result_.pairs : result_.triples)) {
+        break;
+      }
+    }
+    fitPartsOfTriples();
+    return std::move(result_);
+  }
+
+ private:
+  void say(const std::string& stage, double fraction) const {
+    if (progress_) {
+      progress_(stage, fraction);
+    }
+  }
+
+  // Model parameters as specified and as elements, and what was excited: three tasks that need nothing of each
+  // other.
+  void reEstimate() {
+    const fit::Hypothesis model;
+    const std::array<std::function<void()>, 3> tasks = {
+        [&] {
+          const fit::ParameterVector configured = fitter_.configured(model);
+          result_.configured_gap = fitter_.gapAt(model, configured);
+          result_.re_estimated.fit = fitter_.fit(model, configured, {kBaseIterations});
+          result_.as_configured = result_.re_estimated;
+          result_.as_configured.fit.parameters = configured;
+          result_.discretisation = measured_.discretisationError(result_.re_estimated);
+        },
+        [&] {
+          const fit::HypothesisFitter& elements = measured_.elementFitter();
+          result_.element_level = elements.fit(model, elements.configured(model), {kBaseIterations});
+        },
+        [&] { result_.excitation = measured_.excitation(); }};
+    fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
+  }
+
+  void fitSingles(const Screening& screening) {
+    double least = result_.re_estimated.fit.gap;
+    std::vector<fit::ParameterVector> starts;
+    for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
+      result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
+      starts.push_back(screening.bestOf({c}));
+      if (result_.singles.back().hypothesis.competes()) {
+        least = std::min(least, screening.screen({c}).error);
+      }
+    }
+    const double reach = kHopeless * std::max(least, result_.discretisation);
+    // What has to be simulated takes longest and comes first, so that no thread waits for it at the end.
+    std::vector<std::size_t> order(result_.singles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t c) { return !result_.singles[c].hypothesis.isAdditive(); });
+    fit::parallelFor(order.size(), threads_, [&](std::size_t i) {
+      FittedHypothesis& single = result_.singles[order[i]];
+      const auto fit = single.hypothesis.free_in_log.gain ? fitGains : fitSingle;
+      fit(fitter_, result_.re_estimated, starts[order[i]], reach, single);
+    });
+    measured_.estimateNoise(*bestOfAll(), result_);
+  }
+
+  // What is visible, and what a flexible fit could close.
+  void look(const Screening& screening) {
+    screening.measureVisibility(result_.noise, result_);
+    result_.implants = implantAll(fitter_, screening, threads_);
+    std::vector<int> all;
+    for (const FittedHypothesis& single : result_.singles) {
+      if (single.hypothesis.competes()) {
+        all.push_back(single.hypothesis.members.front());
+      }
+    }
+    result_.surrogate_gap = screening.screen(all).error;
+  }
+
+  Odds odds() const { return {result_.candidates, result_.noise, result_.re_estimated.fit.score()}; }
+
+  double oddsOf(const FittedHypothesis& fitted) const {
+    return odds().of(fitted.hypothesis.members, fitted.fit.score());
+  }
+
+  // Of those that compete.
+  const FittedHypothesis* bestOfAll() const {
+    const FittedHypothesis* best = &result_.re_estimated;
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      best = fitted->hypothesis.competes() && fitted->fit.score() < best->fit.score() ? fitted : best;
+    }
+    return best;
+  }
+
+  double bestOdds() const {
+    double best = -std::numeric_limits<double>::infinity();
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      best = fitted->hypothesis.competes() ? std::max(best, oddsOf(*fitted)) : best;
+    }
+    return best;
+  }
+
+  // Whether a set of so many effects can come near the best of fewer.
+  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWithinReach; }
+
+  // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
+  // pair, so that one more than those within reach is taken.
+  std::vector<const FittedHypothesis*> likeliest(std::size_t effects) const {
+    std::vector<const FittedHypothesis*> chosen;
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      if (fitted->hypothesis.members.size() == effects && fitted->hypothesis.competes()) {
+        chosen.push_back(fitted);
+      }
+    }
+    std::stable_sort(chosen.begin(), chosen.end(), [&](const FittedHypothesis* x, const FittedHypothesis* y) {
+      return oddsOf(*x) > oddsOf(*y);
+    });
+    std::size_t count = 0;
+    while (count < std::min(kMostStarts, chosen.size()) &&
+           oddsOf(*chosen[count]) > oddsOf(*chosen.front()) - kWithinReach) {
+      ++count;
+    }
+    chosen.resize(std::min({count + 1, kMostStarts, chosen.size()}));
+    return chosen;
+  }
+
+  // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
+  // they arrived at.
+  std::vector<Planned> plan(const Screening& about_model, std::size_t effects) const {
+    std::vector<Planned> planned;
+    const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
+      for (const Screened& set : sets) {
+        planned.push_back({set.members, set.error, odds().of(set.members, set.error), screening.bestOf(set.members)});
+      }
+    };
+    if (effects == 2) {
+      add(about_model, about_model.pairs());
+    }
+    for (const FittedHypothesis* fitted : likeliest(effects - 1)) {
+      const Screening screening(fitter_, result_.candidates, *fitted, threads_);
+      add(screening, screening.additions(fitted->hypothesis.members));
+    }
+    std::stable_sort(planned.begin(), planned.end(),
+                     [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
+    return withoutRepeats(planned);
+  }
+
+  static std::vector<Planned> withoutRepeats(const std::vector<Planned>& planned) {
+    std::vector<Planned> sets;
+    for (const Planned& set : planned) {
+      if (std::none_of(sets.begin(), sets.end(), [&](const Planned& other) { return other.members == set.members; })) {
+        sets.push_back(set);
+      }
+    }
+    return sets;
+  }
+
+  // Fits those that may be as likely as the best; false where none is.
+  bool fitSets(std::vector<Planned> planned, std::vector<FittedHypothesis>& list) {
+    const double best = std::max(bestOdds(), planned.empty() ? 0.0 : planned.front().odds);
+    std::size_t count = 0;
+    while (count < std::min(kMostOfOneSize, planned.size()) &&
+           planned[count].odds > best - kWithinReach - kScreeningKnown) {
+      ++count;
+    }
+    planned.resize(count);
+    fitAll(planned, list);
+    if (count > 0) {
+      measured_.estimateNoise(*bestOfAll(), result_);
+    }
+    return count > 0;
+  }
+
+  void fitAll(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
+    const std::size_t first = list.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Planned& set : planned) {
+      list.push_back({fit::makeHypothesis(result_.candidates, set.members), {}});
+      least = std::min(least, set.error);
+    }
+    std::vector<const FittedHypothesis*> from;
+    for (const Planned& set : planned) {
+      from.push_back(&bestFitted(set.members));
+    }
+    fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
+      fitFurther(fitter_, result_.candidates, *from[i], planned[i].start, kHopeless * least, list[first + i]);
+    });
+    sortByScore(list);
+  }
+
+  // The best fit of a part of a set: of one of its members, or of the pairs of a triple.
+  const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
+    const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      const std::vector<int>& part = fitted->hypothesis.members;
+      const bool within = !fitted->fit.blocks.empty() && part.size() < members.size() &&
+                          std::includes(members.begin(), members.end(), part.begin(), part.end());
+      best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
+    }
+    return *best;
+  }
+
+  // The pairs within a likely triple: without them it is not known what each of the three is for.
+  void fitPartsOfTriples() {
+    if (result_.triples.empty()) {
+      return;
+    }
+    std::vector<Planned> parts;
+    const std::vector<int>& members = result_.triples.front().hypothesis.members;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      std::vector<int> part = members;
+      part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
+      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
+        return pair.hypothesis.members == part;
+      });
+      if (!fitted) {
+        parts.push_back({part, std::numeric_limits<double>::infinity(), 0.0,
+                         fitter_.configured(fit::makeHypothesis(result_.candidates, part))});
+      }
+    }
+    fitAll(parts, result_.pairs);
+  }
+
+  const Measured& measured_;
+  const fit::HypothesisFitter& fitter_;
+  int threads_;
+  const ProgressCallback& progress_;
+  Search result_;
+};
+
+}  // namespace
+
+const FittedHypothesis& Search::at(int hypothesis) const {
+  if (hypothesis < Evidence::kFirstSingle) {
+    return hypothesis == Evidence::kAsConfigured ? as_configured : re_estimated;
+  }
+  std::size_t place = static_cast<std::size_t>(hypothesis - Evidence::kFirstSingle);
+  for (const auto* list : {&singles, &pairs}) {
+    if (place < list->size()) {
+      return (*list)[place];
+    }
+    place -= list->size();
+  }
+  return triples.at(place);
+}
+
+std::vector<const FittedHypothesis*> Search::withEffects() const {
+  std::vector<const FittedHypothesis*> all;
+  for (const auto* list : {&singles, &pairs, &triples}) {
+    std::transform(list->begin(), list->end(), std::back_inserter(all),
+                   [](const FittedHypothesis& fitted) { return &fitted; });
+  }
+  return all;
+}
+
+const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
+  const Odds odds(candidates, noise, re_estimated.fit.score());
+  const auto oddsOf = [&](const FittedHypothesis& fitted) {
+    return odds.of(fitted.hypothesis.members, fitted.fit.score());
+  };
+  const FittedHypothesis* best = &re_estimated;
+  for (const FittedHypothesis* fitted : withEffects()) {
+    const bool likelier = best == &one || oddsOf(*fitted) > oddsOf(*best);
+    best = fitted != &one && fitted->hypothesis.competes() && likelier ? fitted : best;
+  }
+  return *best;
+}
+
+Search search(const Measured& measured, int threads, const ProgressCallback& progress) {
+  return Searcher(measured, threads, progress).run();
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,62 @@
+// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no likelier.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/experiment/implant.h"
+#include "fit/excitation.h"
+#include "fit/hypothesis_fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A hypothesis fitted jointly with the model parameters.
+struct FittedHypothesis {
+  fit::Hypothesis hypothesis;
+  fit::Fit fit;
+};
+
+/// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
+struct Search {
+  fit::Excitation excitation;
+  std::vector<fit::Candidate> candidates;
+  double configured_gap = 0.0;  ///< as configured, without any fit
+  /// Parameters as configured. Where they are not worth a change, those re-estimated are within the noise of them:
+  /// their held-out blocks stand for these.
+  FittedHypothesis as_configured;
+  FittedHypothesis re_estimated;          ///< model parameters alone
+  fit::Fit element_level;                 ///< every parameter of every element of the model free, nothing added
+  std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
+  std::vector<FittedHypothesis> pairs;    ///< those that a screening of all found worth a full fit, best first
+  std::vector<FittedHypothesis> triples;
+  double surrogate_gap = 0.0;         ///< held out, all candidates at once: what a flexible fit could close
+  double discretisation = 0.0;        ///< what dashpots of the model err by at the time steps of the logs
+  double noise = 0.0;                 ///< noise floor of all logs
+  std::vector<double> record_rest;    ///< of each log, noise of the least that models leave, in these units
+  std::vector<double> record_caused;  ///< of each log, what the noise of the displacement causes in the model
+  std::vector<double> record_noise;   ///< of each log, in units of its force's standard deviation
+  std::string noise_source;
+  std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
+  std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
+  std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
+
+  /// A hypothesis by its place in the evidence.
+  const FittedHypothesis& at(int hypothesis) const;
+
+  /// Singles, pairs and triples, in the order of the evidence.
+  std::vector<const FittedHypothesis*> withEffects() const;
+
+  /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
+  const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
+};
+
+/// Called with the stage's name and the fraction done.
+using ProgressCallback = std::function<void(const std::string&, double)>;
+
+class Measured;
+
+/// Fit all hypotheses about what was measured on `threads` threads.
+Search search(const Measured& measured, int threads, const ProgressCallback& progress = {});
+
+}  // namespace rubber_suspension::diagnosis

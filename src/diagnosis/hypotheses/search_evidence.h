@@ -1,0 +1,13 @@
+// What the judgement is told of a search.
+#pragma once
+
+#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/judge/evidence.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// The hypotheses of a search, each without what it leaves of logs and what its members add to them: of logs
+/// addLogTable() tells, of a table addRows().
+Evidence evidenceOf(const Search& search);
+
+}  // namespace rubber_suspension::diagnosis

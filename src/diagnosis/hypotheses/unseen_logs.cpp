@@ -1,0 +1,100 @@
+// Errors on unseen logs.
+#include "diagnosis/hypotheses/unseen_logs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "diagnosis/prepare/friction_noise.h"
+#include "diagnosis/results/augmented.h"
+#include "fit/free_in_log.h"
+#include "fit/hypothesis_forces.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/measurement/noise_floor.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+// The hypothesis with what zeros of the displacement do to these records.
+fit::Hypothesis withZerosOf(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                            const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  fit::Hypothesis hypothesis = fitted.hypothesis;
+  if (hypothesis.free_in_log.zero) {
+    const auto elements = *fit::elementsOf(model, hypothesis, fitted.fit.parameters);
+    std::vector<Eigen::VectorXd> columns;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
+    }
+    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
+  }
+  return hypothesis;
+}
+
+}  // namespace
+
+gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                    const std::vector<log::Record>& records) {
+  gap::Forces forces;
+  for (const log::Record& record : records) {
+    const fit::HypothesisForces of_record({record}, model);
+    const fit::Hypothesis hypothesis = fit::aboutOtherRecords(fitted.hypothesis, {record});
+    forces.push_back(of_record.at(hypothesis, fitted.fit.parameters)->front());
+  }
+  return forces;
+}
+
+UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  UnseenErrors errors =
+      partErrorsOf(withZerosOf(model, fitted, records, zeros), records, predict(model, fitted, records));
+  for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
+    part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
+  }
+  return errors;
+}
+
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                                         const gap::Forces& simulated) {
+  if (!hypothesis.free_in_log.any()) {
+    return gap::partErrors(records, simulated);
+  }
+  std::vector<log::Record> freed;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r],
+                                       hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd()));
+  }
+  return gap::partErrors(freed, simulated);
+}
+
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis) { return {false, hypothesis.free_in_log.gain}; }
+
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const NoiseLimit& limit) {
+  std::vector<double> floors = frictionNoise(elements, records);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::VectorXd residual = records[r].force - simulated[r];
+    const auto floor = [&](const log::Record& record) {
+      const double left = std::min(measurement::relativeFloor(record, residual), limit.of(record));
+      const double all = record.withoutRig(residual).norm() / std::sqrt(record.counted()) / record.force_deviation;
+      return std::max(left, std::min(floors[r], all));
+    };
+    floors[r] = free.any() ? floor(fit::withFreeInLog(free, records[r], simulated[r])) : floor(records[r]);
+  }
+  return floors;
+}
+
+double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records) {
+  double squares = 0.0;
+  double weight = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    squares += records[r].weight * floors[r] * floors[r];
+    weight += records[r].weight;
+  }
+  return std::sqrt(squares / weight);
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,47 @@
+// What fitted hypotheses say of logs that took no part in the fit.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/prepare/rig_noise.h"
+#include "fit/displacement_zero.h"
+#include "fit/free_in_log.h"
+#include "fit/model_parameters.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Errors of parts of logs that took no part in the fit, by what a fitted hypothesis predicts from the displacement
+/// smoothed as for the fits, since the noise of that sensor is the rig's.
+using UnseenErrors = std::vector<gap::PartError>;
+
+/// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement
+/// smoothed as for the fits: the noise of its sensor is the rig's.
+gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                    const std::vector<log::Record>& records);
+
+/// Of a fitted hypothesis over records, each of them recorded on a new component. `zeros`: of their displacement.
+UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros);
+
+/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
+/// log, which is what such a hypothesis says of a log and no simulation predicts.
+std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,
+                                         const gap::Forces& simulated);
+
+/// What a noise floor has free of that: gains, which are no noise. Trends take slow noise with them.
+fit::FreeInLog freeOfNoise(const fit::Hypothesis& hypothesis);
+
+/// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
+/// log.
+std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements, fit::FreeInLog free,
+                                const gap::Forces& simulated, const std::vector<log::Record>& records,
+                                const NoiseLimit& limit);
+
+/// Floor of several records, each by its weight.
+double commonFloor(const std::vector<double>& floors, const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,298 @@
+// Excerpts of logs.
+#include "diagnosis/prepare/excerpts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "log/samples.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr std::size_t kWindows = 8;        // of a log: its beginning, its largest motion, and six of other amplitudes
+constexpr double kCyclesOfExcerpt = 10.0;  // in a window: the first does not count, and some are to be left for folds
+constexpr double kMoves = 0.1;             // of the deviation of the window that moves most: less is a standstill
+constexpr std::size_t kLeastShare = 2000;  // samples of a log, however many logs there are: ten cycles of 200 samples
+
+struct Window {
+  std::size_t first;
+  std::size_t last;  // one behind
+};
+
+// Even parts of a log with as many samples each as a window of a share has, to whole stretches of the survey.
+std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
+  const double least = kCyclesOfExcerpt * log.motion.samplesPerCycle();
+  const double most = static_cast<double>(share) / least;
+  const auto windows = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(kWindows)));
+  const std::size_t stretch = log.motion.stretch();
+  const std::size_t length = std::max(share / windows / stretch, std::size_t{1}) * stretch;
+  std::vector<Window> result;
+  for (std::size_t first = 0; first + length <= log.samples(); first += length) {
+    result.push_back({first, first + length});
+  }
+  return result;
+}
+
+std::size_t largestMotion(const LogSurvey& log, const std::vector<Window>& windows) {
+  return std::min(log.motion.largest() / (windows[0].last - windows[0].first), windows.size() - 1);
+}
+
+std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& windows) {
+  std::vector<double> motion;
+  std::transform(windows.begin(), windows.end(), std::back_inserter(motion),
+                 [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
+  return motion;
+}
+
+// What moves less stands still.
+double standstillOf(const std::vector<double>& motion) {
+  return kMoves * *std::max_element(motion.begin(), motion.end());
+}
+
+// `count` of the windows by their place, ascending, of which one has the largest motion.
+std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
+  const double least = standstillOf(motion);
+  std::vector<std::size_t> chosen;
+  for (const std::size_t window : {std::size_t{0}, largest}) {
+    if (motion[window] >= least && chosen.size() < count && (chosen.empty() || chosen[0] != window)) {
+      chosen.push_back(window);
+    }
+  }
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (motion[i] >= least && std::find(chosen.begin(), chosen.end(), i) == chosen.end()) {
+      others.push_back(i);
+    }
+  }
+  std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) { return motion[a] < motion[b]; });
+  const std::size_t further = std::min(count - chosen.size(), others.size());
+  for (std::size_t i = 0; i < further; ++i) {  // the middles of as many groups of equal size
+    chosen.push_back(others[(2 * i + 1) * others.size() / (2 * further)]);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+// Windows that touch are one.
+std::vector<Window> joined(const std::vector<Window>& windows, const std::vector<std::size_t>& chosen) {
+  std::vector<Window> result;
+  for (const std::size_t place : chosen) {
+    if (!result.empty() && result.back().last == windows[place].first) {
+      result.back().last = windows[place].last;
+    } else {
+      result.push_back(windows[place]);
+    }
+  }
+  return result;
+}
+
+std::string nameOf(const log::Log& part, const LogSurvey& log) {
+  const auto since = [&](std::int64_t stamp) { return static_cast<double>(stamp - log.steps.firstStamp()) * 1e-9; };
+  return fmt::format("{} ({:.0f} to {:.0f} s)", log.source->name(), since(part.stamp.front()),
+                     since(part.stamp.back()));
+}
+
+double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_cast<double>(later - earlier) * 1e-9; }
+
+// The step over a time gap from one sample to the first of a stretch, short of the step with which the stretch begins:
+// the displacement continues in a straight line, as in `replay` and the node.
+LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
+  const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
+  const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
+  const double z = before.displacement[last];
+  return {gap - step, {z + (stretch.displacement[0] - z) * (gap - step) / gap}, true};
+}
+
+bool changes(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *low < *high;
+}
+
+// A log or an excerpt of one continues behind each of its time gaps as another, to which the step over the time gap
+// leads: no spectrum knows what was in it. Stretches of which no record can be made are left out.
+void addStretches(const LogSurvey& survey, log::Log log, LeadIn lead_in, std::vector<log::Log>& logs,
+                  std::vector<LeadIn>& lead_ins) {
+  const std::vector<std::size_t> first = log::stretchesOf(log);
+  std::size_t last = 0;      // sample of the stretch that was taken last
+  std::size_t left_out = 0;  // samples
+  const std::size_t before = logs.size();
+  for (std::size_t i = 0; first.size() > 1 && !log.force.empty() && i < first.size(); ++i) {
+    const std::size_t end = i + 1 < first.size() ? first[i + 1] : log.size();
+    log::Log stretch = log::samplesOf(log, first[i], end - first[i]);
+    if (stretch.size() < log::kFewestSamples || !changes(stretch.displacement) || !changes(stretch.force)) {
+      left_out += stretch.size();
+      continue;
+    }
+    stretch.name = nameOf(stretch, survey);
+    stretch.notes = log.notes;
+    lead_ins.push_back(i == 0 ? lead_in : logs.size() == before ? LeadIn{} : stepOver(log, last, stretch));
+    logs.push_back(std::move(stretch));
+    last = end - 1;
+  }
+  if (logs.size() == before) {
+    logs.push_back(std::move(log));
+    lead_ins.push_back(std::move(lead_in));
+    return;
+  }
+  logs[before].notes.push_back(fmt::format(
+      "{} time gaps: spectra begin again behind each; {} samples between them left out", first.size() - 1, left_out));
+}
+
+// Takes excerpts of a log, and what leads into them, from its samples as they come.
+class ExcerptTaker {
+ public:
+  /// Windows ascending; `coarse` samples of what lies between them are a step.
+  ExcerptTaker(const LogSurvey& log, const std::vector<Window>& windows, std::size_t coarse, double standstill)
+      : log_(log) {
+    std::size_t done = 0;
+    const std::int64_t longest_step = log.steps.evenSteps().longest_step;
+    for (const Window& window : windows) {
+      taken_.push_back({done, window, {done, window.first, coarse, standstill, longest_step}, {}});
+      done = window.last;
+    }
+  }
+
+  void take() {
+    readAgain(log_, [this](const log::Log& block, std::size_t first) {
+      for (Taken& excerpt : taken_) {
+        addTo(excerpt, block, first);
+      }
+      return first + block.size() < taken_.back().window.last;
+    });
+  }
+
+  std::vector<log::Log> excerpts() const {
+    std::vector<log::Log> result;
+    for (const Taken& excerpt : taken_) {
+      result.push_back(excerpt.log);
+      describe(excerpt.log, result.back());
+    }
+    return result;
+  }
+
+  std::vector<LeadIn> leadIns() const {
+    std::vector<LeadIn> result;
+    std::size_t done = 0;
+    for (const Taken& excerpt : taken_) {
+      result.push_back(excerpt.window.first > done ? excerpt.lead_in.finish() : LeadIn{});
+      result.back().continues = done > 0;
+      done = excerpt.window.last;
+    }
+    return result;
+  }
+
+ private:
+  struct Taken {
+    std::size_t led_from;
+    Window window;
+    LeadInBuilder lead_in;
+    log::Log log;
+  };
+
+  static void addTo(Taken& excerpt, const log::Log& block, std::size_t first) {
+    const std::size_t end = first + block.size();
+    for (std::size_t i = std::max(first, excerpt.led_from); i < std::min(end, excerpt.window.first); ++i) {
+      excerpt.lead_in.add(i, block.stamp[i - first], block.displacement[i - first]);
+    }
+    const std::size_t from = std::max(first, excerpt.window.first);
+    const std::size_t until = std::min(end, excerpt.window.last);
+    if (from < until) {
+      log::appendSamples(block, from - first, until - from, excerpt.log);
+    }
+  }
+
+  void describe(const log::Log& taken, log::Log& excerpt) const {
+    excerpt.name = nameOf(taken, log_);
+    excerpt.notes = log_.notes;
+    excerpt.notes.push_back(fmt::format("excerpt of {:.0f} s", log_.duration()));
+  }
+
+  const LogSurvey& log_;
+  std::vector<Taken> taken_;
+};
+
+log::Log takeWhole(const LogSurvey& survey) {
+  log::Log log;
+  readAgain(survey, [&](const log::Log& block, std::size_t) {
+    log::appendSamples(block, 0, block.size(), log);
+    return true;
+  });
+  log.name = survey.source->name();
+  log.notes = survey.notes;
+  return log;
+}
+
+// Most samples that each log may give, all together no more than `most`: what short ones leave goes to the long ones.
+std::size_t fairShare(const std::vector<std::size_t>& sizes, std::size_t most) {
+  std::vector<std::size_t> ascending = sizes;
+  std::sort(ascending.begin(), ascending.end());
+  std::size_t left = most;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    const std::size_t share = left / (ascending.size() - i);
+    if (ascending[i] > share) {
+      return std::max(share, kLeastShare);
+    }
+    left -= ascending[i];
+  }
+  return ascending.back();
+}
+
+void addExcerptsOfTheFit(const LogSurvey& log, std::size_t share, Excerpts& result) {
+  const std::vector<Window> windows = windowsOf(log, share);
+  const std::size_t count = std::max(share / (windows[0].last - windows[0].first), std::size_t{1});
+  const std::size_t coarse = (log.samples() - 1) / share + 1;
+  const std::vector<double> motion = motionOf(log, windows);
+  const std::vector<std::size_t> chosen = choose(motion, largestMotion(log, windows), count);
+  ExcerptTaker taker(log, joined(windows, chosen), coarse, standstillOf(motion));
+  taker.take();
+  std::vector<log::Log> excerpts = taker.excerpts();
+  std::vector<LeadIn> lead_ins = taker.leadIns();
+  for (std::size_t i = 0; i < excerpts.size(); ++i) {
+    addStretches(log, std::move(excerpts[i]), std::move(lead_ins[i]), result.logs, result.lead_in);
+  }
+}
+
+log::Log beginningOf(const LogSurvey& log, std::size_t share) {
+  ExcerptTaker taker(log, {{0, share}}, share, 0.0);
+  taker.take();
+  return taker.excerpts().front();
+}
+
+std::size_t samplesOf(const std::vector<log::Log>& logs) {
+  return std::accumulate(logs.begin(), logs.end(), std::size_t{0},
+                         [](std::size_t sum, const log::Log& log) { return sum + log.size(); });
+}
+
+}  // namespace
+
+Excerpts makeExcerpts(const std::vector<LogSurvey>& logs, const std::vector<LogSurvey>& hold_out, std::size_t most) {
+  Excerpts result;
+  std::vector<std::size_t> sizes;
+  for (const auto* list : {&logs, &hold_out}) {
+    std::transform(list->begin(), list->end(), std::back_inserter(sizes),
+                   [](const LogSurvey& log) { return log.samples(); });
+  }
+  result.of = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  const std::size_t share = fairShare(sizes, most);
+  for (const LogSurvey& log : logs) {
+    if (log.samples() <= share) {
+      addStretches(log, takeWhole(log), {}, result.logs, result.lead_in);
+    } else {
+      addExcerptsOfTheFit(log, share, result);
+    }
+  }
+  for (const LogSurvey& log : hold_out) {
+    std::vector<LeadIn> each_is_new;
+    addStretches(log, log.samples() <= share ? takeWhole(log) : beginningOf(log, share), {}, result.hold_out,
+                 each_is_new);
+  }
+  result.samples = samplesOf(result.logs) + samplesOf(result.hold_out);
+  return result;
+}
+
+}  // namespace rubber_suspension::diagnosis

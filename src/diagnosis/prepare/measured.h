@@ -1,0 +1,41 @@
+// What a search asks of a measurement, be it logs or a table.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "fit/candidate.h"
+#include "fit/excitation.h"
+#include "fit/hypothesis_fitter.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A measurement of one component that hypotheses are fitted to.
+class Measured {
+ public:
+  Measured() = default;
+  virtual ~Measured() = default;
+  Measured(const Measured&) = delete;
+  Measured& operator=(const Measured&) = delete;
+
+  /// Fits with the numbers of the specification free.
+  virtual const fit::HypothesisFitter& fitter() const = 0;
+
+  /// Fits with every parameter of every element free.
+  virtual const fit::HypothesisFitter& elementFitter() const = 0;
+
+  virtual fit::Excitation excitation() const = 0;
+
+  /// The list of effects with their unit effects; those that such a measurement can never show have no terms.
+  virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
+                                                 const FittedHypothesis& re_estimated, int threads) const = 0;
+
+  /// What the time steps of the simulation make of a model, as a gap.
+  virtual double discretisationError(const FittedHypothesis& model) const = 0;
+
+  /// Sets the noise of the search by what the best hypothesis so far leaves; called again where a better one is found.
+  /// `result` has the re-estimated model.
+  virtual void estimateNoise(const FittedHypothesis& best, Search& result) const = 0;
+};
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,42 @@
+// Noise of one rig.
+#include "diagnosis/prepare/rig_noise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measurement/statistics.h"
+
+namespace rubber_suspension::diagnosis {
+
+double NoiseLimit::of(const log::Record& record) const { return std::max(force / record.force_deviation, share); }
+
+NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records) {
+  constexpr double kScatter = 1.5;
+  std::vector<double> forces;
+  for (std::size_t r = 0; r < noise.size(); ++r) {
+    forces.push_back(noise[r] * records[r].force_deviation);
+  }
+  return {kScatter * measurement::medianOf(forces), kScatter * measurement::medianOf(noise)};
+}
+
+void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records) {
+  constexpr double kAccepted = 0.02;  // of the force, by an engineer
+  const double accepted = std::max(kAccepted, *std::min_element(noise.begin(), noise.end()));
+  double sum = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].weight = std::pow(std::min(1.0, accepted / noise[r]), 2);
+    sum += records[r].weight;
+    if (records[r].weight < 1.0) {
+      records[r].notes.push_back(
+          fmt::format("noise of {:.2g} % of the force: counts {:.2g} times as much as other logs", 100.0 * noise[r],
+                      records[r].weight));
+    }
+  }
+  for (log::Record& record : records) {
+    record.weight *= static_cast<double>(records.size()) / sum;
+  }
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,327 @@
+// Description of a judged search.
+#include "diagnosis/results/describe.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "diagnosis/experiment/confusion.h"
+#include "diagnosis/experiment/next_experiment.h"
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/prepare/rig.h"
+#include "diagnosis/report/admission.h"
+#include "diagnosis/report/sentence.h"
+#include "diagnosis/report/temperature_note.h"
+#include "diagnosis/results/answered.h"
+#include "diagnosis/results/augmented.h"
+#include "diagnosis/results/characteristics.h"
+#include "diagnosis/results/model_parameters_by_log.h"
+#include "diagnosis/results/predictive.h"
+#include "diagnosis/results/recorded_gap.h"
+#include "diagnosis/results/sizes.h"
+#include "diagnosis/results/surrogate.h"
+#include "fit/parallel.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+class Describer {
+ public:
+  Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
+            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+      : prepared_(prepared),
+        recorded_(recorded),
+        options_(options),
+        workings_(std::move(workings)),
+        search_(workings_->search),
+        answer_(workings_->answer),
+        judged_(search_.at(answer_.model)) {
+    result_.rig_findings = std::move(findings);
+  }
+
+  Diagnosis run() {
+    result_.component = prepared_.component.name;
+    result_.configured = prepared_.component;
+    result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
+    result_.augmented = augmentedDescription(prepared_.model, judged_);
+    simulateAll();
+    measureCandidates();
+    measureGap();
+    measureParts();
+    mapGap();
+    describeRig();
+    describeLogs();
+    describeCandidates();
+    describeParameters();
+    describeAnswer();
+    describeSurrogate();
+    measureRecorded();
+    result_.workings = std::move(workings_);
+    return std::move(result_);
+  }
+
+ private:
+  bool hasUnseenLogs() const { return !prepared_.held_out.empty(); }
+
+  // The logs of the fit, then those held out.
+  gap::Forces simulate(const io::ComponentDescription& description) const {
+    const auto elements = description.allElements();
+    gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
+    const gap::Forces unseen = gap::simulateEach(elements, prepared_.held_out);
+    forces.insert(forces.end(), unseen.begin(), unseen.end());
+    return forces;
+  }
+
+  void simulateAll() {
+    Workings& w = *workings_;
+    w.records = prepared_.training;
+    w.records.insert(w.records.end(), prepared_.held_out.begin(), prepared_.held_out.end());
+    w.training = prepared_.training.size();
+    const std::array<std::pair<const io::ComponentDescription*, gap::Forces*>, 3> models = {
+        {{&prepared_.component, &w.force_configured},
+         {&result_.re_estimated, &w.force_re_estimated},
+         {&result_.augmented, &w.force_augmented}}};
+    fit::parallelFor(models.size(), options_.threads,
+                     [&](std::size_t i) { *models[i].second = simulate(*models[i].first); });
+  }
+
+  // The forces of the logs that took no part in the fit.
+  gap::Forces unseen(const gap::Forces& forces) const {
+    return {forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size()), forces.end()};
+  }
+
+  // Errors of a hypothesis of the evidence on the logs that took no part in the fit.
+  const std::vector<gap::PartError>& unseenParts(int hypothesis) const {
+    return workings_->unseen[static_cast<std::size_t>(hypothesis)];
+  }
+
+  // Errors with each effect alone, on the data that the gap is of.
+  void measureCandidates() {
+    of_candidates_.resize(search_.singles.size());
+    fit::parallelFor(of_candidates_.size(), options_.threads, [&](std::size_t c) {
+      const FittedHypothesis& single = search_.singles[c];
+      of_candidates_[c] = single.fit.blocks;
+      if (hasUnseenLogs()) {
+        // Where it is not named, a drift or a gain is what a simulation predicts of it: what is free in a log would
+        // take slow noise, or a law's error, with it.
+        const bool as_predicted = single.hypothesis.free_in_log.any() && &single != &judged_;
+        of_candidates_[c] =
+            as_predicted ? gap::partErrors(prepared_.held_out, predict(prepared_.model, single, prepared_.held_out))
+                         : unseenParts(Evidence::kFirstSingle + static_cast<int>(c));
+      }
+    });
+  }
+
+  // Noise is no more than what any of the models leaves.
+  void boundFloor() {
+    Gap& gap = result_.gap;
+    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
+    for (const auto& errors : of_candidates_) {
+      gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
+    }
+  }
+
+  void measureGap() {
+    noise_ = search_.record_noise;
+    result_.noise_source = search_.noise_source;
+    if (hasUnseenLogs()) {
+      before_ = unseenParts(Evidence::kReEstimated);
+      after_ = unseenParts(answer_.model);
+      const std::vector<double> floors =
+          noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
+                      predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
+                      noiseLimit(search_.record_noise, prepared_.training));
+      noise_.insert(noise_.end(), floors.begin(), floors.end());
+      result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
+                     gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
+    } else {
+      before_ = search_.re_estimated.fit.blocks;
+      after_ = judged_.fit.blocks;
+      result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
+    }
+    boundFloor();
+    result_.closed = closed(result_.gap.augmented);
+    result_.closed_interval = answer_.effects.empty() ? std::array{result_.closed, result_.closed}
+                                                      : holding(result_.closed, closingOf(answer_));
+  }
+
+  // Predicted of further logs; those that the gap is of are further logs, too.
+  std::array<double, 2> holding(double closed, const Closing& closing) const {
+    const std::array<double, 2> interval =
+        closedOnFurtherLogs(workings_->evidence, closing, options_.resamplings, options_.seed);
+    return {std::min(interval[0], closed), std::max(interval[1], closed)};
+  }
+
+  // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
+  // unseen logs, as both are.
+  void measureParts() {
+    io::ComponentDescription values = result_.augmented;
+    values.add = prepared_.component.add;
+    io::ComponentDescription effects = prepared_.component;
+    effects.add = result_.augmented.add;
+    const std::array<std::pair<const io::ComponentDescription*, double*>, 2> parts = {
+        {{&values, &result_.gap_of_values}, {&effects, &result_.gap_of_effects}}};
+    fit::parallelFor(parts.size(), options_.threads, [&](std::size_t i) {
+      const auto elements = parts[i].first->allElements();
+      const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+      const auto smoothed = [](const log::Record& record) { return record.displacement; };
+      *parts[i].second =
+          gap::gapOfParts(gap::partErrors(records, hasUnseenLogs() ? gap::simulateEach(elements, records, smoothed)
+                                                                   : gap::simulate(elements, records)));
+    });
+  }
+
+  // Gaps of the whole logs with all that the rig did to them.
+  void measureRecorded() {
+    std::vector<std::vector<element::ElementDescription>> models;
+    for (const auto& description : {prepared_.component, result_.re_estimated, result_.augmented}) {
+      models.push_back(description.allElements());
+    }
+    if (result_.surrogate) {
+      models.push_back(result_.surrogate->component.allElements());
+    }
+    const Recorded recorded = hasUnseenLogs() ? Recorded::each_on_a_new_one : Recorded::on_one_component;
+    const std::vector<double> gaps = recordedGaps(models, recorded_, recorded, options_.threads);
+    result_.gap_as_recorded = {gaps[0], gaps[1], gaps[2]};
+    if (result_.surrogate) {
+      result_.surrogate->gap = gaps[3];
+    }
+  }
+
+  double closed(double gap) const {
+    return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
+  }
+
+  // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
+  void mapGap() {
+    const Workings& w = *workings_;
+    const std::vector<log::Record>& records = hasUnseenLogs() ? prepared_.held_out : prepared_.training;
+    const auto of = [&](const gap::Forces& forces) { return hasUnseenLogs() ? unseen(forces) : forces; };
+    const std::array<std::function<void()>, 3> tasks = {
+        [&] { result_.errors_re_estimated = characteristicErrors(records, of(w.force_re_estimated)); },
+        [&] { result_.errors_augmented = characteristicErrors(records, of(w.force_augmented)); },
+        [&] {
+          gap::Forces residual;
+          for (std::size_t r = 0; r < prepared_.training.size(); ++r) {
+            const log::Record& record = prepared_.training[r];
+            residual.push_back(record.withoutRig(record.force - w.force_configured[r]));
+          }
+          result_.where = gap::gapMap(prepared_.training, residual, search_.record_noise);
+        }};
+    fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
+  }
+
+  // What the rig did to each log, by what the judged model and the next likely one leave of it.
+  void describeRig() {
+    const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
+    const auto elements = result_.augmented.allElements();
+    const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    for (const bool held_out : {false, true}) {
+      const auto found =
+          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
+      result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
+    }
+  }
+
+  void describeLogs() {
+    result_.admission.resize(noise_.size());
+    fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
+      result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
+    });
+  }
+
+  void describeCandidates() {
+    result_.candidates.resize(search_.candidates.size());
+    fit::parallelFor(result_.candidates.size(), options_.threads,
+                     [&](std::size_t c) { result_.candidates[c] = describeCandidate(c); });
+    std::stable_sort(result_.candidates.begin(), result_.candidates.end(),
+                     [](const CandidateResult& a, const CandidateResult& b) {
+                       return a.probability != b.probability ? a.probability > b.probability : a.closed > b.closed;
+                     });
+  }
+
+  CandidateResult describeCandidate(std::size_t c) const {
+    const FittedHypothesis& single = search_.singles[c];
+    const std::vector<gap::PartError>& errors = of_candidates_[c];
+    CandidateResult candidate;
+    candidate.effect = search_.candidates[c].effect;
+    candidate.documentation = search_.candidates[c].documentation;
+    candidate.on_rig = search_.candidates[c].on_rig;
+    candidate.probability = answer_.candidates[c];
+    candidate.gap = gap::gapOfParts(errors);
+    candidate.closed = closed(candidate.gap);
+    candidate.interval = &single == &judged_
+                             ? result_.closed_interval
+                             : holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
+    candidate.visible_share = search_.visible_share[c];
+    candidate.testable =
+        search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;
+    candidate.add = entriesOf(single);
+    candidate.parameters = headlineOf(candidate.add);
+    return candidate;
+  }
+
+  void describeParameters() {
+    const fit::Fit& joint = search_.re_estimated.fit;
+    result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
+    result_.by_log = parametersByLog(prepared_.fitter, joint);
+    Sizes sizes = sizesOf(prepared_.fitter, search_.candidates, judged_, options_);
+    result_.model_sizes = std::move(sizes.model);
+    result_.effect_sizes = std::move(sizes.effects);
+  }
+
+  void describeAnswer() {
+    addAnswer(answer_, workings_->evidence, result_);
+    NextExperiment next = nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
+    result_.next_experiment = std::move(next.text);
+    result_.proposed = std::move(next.proposed);
+    result_.sentence = sentence(result_);
+    result_.could_show = couldShow(search_);
+    if (const std::string note = temperatureNote(result_.effects, search_.excitation); !note.empty()) {
+      result_.sentence += " " + note;
+      result_.next_experiment += " Record temperature_degC with it.";
+    }
+  }
+
+  // What no effect explains is closed all the same.
+  void describeSurrogate() {
+    if (!leavesRest(answer_.verdict)) {
+      return;
+    }
+    Workings& w = *workings_;
+    const gap::Forces of_training(w.force_augmented.begin(),
+                                  w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
+    Surrogate surrogate = fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
+                                       result_.gap.noise_floor, options_.threads);
+    w.force_surrogate = simulate(surrogate.component);
+    result_.sentence += " " + describeRest(surrogate);
+    result_.surrogate = std::move(surrogate);
+  }
+
+  const PreparedCase& prepared_;
+  const std::vector<LogSurvey>& recorded_;
+  const DiagnosisOptions& options_;
+  std::shared_ptr<Workings> workings_;
+  const Search& search_;
+  const Answer& answer_;
+  const FittedHypothesis& judged_;
+  std::vector<double> noise_;  // floor of each record
+  std::vector<gap::PartError> before_;
+  std::vector<gap::PartError> after_;
+  std::vector<std::vector<gap::PartError>> of_candidates_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
+                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
+                   const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,87 @@
+// The model's own values before and after.
+#include "diagnosis/results/model_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "diagnosis/report/text.h"
+#include "diagnosis/results/augmented.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+double farOff(const SizedValue& size) { return std::abs(std::log(size.value / size.configured)); }
+
+bool isChanged(const SizedValue& size) {
+  constexpr double kWorthSaying = 0.02;  // as a logarithm: less is within what a bench can hold
+  return size.configured > 0.0 && size.value > 0.0 && farOff(size) > kWorthSaying &&
+         (size.configured < size.interval_95[0] || size.configured > size.interval_95[1]);
+}
+
+std::string nameOf(const SizedValue& size) {
+  return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
+}
+
+// Entries of one type, which stand in the file one by one.
+std::string addedText(const std::vector<element::ElementDescription>& entries) {
+  std::string values;
+  for (const HeadlineValue& value : shortHeadlineOf(entries)) {
+    const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : spoken(value.name),
+                          quantity(value.value, value.unit));
+  }
+  return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + entries.front().type +
+         (values.empty() ? "" : " (" + values + ")");
+}
+
+}  // namespace
+
+std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
+  std::vector<const SizedValue*> changed;
+  for (const SizedValue& size : d.model_sizes) {
+    if (isChanged(size)) {
+      changed.push_back(&size);
+    }
+  }
+  std::sort(changed.begin(), changed.end(),
+            [](const SizedValue* a, const SizedValue* b) { return farOff(*a) > farOff(*b); });
+  return changed;
+}
+
+std::string offText(const SizedValue& size) {
+  const double off = size.configured / size.value - 1.0;
+  return fmt::format("{} is {} % too {} in the component file ({} instead of {})", nameOf(size),
+                     wholePercent(std::abs(off)), off < 0.0 ? "low" : "high", quantity(size.configured, size.unit),
+                     quantity(size.value, size.unit));
+}
+
+std::string besideText(const SizedValue& size) {
+  return fmt::format("{} becomes {} ({} in the component file)", nameOf(size), quantity(size.value, size.unit),
+                     quantity(size.configured, size.unit));
+}
+
+std::string componentChanges(const Diagnosis& d) {
+  Table table({"value", "#before", "#after", "#95 % interval", "#change"});
+  for (const SizedValue& size : d.model_sizes) {
+    if (size.value == size.configured) {
+      continue;
+    }
+    table.add({escape(nameOf(size)), "<del>" + quantity(size.configured, size.unit) + "</del>",
+               "<ins>" + quantity(size.value, size.unit) + "</ins>", intervalText(size),
+               fmt::format("{:+.1f} %", 100.0 * (size.value / size.configured - 1.0))});
+  }
+  std::string html = table.empty() ? "<p>The model's own values stay.</p>\n" : table.html();
+  std::map<std::string, std::vector<element::ElementDescription>> added;
+  for (std::size_t i = d.configured.add.size(); i < d.augmented.add.size(); ++i) {
+    added[d.augmented.add[i].type].push_back(d.augmented.add[i]);
+  }
+  for (const auto& [type, entries] : added) {
+    html += "<p><ins>+ " + escape(addedText(entries)) + "</ins></p>\n";
+  }
+  return html;
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,126 @@
+// Surrogate of a component for the rest that no effect explains.
+#include "diagnosis/results/surrogate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
+constexpr double kEvenChance = 0.5;     // where there is nothing to tell it by
+constexpr double kLargerPart = 0.5;     // of the squared rest
+constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
+
+// Tenths of logs that took no part in any fit, as further logs.
+void addHeldOut(const io::ComponentDescription& component, const io::ComponentDescription& with_surrogate,
+                const std::vector<log::Record>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
+  for (std::size_t r = 0; r < held_out.size(); ++r) {
+    const std::vector<log::Record> one = {held_out[r]};
+    const auto before = gap::partErrors(one, gap::simulateEach(component.allElements(), one));
+    const auto after = gap::partErrors(one, gap::simulateEach(with_surrogate.allElements(), one));
+    for (std::size_t p = 0; p < before.size(); ++p) {
+      unseen.push_back({first + static_cast<int>(r), before[p].weight, before[p].error, after[p].error});
+    }
+  }
+}
+
+// Half the logarithm of the error after over that before: a block counts by the factor gained there, and what is noise
+// does not count.
+double gainOf(const fit::UnseenBlock& block, double noise_floor) {
+  const double noise = noise_floor * noise_floor;
+  return 0.5 * std::log((block.after + noise) / (block.before + noise));
+}
+
+// Probability of such a mean gain where there is none, by Student's t over logs, or over blocks where there are few
+// logs. The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human Resources 50, 2015,
+// Eq. 11): blocks of one log share what that log is.
+double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs) {
+  double weight = 0.0;
+  double mean = 0.0;
+  for (const fit::UnseenBlock& block : unseen) {
+    weight += block.weight;
+    mean += block.weight * gainOf(block, noise_floor);
+  }
+  mean /= weight;
+  std::map<int, double> departs;  // by cluster: weighted sum of what departs from the mean
+  for (std::size_t b = 0; b < unseen.size(); ++b) {
+    departs[count_logs ? unseen[b].record : static_cast<int>(b)] +=
+        unseen[b].weight * (gainOf(unseen[b], noise_floor) - mean);
+  }
+  const auto clusters = static_cast<double>(departs.size());
+  const double squares = std::accumulate(departs.begin(), departs.end(), 0.0,
+                                         [](double sum, const auto& one) { return sum + one.second * one.second; });
+  if (clusters < 2.0 || !std::isfinite(squares)) {
+    return kEvenChance;
+  }
+  const double error = std::sqrt(clusters / (clusters - 1.0) * squares) / weight;
+  return error > 0.0 ? boost::math::cdf(boost::math::students_t(clusters - 1.0), mean / error) : mean < 0.0 ? 0.0 : 1.0;
+}
+
+}  // namespace
+
+void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate) {
+  double weight = 0.0;
+  double before = 0.0;
+  double after = 0.0;
+  for (const fit::UnseenBlock& block : unseen) {
+    weight += block.weight;
+    before += block.weight * block.before;
+    after += block.weight * block.after;
+  }
+  surrogate.unseen_before = std::sqrt(before / weight);
+  surrogate.unseen_after = std::sqrt(after / weight);
+  // What is left where nothing was fitted is no less than the noise: a floor above it is not known.
+  const double floor = noise_floor < surrogate.unseen_after ? noise_floor : 0.0;
+  const double rest = gap::residualAboveFloor(surrogate.unseen_before, floor);
+  const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
+  surrogate.share = rest > 0.0 ? std::clamp(1.0 - std::pow(left / rest, 2), 0.0, 1.0) : 0.0;
+  surrogate.chance = chanceOf(unseen, noise_floor, count_logs);
+  surrogate.function_of_the_motion = surrogate.chance < kChanceOfGain && surrogate.share > kLargerPart;
+}
+
+Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
+                       int threads) {
+  const fit::SurrogateFit fit = fit::fitSurrogate(logs.training, logs.force, threads);
+  Surrogate surrogate;
+  surrogate.component = component;
+  surrogate.component.add.push_back(fit.element);
+  std::vector<fit::UnseenBlock> unseen;
+  std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(unseen),
+               [](const fit::UnseenBlock& block) { return block.weight > 0.0; });
+  const double share = static_cast<double>(logs.training.size());
+  for (fit::UnseenBlock& block : unseen) {  // each log counts 1, as those held out do
+    block.weight *= share;
+    block.after = fit.predicts ? block.after : block.before;
+  }
+  addHeldOut(component, surrogate.component, logs.held_out, static_cast<int>(logs.training.size()), unseen);
+  judgeRest(unseen, noise_floor, logs.training.size() + logs.held_out.size() >= kFewestLogs, surrogate);
+  return surrogate;
+}
+
+std::string describeRest(const Surrogate& surrogate) {
+  const std::string prediction =
+      fmt::format("a surrogate predicts {:.0f} % of it where it was not fitted (gap {:.1f} to {:.1f} %)",
+                  100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
+  if (surrogate.function_of_the_motion) {
+    return "The rest is a function of the motion that is not in the list: " + prediction + ".";
+  }
+  if (surrogate.chance < kChanceOfGain && surrogate.share > 0.0) {
+    return "Only part of the rest is a function of the motion: " + prediction +
+           "; the other part needs other logs to be learned, or the motion does not cause it (hum, cross-talk, a "
+           "connector).";
+  }
+  return "No surrogate predicts the rest where it was not fitted: these logs do not tell whether the motion causes it.";
+}
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,33 @@
+// What nobody explains: whether it is a function of the motion, and a component that closes it all the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/surrogate.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Logs that a surrogate is fitted to, and those that are not.
+struct SurrogateLogs {
+  const std::vector<log::Record>& training;
+  const gap::Forces& force;  ///< of the augmented component on these, from the displacement as recorded [N]
+  const std::vector<log::Record>& held_out;
+};
+
+/// Fit a surrogate to what a component leaves, and judge whether that is a function of the motion: by what a surrogate
+/// predicts of logs (of blocks, where there are fewer than three logs) that it was not fitted to, and of the logs held
+/// out. `noise_floor`: as a gap. Leaves Surrogate::gap to be measured.
+Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
+                       int threads);
+
+/// Whether blocks that took no part in the fit show the rest to be a function of the motion, and the share of the
+/// squared rest beyond the noise that is. `count_logs`: blocks of one log count as one.
+void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate);
+
+/// One sentence, for the verdict.
+std::string describeRest(const Surrogate& surrogate);
+
+}  // namespace rubber_suspension::diagnosis

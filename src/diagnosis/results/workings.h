@@ -1,0 +1,65 @@
+// What a diagnosis worked with: the logs made ready, the models to be fitted, what the search tried, the judgement.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/judge/answer.h"
+#include "diagnosis/prepare/rig.h"
+#include "fit/fitter.h"
+#include "fit/model_parameters.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/io/component_file.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// A component and its logs, ready for the fits.
+struct PreparedCase {
+  PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
+               std::vector<log::Record> hold_out, ZeroPriors priors = {})
+      : component(configured),
+        records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
+        training(*records),
+        held_out(std::move(hold_out)),
+        model(component, fit::Level::specification),
+        element_model(component, fit::Level::elements),
+        fitter(records, model),
+        element_fitter(records, element_model),
+        zeros(std::move(priors)) {
+    fitter.setZeros(zeros.training);
+  }
+  PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
+  PreparedCase& operator=(const PreparedCase&) = delete;
+
+  io::ComponentDescription component;
+  std::shared_ptr<const std::vector<log::Record>> records;  ///< of the logs of the fit
+  const std::vector<log::Record>& training;                 ///< these
+  std::vector<log::Record> held_out;
+  fit::ModelParameters model;
+  fit::ModelParameters element_model;
+  fit::Fitter fitter;
+  fit::Fitter element_fitter;
+  ZeroPriors zeros;
+};
+
+/// What the report draws and lists besides the result.
+struct Workings {
+  Search search;
+  Evidence evidence;
+  bool write_evidence = false;  ///< the report is to have it, too
+  Answer answer;
+  std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
+  std::size_t training = 0;          ///< how many of them took part in the fit
+  gap::Forces force_configured;      ///< per record [N]
+  gap::Forces force_re_estimated;
+  gap::Forces force_augmented;
+  gap::Forces force_surrogate;       ///< empty without a surrogate
+  std::vector<UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
+};
+
+}  // namespace rubber_suspension::diagnosis

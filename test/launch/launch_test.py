@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""Starts launch files as a user does, with no more than the arguments that have no default, and looks at what they write.
+
+    launch_test.py FOLDER_OF_LAUNCH_FILES [TEST ...]    # in an environment in which roslaunch finds the package
+"""
+
+import csv
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "wire"))
+import tcpros  # noqa: E402: the port of a master that nobody else has
+
+SAMPLES = 200
+LAUNCH = ""
+CONFIG = """components:
+  left_secondary: {model: kelvin_voigt, specification: {dynamic_stiffness: 4.2e6, nominal_frequency: 4,
+                                                        relative_damping: 0.05}}
+"""
+
+
+class Launch(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="launch.")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.log = self.folder / "a log.csv"
+        rows = (f"{0.001 * i:.3f},{1e-4 * math.sin(0.05 * i)}\n" for i in range(SAMPLES))
+        self.log.write_text("time_s,displacement_m\n" + "".join(rows))
+
+    def launch(self, name, **arguments):
+        """Ends with its required node, whose status roslaunch does not pass on; returns all that was said."""
+        environment = {**os.environ, "ROS_HOME": str(self.folder / "ros_home")}
+        words = [f"{key}:={value}" for key, value in arguments.items()]
+        done = subprocess.run(["roslaunch", "-p", str(tcpros.free_port()), os.path.join(LAUNCH, name), *words],
+                              env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertNotIn("exit code", done.stdout)
+        return done.stdout
+
+    def forces(self, path, said, column):
+        self.assertTrue(path.exists(), said)
+        with path.open(newline="") as file:
+            return [float(row[column]) for row in csv.DictReader(file)]
+
+    def test_replay(self):
+        config = self.folder / "components.yaml"
+        config.write_text(CONFIG)
+        output, bag = self.folder / "forces.csv", self.folder / "forces of it.bag"
+        for more in ({}, {"bag": bag}):
+            said = self.launch("replay.launch", config=config, component="left_secondary", log=self.log, output=output, **more)
+            forces = self.forces(output, said, "force_N")
+            self.assertEqual(len(forces), SAMPLES, said)
+            self.assertGreater(max(forces), 300.0)  # of 0.1 mm of 4.2 kN/mm
+            self.assertEqual(bag.exists(), bool(more), said)
+
+    def test_vehicle(self):
+        output, plot = self.folder / "vehicle.csv", self.folder / "vehicle.svg"
+        for more in ({}, {"output": output, "plot": plot}):
+            said = self.launch("vehicle.launch", track=self.log, **more)
+            self.assertEqual(output.exists() and plot.exists(), bool(more), said)
+
+
+if __name__ == "__main__":
+    LAUNCH = sys.argv.pop(1)
+    unittest.main(verbosity=2)
