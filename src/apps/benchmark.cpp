@@ -55,9 +55,9 @@ OptionTable Options::table() {
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part :
-       {benchmark::stepCases, benchmark::fmuCases, benchmark::logCases, benchmark::bundleCases, benchmark::replayCases,
-        benchmark::peerCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
+  for (const auto part : {benchmark::stepCases, benchmark::sixDirectionCases, benchmark::fmuCases, benchmark::logCases,
+                          benchmark::bundleCases, benchmark::replayCases, benchmark::peerCases,
+                          benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }

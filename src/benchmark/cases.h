@@ -19,6 +19,9 @@ struct BenchmarkSize {
 /// of Maxwell elements; a surrogate.
 std::vector<Case> stepCases(const BenchmarkSize& size);
 
+/// A component of six directions against six components of one, alone and a thousand at each tick; its tangent.
+std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
+
 /// Estimation from five inputs; the table of stiffness and loss angle of Berg's model.
 std::vector<Case> estimationCases(const BenchmarkSize& size);
 
