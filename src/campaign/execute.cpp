@@ -2,11 +2,13 @@
 #include "campaign/execute.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "command/identify.h"
@@ -38,23 +40,29 @@ ordered_json ratiosJson(const diagnosis::ParameterRatios& ratios) {
   return result;
 }
 
-// "friction | creep" for each set of effects that the logs cannot tell apart.
+// "friction | friction + creep": the sets of effects that the logs cannot tell apart.
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
-  std::string text;
-  for (const std::vector<std::string>& set : sets) {
-    std::string names;
-    for (const std::string& name : set) {
-      names += (names.empty() ? "" : " | ") + name;
-    }
-    text += (text.empty() ? "" : "; ") + names;
-  }
-  return text;
+  std::vector<std::string> texts;
+  std::transform(sets.begin(), sets.end(), std::back_inserter(texts),
+                 [](const std::vector<std::string>& set) { return fmt::format("{}", fmt::join(set, " + ")); });
+  return fmt::format("{}", fmt::join(texts, " | "));
+}
+
+// What else may be right: sets of effects, and the verdict of what is none.
+std::vector<std::vector<std::string>> alternativesOf(const diagnosis::Diagnosis& d) {
+  std::vector<std::vector<std::string>> others;
+  std::transform(d.alternatives.begin(), d.alternatives.end(), std::back_inserter(others),
+                 [](const diagnosis::Alternative& other) {
+                   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
+                 });
+  return others;
 }
 
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
-  ordered_json values = {{"verdict", d.verdict},
+  ordered_json values = {{"verdict", toString(d.verdict)},
                          {"effects", log::join(d.effects)},
                          {"confounded", setsText(d.confounded)},
+                         {"alternatives", setsText(alternativesOf(d))},
                          {"gap_as_configured", number(d.gap.as_configured)},
                          {"gap_re_estimated", number(d.gap.re_estimated)},
                          {"gap_augmented", number(d.gap.augmented)},
@@ -70,6 +78,21 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
+// What may be right, first what is said: sets of effects, and one without any where values may be all that is wrong.
+ordered_json explanationsJson(const diagnosis::Diagnosis& d) {
+  ordered_json list = ordered_json::array();
+  const auto add = [&](diagnosis::Verdict verdict, const std::vector<std::string>& effects, double probability) {
+    if (!effects.empty() || verdict == diagnosis::Verdict::none || verdict == diagnosis::Verdict::parameter_error) {
+      list.push_back({{"effects", effects}, {"probability", number(probability)}});
+    }
+  };
+  add(d.verdict, d.effects, d.probability);
+  for (const diagnosis::Alternative& other : d.alternatives) {
+    add(other.verdict, other.effects, other.probability);
+  }
+  return list;
+}
+
 ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
   ordered_json by_log = ordered_json::array();
   for (const diagnosis::ParameterByLog& row : d.by_log) {
@@ -81,15 +104,9 @@ ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
       configured[size.name] = number(size.configured);
     }
   }
-  ordered_json probabilities = ordered_json::object();
-  for (const diagnosis::CandidateResult& candidate : d.candidates) {
-    probabilities[candidate.effect] = number(candidate.probability);
-  }
-  probabilities["parameter_error"] = number(d.posterior.parameter_error);
-  return {{"verdict", d.verdict},
+  return {{"verdict", toString(d.verdict)},
           {"effects", d.effects},
-          {"confounded", d.confounded},
-          {"probabilities", probabilities},
+          {"explanations", explanationsJson(d)},
           {"probability_none_of_these", number(d.posterior.none_of_these)},
           {"ratios", ratiosJson(d.parameter_ratios)},
           {"ratios_by_log", by_log},

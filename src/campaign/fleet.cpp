@@ -2,10 +2,12 @@
 #include "campaign/fleet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "campaign/manifest.h"
@@ -15,6 +17,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
+using diagnosis::Verdict;
 using nlohmann::ordered_json;
 
 constexpr double kJeffreys = 0.5;                        // prior count of each cause
@@ -82,37 +85,47 @@ ParameterChanges changesOfEstimate(const ordered_json& evidence) {
 
 // The cause of which a component's own logs leave no doubt: an effect, "" for none; nothing where they do.
 std::optional<std::string> sureCause(const FleetComponent& component) {
-  if (component.verdict == "none" || component.verdict == "parameter_error") {
-    return "";
+  const bool tells = component.verdict == Verdict::none || component.verdict == Verdict::parameter_error ||
+                     component.verdict == Verdict::named;
+  if (!tells || component.explanations.size() != 1) {
+    return std::nullopt;
   }
-  const bool one = component.verdict == "named" && !component.confounded.empty() && !component.effects.empty() &&
-                   component.confounded.front().size() == 1;
-  return one ? std::optional<std::string>(component.effects.front()) : std::nullopt;
+  return component.effects.empty() ? "" : component.explanations.front().cause;
 }
 
-bool contains(const std::vector<std::string>& names, const char* name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool mayBe(const FleetComponent& component, const char* cause) {
+  return std::any_of(component.explanations.begin(), component.explanations.end(),
+                     [&](const OwnExplanation& own) { return own.cause == cause; });
 }
 
-// True where these logs leave wrong values and what of the rig is like them, at most.
+// True where these logs name nothing but what of a rig is like wrong values.
 bool leavesLikeValuesAlone(const FleetComponent& component) {
-  const auto allowed = [](const std::string& name) {
-    return name == kCompliance || name == kGain || name == kWrongValues;
-  };
-  const bool alone = std::all_of(component.effects.begin(), component.effects.end(), allowed);
-  return alone && std::all_of(component.confounded.begin(), component.confounded.end(),
-                              [&](const auto& set) { return std::all_of(set.begin(), set.end(), allowed); });
+  return std::all_of(component.effects.begin(), component.effects.end(),
+                     [](const std::string& name) { return name == kCompliance || name == kGain; });
+}
+
+// No gap and wrong values are one cause: none of the effects.
+void addExplanation(const std::vector<std::string>& effects, const ordered_json& probability,
+                    FleetComponent& component) {
+  const std::string cause = effects.empty() ? kWrongValues : fmt::format("{}", fmt::join(effects, " + "));
+  const double own = probability.is_number() ? probability.get<double>() : 0.0;
+  const auto found = std::find_if(component.explanations.begin(), component.explanations.end(),
+                                  [&](const OwnExplanation& other) { return other.cause == cause; });
+  if (found == component.explanations.end()) {
+    component.explanations.push_back({cause, own});
+  } else {
+    found->probability += own;
+  }
 }
 
 void setParameters(FleetComponent& component, const ordered_json& evidence) {
   // Of logs that cannot be what they say nothing is known, and what no model explains bends its values.
-  if (component.verdict == "check_bench" || component.verdict == "unknown" || !leavesLikeValuesAlone(component)) {
+  if (component.verdict == Verdict::check_bench || component.verdict == Verdict::unknown ||
+      !leavesLikeValuesAlone(component)) {
     return;
   }
   component.without_effects = reEstimated(evidence);
-  const bool wrong_values = std::any_of(component.confounded.begin(), component.confounded.end(),
-                                        [](const auto& set) { return contains(set, kWrongValues); });
-  if (component.effects.empty() || wrong_values) {
+  if (component.effects.empty() || mayBe(component, kWrongValues)) {
     component.parameters = component.without_effects;
   }
 }
@@ -151,8 +164,8 @@ class Analysis {
 
   FleetType run() {
     for (const FleetComponent& component : type_.components) {
-      if (!component.verdict.empty()) {
-        ++type_.verdicts[component.verdict];
+      if (component.verdict) {
+        ++type_.verdicts[toString(*component.verdict)];
       }
     }
     giveBackCompliance();
@@ -301,55 +314,53 @@ class Analysis {
   void decideConfounded() {
     for (std::size_t i = 0; i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
-      if (component.confounded.empty() || component.confounded.front().size() < 2 ||
-          (isOnSoftRig(component) && leavesLikeValuesAlone(component))) {
-        continue;
+      const bool open = component.explanations.size() > 1 && component.verdict != Verdict::unknown;
+      if (open && !(isOnSoftRig(component) && leavesLikeValuesAlone(component))) {
+        decide(i, component.explanations);
       }
-      decide(i, component.confounded.front());
     }
   }
 
   // Only within the set: what its own logs exclude, the fleet does not bring back.
-  void decide(std::size_t place, const std::vector<std::string>& set) {
+  void decide(std::size_t place, const std::vector<OwnExplanation>& set) {
     const FleetComponent& component = type_.components[place];
-    if (contains(set, kWrongValues) && (contains(set, kCompliance) || contains(set, kGain))) {
+    if (mayBe(component, kWrongValues) && (mayBe(component, kCompliance) || mayBe(component, kGain))) {
       return;  // re-estimation does the same: only other types on the same rig, or other pieces of the type, can tell
     }
-    std::vector<double> alone;
     std::vector<double> weights;
     double sum_alone = 0.0;
     double sum = 0.0;
-    for (const std::string& effect : set) {
-      const auto own = component.probabilities.find(effect);
-      alone.push_back(own == component.probabilities.end() ? 0.0 : own->second);
-      weights.push_back(alone.back() * (static_cast<double>(sureOf(effect)) + kJeffreys));
-      sum_alone += alone.back();
+    for (const OwnExplanation& own : set) {
+      weights.push_back(own.probability * (static_cast<double>(sureOf(own.cause)) + kJeffreys));
+      sum_alone += own.probability;
       sum += weights.back();
     }
     if (sure_ < kFewestComponents || !(sum > 0.0)) {
       return;
     }
     const auto best = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-    if (weights[best] / sum < kDecided) {
+    const bool is_said = best == 0 && component.verdict != Verdict::confounded;
+    if (weights[best] / sum < kDecided || is_said) {
       return;
     }
     std::string others;
     for (std::size_t i = 0; i < set.size(); ++i) {
-      others += i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i], sureOf(set[i]));
+      others +=
+          i == best ? "" : fmt::format("{}{} in {}", others.empty() ? "" : ", ", set[i].cause, sureOf(set[i].cause));
     }
     type_.changed.push_back(
-        {place, verdictOf(component), set[best] == kWrongValues ? set[best] : "named: " + set[best],
+        {place, verdictOf(component), set[best].cause == kWrongValues ? kWrongValues : "named: " + set[best].cause,
          fmt::format("of {} components of this type whose own logs leave one cause, {} is it in {}, {}: {:.0f} % "
                      "within the set, by its own logs {:.0f} %",
-                     sure_, set[best], sureOf(set[best]), others, 100.0 * weights[best] / sum,
-                     100.0 * alone[best] / sum_alone)});
+                     sure_, set[best].cause, sureOf(set[best].cause), others, 100.0 * weights[best] / sum,
+                     100.0 * set[best].probability / sum_alone)});
   }
 
   // On a rig that gives way: what its compliance explains.
   void explainCompliance() {
     for (std::size_t i = 0; i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
-      const bool off = component.verdict == "parameter_error" || !component.effects.empty();
+      const bool off = component.verdict == Verdict::parameter_error || !component.effects.empty();
       if (!isOnSoftRig(component) || component.without_effects.empty() || !off) {
         continue;
       }
@@ -375,8 +386,11 @@ class Analysis {
   }
 
   static std::string verdictOf(const FleetComponent& component) {
-    return component.confounded.empty() ? component.verdict
-                                        : component.verdict + ": " + log::join(component.confounded.front());
+    std::vector<std::string> causes;
+    std::transform(component.explanations.begin(), component.explanations.end(), std::back_inserter(causes),
+                   [](const OwnExplanation& own) { return own.cause; });
+    const std::string verdict = component.verdict ? toString(*component.verdict) : "";
+    return causes.size() < 2 && component.effects.empty() ? verdict : verdict + ": " + log::join(causes);
   }
 
   bool standsOut(std::size_t component) const {
@@ -384,10 +398,14 @@ class Analysis {
                        [&](const StandOut& one) { return one.component == component; });
   }
 
+  bool isChanged(std::size_t component) const {
+    return std::any_of(type_.changed.begin(), type_.changed.end(),
+                       [&](const ChangedVerdict& one) { return one.component == component; });
+  }
+
   // A gain that one rig has would be the same for all on it: scatter speaks against it, and other types may.
   static bool hasGainBesideValues(const FleetComponent& component) {
-    return component.confounded.size() == 1 && component.confounded.front().size() == 2 &&
-           contains(component.confounded.front(), kGain) && contains(component.confounded.front(), kWrongValues);
+    return component.explanations.size() == 2 && mayBe(component, kGain) && mayBe(component, kWrongValues);
   }
 
   void explainParameterErrors() {
@@ -410,8 +428,8 @@ class Analysis {
     for (std::size_t i = 0; modelled && i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
       const bool gain = hasGainBesideValues(component);
-      if ((component.verdict != "parameter_error" && !gain) || standsOut(i) || isOnSoftRig(component) ||
-          (gain && !common.empty() && !factorIsDecided(component))) {
+      if ((component.verdict != Verdict::parameter_error && !gain) || standsOut(i) || isOnSoftRig(component) ||
+          isChanged(i) || (gain && !common.empty() && !factorIsDecided(component))) {
         continue;
       }
       if (isDecided(component, RigCause::factor)) {
@@ -526,11 +544,10 @@ void Fleet::add(const Job& job, const Record& record) {
   if (job.command == Command::estimate) {
     component.parameters = changesOfEstimate(record.evidence);
   } else {
-    component.verdict = record.evidence.at("verdict").get<std::string>();
+    component.verdict = diagnosis::verdictOf(record.evidence.at("verdict").get<std::string>());
     component.effects = record.evidence.at("effects").get<std::vector<std::string>>();
-    component.confounded = record.evidence.at("confounded").get<std::vector<std::vector<std::string>>>();
-    for (const auto& [effect, probability] : record.evidence.at("probabilities").items()) {
-      component.probabilities[effect] = probability.is_number() ? probability.get<double>() : 0.0;
+    for (const ordered_json& own : record.evidence.at("explanations")) {
+      addExplanation(own.at("effects").get<std::vector<std::string>>(), own.at("probability"), component);
     }
     setParameters(component, record.evidence);
   }

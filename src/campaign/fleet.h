@@ -10,6 +10,7 @@
 #include "campaign/job.h"
 #include "campaign/random_effects.h"
 #include "campaign/rig_stiffness.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::campaign {
 
@@ -26,15 +27,21 @@ struct ParameterChange {
 
 using ParameterChanges = std::map<std::string, ParameterChange>;  ///< by name
 
+/// What may be the cause, by a component's own logs: effects, or "parameter_error" where values may be all that is
+/// wrong.
+struct OwnExplanation {
+  std::string cause;  ///< "friction + creep"
+  double probability = 0.0;
+};
+
 /// What is known of one component by its own logs.
 struct FleetComponent {
   std::string id;  ///< of its job
   std::string name;
-  std::string report;                                ///< path relative to the campaign's folder; may be empty
-  std::string verdict;                               ///< of diagnose; empty for estimate
-  std::vector<std::string> effects;                  ///< named
-  std::vector<std::vector<std::string>> confounded;  ///< for each effect named, those that its logs cannot tell from it
-  std::map<std::string, double> probabilities;       ///< of each effect, by its own logs
+  std::string report;                         ///< path relative to the campaign's folder; may be empty
+  std::optional<diagnosis::Verdict> verdict;  ///< none for estimate
+  std::vector<std::string> effects;           ///< named
+  std::vector<OwnExplanation> explanations;   ///< by its own logs, what is said first
   std::string test_rig;
   /// Nothing where an effect is named: the values that go with it depend on the form that it is given.
   ParameterChanges parameters;
@@ -54,7 +61,7 @@ struct FleetParameter {
 
 /// In how many components an effect is the cause.
 struct EffectShare {
-  std::string effect;                ///< "" for none
+  std::string effect;                ///< or several, "friction + creep"; "" for none
   std::size_t named = 0;             ///< components that name it
   std::size_t sure = 0;              ///< components whose own logs leave no other in its place
   double share = 0.0;                ///< of the components that are sure of their cause
@@ -118,7 +125,7 @@ constexpr double kDecided = 0.95;
 ///
 /// Causes: the components whose own logs leave one cause only are draws from a multinomial distribution of unknown
 /// shares (Jeffreys' prior, 1/2 for each cause). The expected shares are the prior of every other component of the
-/// type, whose own probabilities, under equal priors, are its likelihood. Components that are not sure themselves add
+/// type, for which its own probabilities stand as its likelihood. Components that are not sure themselves add
 /// nothing to the shares: what is confounded in all of them stays so, because the same programme on the same rig errs
 /// the same way in all.
 class Fleet {

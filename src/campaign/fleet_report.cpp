@@ -197,8 +197,8 @@ std::string componentTable(const FleetType& type) {
     for (const std::string& effect : component.effects) {
       effects += (effects.empty() ? "" : ", ") + effect;
     }
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", linkTo(component), escape(component.verdict),
-                        escape(effects));
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", linkTo(component),
+                        escape(component.verdict ? toString(*component.verdict) : ""), escape(effects));
   }
   return "<h3>All components</h3>\n<table><tr><th>component</th><th>verdict</th><th>effects</th></tr>\n" + rows +
          "</table>\n" + restNote(type.components.size());

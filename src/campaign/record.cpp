@@ -55,9 +55,9 @@ void requireEvidence(const ordered_json& evidence) {
     return !evidence.contains(key) || (evidence.at(key).*of_type)();
   };
   const bool fits = evidence.is_object() && is("verdict", &ordered_json::is_string) &&
-                    is("effects", &ordered_json::is_array) && is("confounded", &ordered_json::is_array) &&
-                    is("probabilities", &ordered_json::is_object) && is("ratios", &ordered_json::is_object) &&
-                    is("ratios_by_log", &ordered_json::is_array) && is("parameters", &ordered_json::is_array);
+                    is("effects", &ordered_json::is_array) && is("explanations", &ordered_json::is_array) &&
+                    is("ratios", &ordered_json::is_object) && is("ratios_by_log", &ordered_json::is_array) &&
+                    is("parameters", &ordered_json::is_array);
   if (!fits) {
     throw std::runtime_error("evidence: of another form; accepted: as campaign run writes it");
   }

@@ -103,13 +103,13 @@ RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, co
   if (result.findings.empty()) {
     return result;
   }
-  const auto nuisances = measurement::freeNuisances(records, own, true, simulated, simulate);
+  const auto states = measurement::initialStates(records, own, simulated, simulate);
   result.columns.resize(logs.size());
   for (std::size_t i = 0; i < logs.size(); ++i) {
     result.columns[i].resize(static_cast<Eigen::Index>(logs[i].size()), 0);
   }
   for (const std::size_t r : running) {
-    result.columns[places[r]] = nuisances[r];
+    result.columns[places[r]] = states[r];
   }
   if (zeros) {
     addZeros(logs, result.columns);

@@ -278,10 +278,10 @@ void RadialCoupling::takeScaled(std::size_t axis, const std::vector<element::Ele
   }
 }
 
-Eigen::Vector3d RadialCoupling::vectorOf(const SixNumbers& coordinates) const {
+Eigen::Vector3d RadialCoupling::vectorOf(const Coordinates& coordinates) const {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
   for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
-    vector[static_cast<Eigen::Index>(axis)] = coordinates[static_cast<Eigen::Index>(directions_[axis])];
+    vector[static_cast<Eigen::Index>(axis)] = coordinates[directions_[axis]];
   }
   return vector;
 }
@@ -317,7 +317,7 @@ void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentFo
 }
 
 // Memory: the positions of the sliders, coordinate by coordinate; then the forces of the branches, axis by axis.
-void RadialCoupling::initialise(const SixNumbers& coordinates, double* memory, BushForce& force) const {
+void RadialCoupling::initialise(const Coordinates& coordinates, double* memory, BushForce& force) const {
   const Eigen::Vector3d d = vectorOf(coordinates);
   for (const double position : d) {
     memory = std::fill_n(memory, sliders_.size(), position);
@@ -328,7 +328,7 @@ void RadialCoupling::initialise(const SixNumbers& coordinates, double* memory, B
   }
 }
 
-void RadialCoupling::step(double dt, const SixNumbers& begin, const SixNumbers& end, double* memory,
+void RadialCoupling::step(double dt, const Coordinates& begin, const Coordinates& end, double* memory,
                           BushForce& force) const {
   const Eigen::Vector3d d = vectorOf(end);
   if (elastic_) {

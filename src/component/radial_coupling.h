@@ -62,6 +62,8 @@ class RadialLaw {
 /// tangential force.
 class RadialCoupling {
  public:
+  using Coordinates = std::array<double, kDirections>;  // [m, rad]
+
   /// Takes those of the laws that are not along each direction out of their elements. Throws std::invalid_argument that
   /// begins with the direction.
   RadialCoupling(std::vector<Direction> directions, SixElements& elements);
@@ -69,10 +71,10 @@ class RadialCoupling {
   std::size_t memorySize() const { return 3 * sliders_.size() + branch_count_; }
 
   /// At rest at coordinates, relaxed; adds to the forces.
-  void initialise(const SixNumbers& coordinates, double* memory, BushForce& force) const;
+  void initialise(const Coordinates& coordinates, double* memory, BushForce& force) const;
 
   /// Advance over a step in which the coordinates are linear; adds the forces at its end.
-  void step(double dt, const SixNumbers& begin, const SixNumbers& end, double* memory, BushForce& force) const;
+  void step(double dt, const Coordinates& begin, const Coordinates& end, double* memory, BushForce& force) const;
 
  private:
   struct Branch {
@@ -83,7 +85,7 @@ class RadialCoupling {
   void takeElastic(std::size_t axis, const std::vector<element::ElementDescription>& elastic);
   void takeScaled(std::size_t axis, const std::vector<element::ElementDescription>& scaled);
 
-  Eigen::Vector3d vectorOf(const SixNumbers& coordinates) const;
+  Eigen::Vector3d vectorOf(const Coordinates& coordinates) const;
   Eigen::Vector3d elasticForce(const Eigen::Vector3d& d, bool with_stops) const;
   void add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const;
   Eigen::Vector3d stepSliders(const Eigen::Vector3d& d, double* memory) const;

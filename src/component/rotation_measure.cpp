@@ -1,76 +1,66 @@
 // Rotation vector and cardan angles.
 #include "rubber_suspension/component/rotation_measure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubber_suspension::component {
 namespace {
 
-// The inverse of the left Jacobian, 1 - [theta]/2 + c [theta]^2 with c = (1 - (a/2) cot(a/2))/a^2, a = |theta|.
-Eigen::Matrix3d inverseLeftJacobian(const Eigen::Vector3d& theta, double half_angle_cotangent) {
-  constexpr double kSeries = 0.01;  // of a^2; below, the first term left out is under 3e-16 of c
-  const double square = theta.squaredNorm();
-  const double c = square < kSeries ? 1.0 / 12 + square * (1.0 / 720 + square * (1.0 / 30240 + square / 1209600))
-                                    : (1.0 - half_angle_cotangent) / square;
-  Eigen::Matrix3d rates = c * theta * theta.transpose();
-  const double diagonal = 1.0 - c * square;
-  const Eigen::Vector3d half = 0.5 * theta;
-  rates(0, 0) += diagonal;
-  rates(1, 1) += diagonal;
-  rates(2, 2) += diagonal;
-  rates(0, 1) += half.z();
-  rates(1, 0) -= half.z();
-  rates(0, 2) -= half.y();
-  rates(2, 0) += half.y();
-  rates(1, 2) += half.x();
-  rates(2, 1) -= half.x();
-  return rates;
+// (1 - (a/2) cot(a/2))/a^2 by the square of a; below kSeries by its series, of which the first term left out is under
+// 1e-17 of it.
+double curvatureOf(double square, double half_angle_times_cotangent) {
+  constexpr double kSeries = 0.01;
+  return square < kSeries ? 1.0 / 12 + square * (1.0 / 720 + square * (1.0 / 30240 + square * (1.0 / 1209600)))
+                          : (1.0 - half_angle_times_cotangent) / square;
 }
 
 RotationCoordinates vectorOf(const Eigen::Quaterniond& rotation) {
   // Of q and -q, which are one rotation, that of the angle up to 180 deg.
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const double w = sign * rotation.w();
-  const double square = rotation.vec().squaredNorm();
-  constexpr double kSeries = 1e-8;  // below, the first term left out is under 1e-16 of the angle
-  if (square < kSeries) {
-    const Eigen::Vector3d theta = sign * 2.0 / w * (1.0 - square / (3.0 * w * w)) * rotation.vec();
-    return {theta, inverseLeftJacobian(theta, 1.0)};
-  }
-  const double sine = std::sqrt(square);
+  const double sine = rotation.vec().norm();
   const double half_angle = std::atan2(sine, w);
-  const Eigen::Vector3d theta = sign * 2.0 * half_angle / sine * rotation.vec();
-  return {theta, inverseLeftJacobian(theta, half_angle * w / sine)};
+  constexpr double kSmall = 1e-8;  // of the half angle, which is its sine there
+  const Eigen::Vector3d theta = sign * 2.0 * (sine < kSmall ? 1.0 / w : half_angle / sine) * rotation.vec();
+  return {RotationMeasure::vector, theta, curvatureOf(theta.squaredNorm(), half_angle * w / std::max(sine, kSmall))};
 }
 
-// Rows by q' = N^-1 omega, N the columns e_x, R_x e_y and R_x R_y e_z.
-Eigen::Matrix3d cardanRates(double sin1, double cos1, double sin2, double cos2) {
+RotationCoordinates cardanOf(const Eigen::Matrix3d& r) {
+  return {
+      RotationMeasure::cardan,
+      {std::atan2(-r(1, 2), r(2, 2)), std::atan2(r(0, 2), std::hypot(r(1, 2), r(2, 2))), std::atan2(-r(0, 1), r(0, 0))},
+      0.0};
+}
+
+// q' = N^-1 omega, N the columns e_x, R_x e_y and R_x R_y e_z.
+Eigen::Matrix3d cardanRates(const Eigen::Vector3d& angles) {
+  const double sin1 = std::sin(angles.x());
+  const double cos1 = std::cos(angles.x());
+  const double cos2 = std::cos(angles.y());
+  const double tan2 = std::sin(angles.y()) / cos2;
   Eigen::Matrix3d rates;
-  rates << 1.0, sin1 * sin2 / cos2, -cos1 * sin2 / cos2,  //
-      0.0, cos1, sin1,                                    //
+  rates << 1.0, sin1 * tan2, -cos1 * tan2,  //
+      0.0, cos1, sin1,                      //
       0.0, -sin1 / cos2, cos1 / cos2;
   return rates;
-}
-
-RotationCoordinates cardanOf(const Eigen::Quaterniond& rotation) {
-  const Eigen::Matrix3d r = rotation.toRotationMatrix();
-  const double cos2 = std::hypot(r(1, 2), r(2, 2));
-  const Eigen::Vector3d value(std::atan2(-r(1, 2), r(2, 2)), std::atan2(r(0, 2), cos2), std::atan2(-r(0, 1), r(0, 0)));
-  return {value, cardanRates(-r(1, 2) / cos2, r(2, 2) / cos2, r(0, 2), cos2)};
 }
 
 }  // namespace
 
 RotationCoordinates coordinatesOf(RotationMeasure measure, const Eigen::Quaterniond& rotation) {
-  return measure == RotationMeasure::vector ? vectorOf(rotation) : cardanOf(rotation);
+  return measure == RotationMeasure::vector ? vectorOf(rotation) : cardanOf(rotation.toRotationMatrix());
 }
 
 Eigen::Matrix3d ratesAt(RotationMeasure measure, const Eigen::Vector3d& value) {
   if (measure == RotationMeasure::cardan) {
-    return cardanRates(std::sin(value.x()), std::cos(value.x()), std::sin(value.y()), std::cos(value.y()));
+    return cardanRates(value);
   }
   const double half = 0.5 * value.norm();
-  return inverseLeftJacobian(value, half > 0.0 ? half / std::tan(half) : 1.0);
+  const double curvature = curvatureOf(value.squaredNorm(), half / std::tan(half));
+  Eigen::Matrix3d cross;
+  cross << 0.0, -value.z(), value.y(), value.z(), 0.0, -value.x(), -value.y(), value.x(), 0.0;
+  return Eigen::Matrix3d::Identity() - 0.5 * cross + curvature * cross * cross;
 }
 
 Eigen::Quaterniond rotationOf(RotationMeasure measure, const Eigen::Vector3d& value) {

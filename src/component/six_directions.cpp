@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "component/radial_coupling.h"
@@ -77,7 +78,7 @@ std::optional<Direction> directionFromString(const std::string& name) {
 }
 
 void SixDirectionsState::copyFrom(const SixDirectionsState& other) {
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
+  for (std::size_t i = 0; i < kDirections; ++i) {
     directions_[i].copyFrom(other.directions_[i]);
   }
   std::copy(other.coupled_.begin(), other.coupled_.end(), coupled_.begin());
@@ -102,11 +103,11 @@ SixDirections::SixDirections(SixDirectionsLaws laws)
   couple(coupledDirections(kRx, laws_.rotation, laws_.axis), elements);
   for (std::size_t i = 0; i < kDirections; ++i) {
     const auto direction = static_cast<Direction>(i);
-    if (elements[i].empty()) {
-      continue;
-    }
     try {
-      directions_.push_back({direction, Component(elements[i]), directDamping(elements[i])});
+      damping_[i] = directDamping(elements[i]);
+      if (!elements[i].empty()) {
+        directions_[i].emplace(elements[i]);
+      }
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}: {}", toString(direction), error.what()));
     }
@@ -140,25 +141,32 @@ void SixDirections::couple(std::vector<Direction> directions, SixElements& eleme
 SixDirectionsState SixDirections::makeState() const {
   SixDirectionsState state;
   state.coupled_.resize(coupled_size_);
-  for (const Placed& placed : directions_) {
-    state.directions_.push_back(placed.component.makeState());
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      state.directions_[i] = directions_[i]->makeState();
+    }
   }
   initialise(state, pose(SixNumbers::Zero()));
   return state;
 }
 
-SixDirections::Place SixDirections::placeAt(const Eigen::Isometry3d& pose) const {
-  if (!framed_) {
-    return {pose.translation(), coordinatesOf(laws_.measure, Eigen::Quaterniond(pose.linear())),
-            Eigen::Vector3d::Zero()};
+__attribute__((always_inline)) inline SixDirections::Place SixDirections::placeAt(const Eigen::Isometry3d& pose) const {
+  if (framed_) {
+    return framedPlaceAt(pose);
   }
+  return {pose.translation(), coordinatesOf(laws_.measure, pose.linear()), Eigen::Vector3d::Zero()};
+}
+
+SixDirections::Place SixDirections::framedPlaceAt(const Eigen::Isometry3d& pose) const {
   const Eigen::Vector3d arm = pose.linear() * laws_.on_b.translation();
   const Eigen::Matrix3d rotation = laws_.on_a.linear().transpose() * pose.linear() * laws_.on_b.linear();
   return {laws_.on_a.linear().transpose() * (pose.translation() + arm - laws_.on_a.translation()),
-          coordinatesOf(laws_.measure, Eigen::Quaterniond(rotation)), arm};
+          coordinatesOf(laws_.measure, rotation), arm};
 }
 
-SixNumbers SixDirections::coordinates(const Eigen::Isometry3d& pose) const { return placeAt(pose).coordinates(); }
+SixNumbers SixDirections::coordinates(const Eigen::Isometry3d& pose) const {
+  return SixNumbers(placeAt(pose).coordinates().data());
+}
 
 Eigen::Isometry3d SixDirections::pose(const SixNumbers& coordinates) const {
   Eigen::Isometry3d bush = Eigen::Isometry3d::Identity();
@@ -168,46 +176,58 @@ Eigen::Isometry3d SixDirections::pose(const SixNumbers& coordinates) const {
 }
 
 // With q' = B (v, omega) the wrench is B^T Q.
-Wrench SixDirections::wrenchOf(const Place& place, const SixNumbers& forces) const {
-  Wrench wrench{forces.head<3>(), place.rotation.rates.transpose() * forces.tail<3>()};
+__attribute__((always_inline)) inline void SixDirections::complete(const Place& place, BushForce& force) const {
+  const auto& q = force.direction;
+  force.wrench.force = {q[kX].total, q[kY].total, q[kZ].total};
+  force.wrench.moment = place.rotation.momentOf({q[kRx].total, q[kRy].total, q[kRz].total});
   if (framed_) {
-    wrench.force = laws_.on_a.linear() * wrench.force;
-    wrench.moment = laws_.on_a.linear() * wrench.moment + place.arm.cross(wrench.force);
+    force.wrench = carriedToB(force.wrench, place.arm);
   }
-  return wrench;
 }
 
-void SixDirections::complete(const Place& place, BushForce& force) const {
-  force.wrench = wrenchOf(place, totals(force));
+Wrench SixDirections::carriedToB(const Wrench& wrench, const Eigen::Vector3d& arm) const {
+  const Eigen::Vector3d force = laws_.on_a.linear() * wrench.force;
+  return {force, laws_.on_a.linear() * wrench.moment + arm.cross(force)};
 }
 
 SixNumbers SixDirections::ratesOf(const Place& place, const Twist& twist) const {
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
   SixNumbers rates;
-  rates << to_bush * (twist.linear + twist.angular.cross(place.arm)), place.rotation.rates * (to_bush * twist.angular);
+  rates << to_bush * (twist.linear + twist.angular.cross(place.arm)),
+      place.rotation.rates() * (to_bush * twist.angular);
   return rates;
 }
 
 // The force of the dashpots at rates that they have not answered to yet.
 void SixDirections::addDamping(const SixNumbers& rates, BushForce& force) const {
-  for (const Placed& placed : directions_) {
-    const double added = placed.damping * rates[static_cast<Eigen::Index>(placed.direction)];
-    force.direction[placed.direction].viscous += added;
-    force.direction[placed.direction].total += added;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double added = damping_[i] * rates[static_cast<Eigen::Index>(i)];
+    force.direction[i].viscous += added;
+    force.direction[i].total += added;
   }
+}
+
+BushForce SixDirections::start(SixDirectionsState& state, const Place& place, bool as_new) const {
+  state.coordinates_ = place.coordinates();
+  BushForce force;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      force.direction[i] = as_new ? directions_[i]->initialise(state.directions_[i], state.coordinates_[i])
+                                  : directions_[i]->relax(state.directions_[i], state.coordinates_[i]);
+    }
+  }
+  double* memory = state.coupled_.data();
+  for (const auto& coupling : couplings_) {
+    coupling->initialise(state.coordinates_, memory, force);
+    memory += coupling->memorySize();
+  }
+  return force;
 }
 
 BushForce SixDirections::initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose,
                                     const Twist& twist) const {
   const Place place = placeAt(pose);
-  state.coordinates_ = place.coordinates();
-  BushForce force;
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const Direction direction = directions_[i].direction;
-    force.direction[direction] = directions_[i].component.initialise(
-        state.directions_[i], state.coordinates_[static_cast<Eigen::Index>(direction)]);
-  }
-  initialiseCoupled(state, force);
+  BushForce force = start(state, place, true);
   addDamping(ratesOf(place, twist), force);
   complete(place, force);
   return force;
@@ -215,45 +235,41 @@ BushForce SixDirections::initialise(SixDirectionsState& state, const Eigen::Isom
 
 BushForce SixDirections::relax(SixDirectionsState& state, const Eigen::Isometry3d& pose) const {
   const Place place = placeAt(pose);
-  state.coordinates_ = place.coordinates();
-  BushForce force;
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const Direction direction = directions_[i].direction;
-    force.direction[direction] =
-        directions_[i].component.relax(state.directions_[i], state.coordinates_[static_cast<Eigen::Index>(direction)]);
-  }
-  initialiseCoupled(state, force);
+  BushForce force = start(state, place, false);
   complete(place, force);
   return force;
 }
 
-void SixDirections::initialiseCoupled(SixDirectionsState& state, BushForce& force) const {
+// By value: coordinates whose address is known could not stay in registers.
+void SixDirections::stepCoupled(SixDirectionsState& state, double dt, Coordinates at, BushForce& force) const {
   double* memory = state.coupled_.data();
   for (const auto& coupling : couplings_) {
-    coupling->initialise(state.coordinates_, memory, force);
+    coupling->step(dt, state.coordinates_, at, memory, force);
     memory += coupling->memorySize();
   }
 }
 
-void SixDirections::stepDirections(SixDirectionsState& state, double dt, const SixNumbers& coordinates,
-                                   BushForce& force) const {
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const Direction direction = directions_[i].direction;
-    force.direction[direction] =
-        directions_[i].component.step(state.directions_[i], dt, coordinates[static_cast<Eigen::Index>(direction)]);
+// Each direction is written out, so that coordinates and forces stay in registers on their way.
+__attribute__((always_inline)) inline BushForce SixDirections::stepInline(SixDirectionsState& state, double dt,
+                                                                          const Coordinates& at) const {
+  const auto step = [&](std::size_t i) __attribute__((always_inline)) {
+    return directions_[i] ? directions_[i]->step(state.directions_[i], dt, at[i]) : element::ComponentForce();
+  };
+  BushForce force{{}, {step(kX), step(kY), step(kZ), step(kRx), step(kRy), step(kRz)}};
+  if (!couplings_.empty()) {
+    stepCoupled(state, dt, at, force);
   }
-  double* memory = state.coupled_.data();
-  for (const auto& coupling : couplings_) {
-    coupling->step(dt, state.coordinates_, coordinates, memory, force);
-    memory += coupling->memorySize();
-  }
-  state.coordinates_ = coordinates;
+  state.coordinates_ = at;
+  return force;
+}
+
+BushForce SixDirections::stepDirections(SixDirectionsState& state, double dt, const Coordinates& at) const {
+  return stepInline(state, dt, at);
 }
 
 BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose) const {
   const Place place = placeAt(pose);
-  BushForce force;
-  stepDirections(state, dt, place.coordinates(), force);
+  BushForce force = stepInline(state, dt, place.coordinates());
   complete(place, force);
   return force;
 }
@@ -261,10 +277,9 @@ BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen:
 BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
                               const Twist& twist) const {
   const Place place = placeAt(pose);
-  const SixNumbers coordinates = place.coordinates();
-  const SixNumbers mean_rates = (coordinates - state.coordinates_) / dt;
-  BushForce force;
-  stepDirections(state, dt, coordinates, force);
+  const Coordinates at = place.coordinates();
+  const SixNumbers mean_rates = (SixNumbers(at.data()) - state.coordinates()) / dt;
+  BushForce force = stepDirections(state, dt, at);
   addDamping(ratesOf(place, twist) - mean_rates, force);
   complete(place, force);
   return force;
@@ -274,7 +289,7 @@ BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen:
 Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place) const {
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
   Matrix6 jacobian;
-  jacobian << to_bush, -to_bush * crossing(place.arm), Eigen::Matrix3d::Zero(), place.rotation.rates * to_bush;
+  jacobian << to_bush, -to_bush * crossing(place.arm), Eigen::Matrix3d::Zero(), place.rotation.rates() * to_bush;
   return jacobian;
 }
 
@@ -297,25 +312,24 @@ SixTangent SixDirections::tangent(const SixDirectionsState& state, double dt, co
                                   SixDirectionsState& trial) const {
   constexpr double kDistance = 1e-8;  // [m, rad], that of Component::tangent()
   const Place place = placeAt(pose);
-  const SixNumbers coordinates = place.coordinates();
-  const auto forces = [&](const SixNumbers& at) {
-    BushForce force;
+  const Coordinates coordinates = place.coordinates();
+  const auto forces = [&](const Coordinates& at) {
     trial.copyFrom(state);
-    stepDirections(trial, dt, at, force);
-    return force;
+    return stepDirections(trial, dt, at);
   };
   Matrix6 retained;
   Matrix6 viscous;
-  for (Eigen::Index i = 0; i < 6; ++i) {
-    SixNumbers above = coordinates;
-    SixNumbers below = coordinates;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    Coordinates above = coordinates;
+    Coordinates below = coordinates;
     above[i] += kDistance;
     below[i] -= kDistance;
     const BushForce upper = forces(above);
     const BushForce lower = forces(below);
     const double distance = above[i] - below[i];
-    viscous.col(i) = (viscousParts(upper) - viscousParts(lower)) / distance;
-    retained.col(i) = (totals(upper) - totals(lower)) / distance - viscous.col(i);
+    const auto column = static_cast<Eigen::Index>(i);
+    viscous.col(column) = (viscousParts(upper) - viscousParts(lower)) / distance;
+    retained.col(column) = (totals(upper) - totals(lower)) / distance - viscous.col(column);
   }
   const SixNumbers held = totals(forces(coordinates));
   const Matrix6 jacobian = coordinateJacobian(place);
@@ -323,14 +337,14 @@ SixTangent SixDirections::tangent(const SixDirectionsState& state, double dt, co
   const Eigen::Matrix3d& axes = laws_.on_a.linear();
   tangent.stiffness.bottomRightCorner<3, 3>() +=
       crossing(axes * held.head<3>()) * crossing(place.arm) +
-      axes * turningMoment(place, held.tail<3>()) * place.rotation.rates * axes.transpose();
+      axes * turningMoment(place, held.tail<3>()) * place.rotation.rates() * axes.transpose();
   return tangent;
 }
 
 SixNumbers SixDirections::directionForces(const Eigen::Isometry3d& pose, const Wrench& wrench) const {
   const Place place = placeAt(pose);
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
-  const Eigen::Matrix3d& rates = place.rotation.rates;
+  const Eigen::Matrix3d rates = place.rotation.rates();
   // Of rates^T Q = M by Cramer's rule.
   const Eigen::Vector3d moment = to_bush * (wrench.moment - place.arm.cross(wrench.force));
   const Eigen::Vector3d first = rates.row(0);
@@ -349,41 +363,45 @@ Reactions SixDirections::reactions(const Eigen::Isometry3d& pose, const Wrench& 
 
 bool SixDirections::shiftsWithTemperature() const {
   return std::any_of(directions_.begin(), directions_.end(),
-                     [](const Placed& placed) { return placed.component.shiftsWithTemperature(); });
+                     [](const auto& component) { return component && component->shiftsWithTemperature(); });
 }
 
 element::Range SixDirections::temperatures() const {
   element::Range range;
-  for (const Placed& placed : directions_) {
-    range = element::intersection(range, placed.component.temperatures());
+  for (const auto& component : directions_) {
+    range = component ? element::intersection(range, component->temperatures()) : range;
   }
   return range;
 }
 
 void SixDirections::setTemperature(SixDirectionsState& state, double temperature) const {
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    directions_[i].component.setTemperature(state.directions_[i], temperature);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      directions_[i]->setTemperature(state.directions_[i], temperature);
+    }
   }
 }
 
 void SixDirections::restore(SixDirectionsState& state, const std::vector<double>& numbers) const {
   SixDirectionsState restored = makeState();
-  std::size_t size = kDirections + coupled_size_;
-  for (const ComponentState& direction : restored.directions_) {
-    size += direction.memory().size();
-  }
+  const std::size_t size = restored.numbers().size();
   if (numbers.size() != size) {
     throw std::invalid_argument(fmt::format("state has {} numbers, this component needs {}", numbers.size(), size));
   }
-  restored.coordinates_ = Eigen::Map<const SixNumbers>(numbers.data());
-  const double* memory = numbers.data() + kDirections + coupled_size_;
-  std::copy(numbers.data() + kDirections, memory, restored.coupled_.begin());
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const std::size_t count = restored.directions_[i].memory().size();
-    directions_[i].component.restore(restored.directions_[i],
-                                     restored.coordinates_[static_cast<Eigen::Index>(directions_[i].direction)],
-                                     {memory, memory + count});
-    memory += count;
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); })) {
+    throw std::invalid_argument("state holds numbers that are not finite");
+  }
+  const double* next = numbers.data();
+  std::copy_n(next, kDirections, restored.coordinates_.begin());
+  next += kDirections;
+  std::copy_n(next, restored.coupled_.size(), restored.coupled_.begin());
+  next += restored.coupled_.size();
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      const std::size_t count = restored.directions_[i].memory().size();
+      directions_[i]->restore(restored.directions_[i], restored.coordinates_[i], {next, next + count});
+      next += count;
+    }
   }
   state = std::move(restored);
 }

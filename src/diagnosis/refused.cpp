@@ -1,14 +1,12 @@
 // The verdict check_bench.
 #include "diagnosis/refused.h"
 
-#include "diagnosis/judge/judge.h"
-
 namespace rubber_suspension::diagnosis {
 
 Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings) {
   Diagnosis result;
   result.component = component.name;
-  result.verdict = toString(Verdict::check_bench);
+  result.verdict = Verdict::check_bench;
   for (const measurement::RigFinding& finding : findings) {
     if (finding.fatal) {
       result.sentence = "Check the bench: " + finding.log + ": " + finding.text + ".";

@@ -28,6 +28,7 @@ struct BasisTerm {
   bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
+  bool depends_on_place = false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
   std::function<Eigen::VectorXd(const log::Record&)> exact;
   /// What the entry does to each log at scale 1: the force that it adds [N], or the share of the component's force that
@@ -42,14 +43,15 @@ struct Candidate {
   std::string documentation;  ///< what it is and its signature, one sentence
   bool on_rig = false;        ///< belongs to the rig, not to the rubber
   std::vector<BasisTerm> terms;
-  FreeInLog free_in_log = {};              ///< belongs to it
-  bool last_resort = false;                ///< named only where it errs less than the best of the others
-  std::vector<std::string> contains = {};  ///< names of simpler effects that its law contains
+  FreeInLog free_in_log = {};  ///< belongs to it
   /// What its terms do, all of the model's parameters do together: told beside parameter_error, and named only for
   /// gains that differ from log to log.
   bool like_parameters = false;
-  bool history = false;  ///< changes the stiffness from log to log by what was before, as a gain of each log does
-  bool sensor = false;   ///< an error of the force channel: nothing that the motion causes
+
+  /// The terms at a value of a number that the force is not linear in, which lies between these; null: there is none.
+  std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
+  double least_shape = 0.0;
+  double largest_shape = 0.0;
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

@@ -5,10 +5,33 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "fit/parallel.h"
+#include "gap/simulate.h"
+#include "numerics/symmetric.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
+namespace {
+
+// Whether a component gives another force, but for its mean, where its motion is about another place.
+bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
+  constexpr Eigen::Index kSamples = 400;
+  constexpr double kAside = 0.2;   // of the amplitude
+  constexpr double kMore = 1e-6;  // of the force: rounding
+  log::Record probe;
+  probe.dt = record.dt;
+  const double largest = record.displacement.cwiseAbs().maxCoeff();
+  probe.displacement = largest * Eigen::ArrayXd::LinSpaced(kSamples, 0.0, 4.0 * element::kPi).sin();
+  const Eigen::VectorXd here = gap::simulate(elements, {probe}).front();
+  probe.displacement.array() += kAside * largest;
+  const Eigen::VectorXd aside = gap::simulate(elements, {probe}).front() - here;
+  return !((aside.array() - aside.mean()).matrix().norm() <= kMore * here.norm());
+}
+
+}  // namespace
+
 Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const ModelParameters& model)
     : HypothesisFitter(model), forces_(std::move(records), model) {
   const auto count = static_cast<double>(this->records().size());
@@ -30,10 +53,8 @@ double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parame
     const log::Record& record = records()[r];
     const Eigen::VectorXd residual = record.withoutRig(record.force - (*simulated)[r]);
     double square = residual.squaredNorm();
-    if (hypothesis.free_in_log.gain) {
-      const Eigen::VectorXd force = record.withoutRig((*simulated)[r]);
-      const double norm = force.squaredNorm();
-      square -= norm > 0.0 ? std::pow(force.dot(residual), 2) / norm : 0.0;
+    if (hypothesis.free_in_log.gain || hypothesis.free_in_log.zero) {
+      square -= takenInLog(hypothesis, r, (*simulated)[r], residual);
     }
     sum += std::pow(weights_[r], 2) * square;
   }
@@ -47,7 +68,63 @@ BlockGrams Fitter::normalEquationsAt(const Hypothesis& hypothesis, const Paramet
     throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
   }
   return normalEquations(records(), weights_, *base, forces_.columns(hypothesis, parameters, active, *base, threads),
-                         free, threads);
+                         free, threads, known_.get(), hypothesis.by_zero);
+}
+
+// Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.
+double Fitter::takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
+                          const Eigen::VectorXd& residual) const {
+  const log::Record& record = records()[r];
+  FreeInLog free = hypothesis.free_in_log;
+  free.trend = false;
+  Eigen::MatrixXd columns(record.size(), free.count());
+  fillFreeInLog(free, record, simulated, hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd(), 0, 1.0,
+                columns);
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    columns.col(j) = record.withoutRig(columns.col(j));
+  }
+  Eigen::MatrixXd gram = columns.transpose() * columns;
+  gram.diagonal().array() += 1e-12 * gram.diagonal().maxCoeff();
+  if (free.zero) {
+    gram(0, 0) += std::pow(record.force_deviation, 2) * record.counted();
+  }
+  const Eigen::VectorXd moment = columns.transpose() * residual;
+  return gram.diagonal().minCoeff() > 0.0 ? moment.dot(numerics::solveSymmetric(gram, moment)) : 0.0;
+}
+
+void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const {
+  bool depends = model_depends_on_place_;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    depends = depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
+  }
+  const auto elements = depends && !zeros_.empty() ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
+  if (!elements) {
+    return;
+  }
+  hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(byZero(*elements, records(), zeros_));
+  hypothesis.free_in_log.zero = true;
+}
+
+void Fitter::prepare(std::vector<Candidate>& candidates, int threads) {
+  const auto base = *model().elements(Eigen::VectorXd::Zero(model().size()));
+  model_depends_on_place_ = dependsOnPlace(base, records().front());
+  for (Candidate& candidate : candidates) {
+    for (BasisTerm& term : candidate.terms) {
+      auto with = base;
+      with.push_back(term.at(term.typical));
+      term.depends_on_place = model_depends_on_place_ || dependsOnPlace(with, records().front());
+    }
+  }
+  findUnitEffects(candidates, records(), threads);
+  std::vector<ForceColumn> columns;
+  for (const Candidate& candidate : candidates) {
+    for (const BasisTerm& term : candidate.terms) {
+      if (term.unit_effect && !term.softening) {
+        columns.push_back(term.unit_effect);
+      }
+    }
+  }
+  known_ = std::make_unique<const KnownColumns>(records(), weights_, std::move(columns), threads);
 }
 
 }  // namespace rubber_suspension::fit

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/displacement_zero.h"
 #include "fit/hypothesis_fitter.h"
 #include "fit/hypothesis_forces.h"
 #include "rubber_suspension/log/record.h"
@@ -24,11 +25,28 @@ class Fitter final : public HypothesisFitter {
 
   double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
 
+  /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
+  /// need not find again. Not while fits run.
+  void prepare(std::vector<Candidate>& candidates, int threads);
+
+  /// What zeros of the displacement do to the force of a hypothesis; frees them where that matters. None without
+  /// setZeros().
+  void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
+
+  /// What is known of zeros of the displacement of each log.
+  void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
+
  private:
   BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                                const std::vector<bool>& active, int threads) const override;
 
+  double takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
+                    const Eigen::VectorXd& residual) const;
+
   HypothesisForces forces_;
+  bool model_depends_on_place_ = false;
+  std::unique_ptr<const KnownColumns> known_;
+  std::vector<DisplacementZero> zeros_;
   std::vector<double> weights_;  // per record: sqrt(weight/(samples records))/(standard deviation of the force)
 };
 

@@ -12,23 +12,27 @@ namespace rubber_suspension::fit {
 struct FreeInLog {
   bool trend = false;  ///< a slow trend
   bool gain = false;   ///< a gain of the force's channel
+  bool zero = false;   ///< a zero of the displacement, which has a prior
 
-  bool any() const { return trend || gain; }
+  bool any() const { return trend || gain || zero; }
 
-  /// Unknowns of each log, the trend's first.
-  Eigen::Index count() const { return (trend ? kTrendsPerLog : 0) + (gain ? 1 : 0); }
+  /// Unknowns of each log: the trend's, the zero, the gain.
+  Eigen::Index count() const { return (trend ? kTrendsPerLog : 0) + (zero ? 1 : 0) + (gain ? 1 : 0); }
 
   friend FreeInLog operator|(FreeInLog one, FreeInLog other) {
-    return {one.trend || other.trend, one.gain || other.gain};
+    return {one.trend || other.trend, one.gain || other.gain, one.zero || other.zero};
   }
 };
 
 /// Their columns over the samples of a log from `first` on, as many as the columns have rows, times `weight` [1/N].
-/// `simulated`: the model's force on the whole log, which a gain changes.
-void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated, Eigen::Index first,
-                   double weight, Eigen::Ref<Eigen::MatrixXd> columns);
+/// `simulated`: the model's force on the whole log, which a gain changes. `by_zero`: what a zero of the displacement
+/// does to it (Hypothesis::by_zero), where that is free.
+void fillFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
+                   const Eigen::VectorXd& by_zero, Eigen::Index first, double weight,
+                   Eigen::Ref<Eigen::MatrixXd> columns);
 
 /// The record with these among the nuisances: what the rig may have added to it (Record::withoutRig).
-log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated);
+log::Record withFreeInLog(FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated,
+                          const Eigen::VectorXd& by_zero = {});
 
 }  // namespace rubber_suspension::fit

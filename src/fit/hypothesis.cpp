@@ -78,10 +78,7 @@ Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::v
     const Candidate& candidate = candidates[static_cast<std::size_t>(member)];
     hypothesis.terms.insert(hypothesis.terms.end(), candidate.terms.begin(), candidate.terms.end());
     hypothesis.free_in_log = hypothesis.free_in_log | candidate.free_in_log;
-    hypothesis.last_resort = hypothesis.last_resort || candidate.last_resort;
     hypothesis.like_parameters = hypothesis.like_parameters || candidate.like_parameters;
-    hypothesis.history = hypothesis.history || candidate.history;
-    hypothesis.sensor = hypothesis.sensor || candidate.sensor;
   }
   return hypothesis;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "fit/candidate.h"
@@ -15,10 +16,10 @@ struct Hypothesis {
   std::vector<int> members;      ///< the candidates at work by their index, ascending
   std::vector<BasisTerm> terms;  ///< of all members, one member after the other
   FreeInLog free_in_log;         ///< is free as well
-  bool last_resort = false;      ///< to be named only where it errs less than the best of the others
+  /// What one standard deviation of the displacement's zero does to the force of each log [N], over what it counts as
+  /// in units of the force's standard deviation (DisplacementZero); null: nothing.
+  std::shared_ptr<const std::vector<Eigen::VectorXd>> by_zero;
   bool like_parameters = false;  ///< re-estimated parameters do the same as terms of it
-  bool history = false;          ///< changes the stiffness from log to log by what was before
-  bool sensor = false;           ///< has an error of the force channel, which the motion does not cause
 
   /// Whether it competes with others: it has terms, and may do what parameters do not.
   bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }

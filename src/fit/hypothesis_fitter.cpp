@@ -32,6 +32,13 @@ std::vector<double> gainsOf(const Hypothesis& hypothesis, Eigen::Index model, co
   return gains;
 }
 
+// The gap that a step promises, were the force linear.
+double promised(const Eigen::MatrixXd& total, const Eigen::VectorXd& step) {
+  const Eigen::Index last = step.size();
+  const auto gram = total.topLeftCorner(last, last);
+  return std::sqrt(std::max(0.0, total(last, last) - step.dot(2.0 * total.col(last).head(last) - gram * step)));
+}
+
 // What the gains of all logs have in common is that of the term, where there is one.
 void takeOutCommonGain(const Hypothesis& hypothesis, Fit& fit) {
   const auto term = std::find_if(hypothesis.terms.begin(), hypothesis.terms.end(),
@@ -61,7 +68,9 @@ BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const Param
                                        const std::vector<bool>& active, int threads) const {
   BlockGrams result = normalEquationsAt(hypothesis, parameters, free, active, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
-  result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
+  if (result.prior.size() == 0) {
+    result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
+  }
   for (Eigen::Index j = 0; j < model().size(); ++j) {
     result.prior(j, j) = std::pow(kPrior * noise_, 2);
     result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * parameters.model[j];
@@ -109,15 +118,15 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   return result;
 }
 
-BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iterations, FreeInLog free, bool model_fixed,
-                                     const std::vector<bool>& first_active, ParameterVector& parameters) const {
-  BlockGrams blocks = linearise(hypothesis, parameters, free, first_active, 1);
+BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free,
+                                     bool model_fixed, ParameterVector& parameters) const {
+  BlockGrams blocks = linearise(hypothesis, parameters, free, limits.active, 1);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   double least = cost(hypothesis, parameters);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   const Eigen::Index size = model().size();
-  for (int iteration = 0; iteration < iterations; ++iteration) {
+  for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     const Eigen::MatrixXd& total = blocks.sum;
     stepBounds(hypothesis, parameters, unknowns, lower, upper);
     const double longest = model_fixed ? 0.0 : kLongestStep;
@@ -128,9 +137,9 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, int iteration
     if (!step.allFinite()) {
       break;
     }
-    double factor = 1.0;
     bool improved = false;
-    for (int halving = 0; halving < kMostHalvings && !improved; ++halving, factor *= 0.5) {
+    double factor = iteration > 0 && promised(total, step) > limits.reach ? 0.0 : 1.0;
+    for (int halving = 0; factor > 0.0 && halving < kMostHalvings && !improved; ++halving, factor *= 0.5) {
       const ParameterVector tried = moved(hypothesis, parameters, factor * step);
       const double tried_cost = cost(hypothesis, tried);
       if (tried_cost < least) {
@@ -161,15 +170,14 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
   std::transform(hypothesis.terms.begin(), hypothesis.terms.end(), active.begin(),
                  [](const BasisTerm& term) { return !term.refines; });
   ParameterVector parameters = start;
-  descend(hypothesis, iterations, {}, true, active, parameters);
+  descend(hypothesis, {iterations, std::numeric_limits<double>::infinity(), active}, {}, true, parameters);
   return parameters;
 }
 
-Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, int iterations,
-                          const std::vector<bool>& active) const {
+Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const {
   Fit result;
   result.parameters = start;
-  const BlockGrams blocks = descend(hypothesis, iterations, hypothesis.free_in_log, false, active, result.parameters);
+  const BlockGrams blocks = descend(hypothesis, limits, hypothesis.free_in_log, false, result.parameters);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   std::iota(columns.begin(), columns.end(), 0);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "fit/hypothesis.h"
@@ -23,6 +24,14 @@ struct Fit {
 
   /// Held-out gap and penalty together, by which fits compete.
   double score() const { return std::hypot(held_out, penalty); }
+};
+
+/// How far a fit goes.
+struct FitLimits {
+  int iterations = 0;
+  /// A step that promises to leave more than this, as a gap, is the last.
+  double reach = std::numeric_limits<double>::infinity();
+  std::vector<bool> active = {};  ///< terms that may move in the first step; all where it is empty
 };
 
 /// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. What was
@@ -50,10 +59,8 @@ class HypothesisFitter {
     return linearise(hypothesis, parameters, hypothesis.free_in_log, active, threads);
   }
 
-  /// Fit by Gauss-Newton steps within the bounds, from a start. `active`: terms that may move in the first step; all
-  /// where it is empty.
-  Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, int iterations,
-          const std::vector<bool>& active = {}) const;
+  /// Fit by Gauss-Newton steps within the bounds, from a start.
+  Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const;
 
   /// Where the scales arrive from a start while model parameters stay as they are and nothing is free in a log; terms
   /// that refine stay, too.
@@ -61,6 +68,9 @@ class HypothesisFitter {
 
   /// Gap at a parameter vector, without any fit; infinite where it has no model.
   virtual double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
+
+  /// Free zeros of the displacement where they change the force of a hypothesis at a parameter vector.
+  virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
   /// Regularisation penalty of model parameters at these logarithms, as a gap.
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
@@ -85,8 +95,8 @@ class HypothesisFitter {
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
                        const std::vector<bool>& active, int threads) const;
   /// Gauss-Newton steps from `parameters`, to where they end; normal equations there.
-  BlockGrams descend(const Hypothesis& hypothesis, int iterations, FreeInLog free, bool model_fixed,
-                     const std::vector<bool>& first_active, ParameterVector& parameters) const;
+  BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free, bool model_fixed,
+                     ParameterVector& parameters) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fit/bounded_least_squares.h"
 #include "fit/gram.h"
@@ -44,6 +45,60 @@ std::vector<Rows> cut(const std::vector<log::Record>& records) {
   return blocks;
 }
 
+// Columns over a whole log, weighted; 0 where samples do not count.
+Eigen::MatrixXd columnsOver(const std::vector<ForceColumn>& columns, std::size_t r, const log::Record& record,
+                            double weight) {
+  Eigen::MatrixXd matrix(record.size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    matrix.col(static_cast<Eigen::Index>(j)) = weight * (*columns[j])[r];
+  }
+  return matrix;
+}
+
+void maskOut(const log::Record& record, Eigen::Ref<Eigen::MatrixXd> columns) {
+  if (record.counts.size() > 0) {
+    columns.array().colwise() *= record.counts.array();
+  }
+}
+
+// Columns of one log, and what is in the nuisances of each block of it.
+struct OfBlock {
+  Eigen::MatrixXd products;      // of columns with each other
+  Eigen::MatrixXd on_nuisances;  // of nuisances with columns
+  Eigen::MatrixXd nuisances;     // of nuisances with each other
+};
+
+// `columns`: the rows of the block.
+OfBlock productsIn(const Rows& rows, const log::Record& record, const Eigen::Ref<const Eigen::MatrixXd>& columns) {
+  const Eigen::Index count = columns.cols();
+  const Eigen::Index rig = record.nuisances.cols();
+  Eigen::MatrixXd local(columns.rows(), count + rig);
+  local.leftCols(count) = columns;
+  if (rig > 0) {
+    local.rightCols(rig) = record.nuisances.middleRows(rows.first, local.rows());
+  }
+  const Eigen::MatrixXd gram = gramOf(local);
+  return {gram.topLeftCorner(count, count), gram.bottomLeftCorner(rig, count), gram.bottomRightCorner(rig, rig)};
+}
+
+// Products of some columns with others once each log is freed of its nuisances: (x - N s)'(y - N t) of a block, s and t
+// being the shares of the nuisances in the whole log.
+Eigen::MatrixXd freed(const Eigen::MatrixXd& products, const Eigen::MatrixXd& nuisances, const Eigen::MatrixXd& of_x,
+                      const Eigen::MatrixXd& s, const Eigen::MatrixXd& of_y, const Eigen::MatrixXd& t) {
+  if (nuisances.cols() == 0) {
+    return products;
+  }
+  return products - s.transpose() * of_y - of_x.transpose() * t + s.transpose() * (nuisances * t);
+}
+
+Eigen::MatrixXd sumOf(const std::vector<OfBlock>& blocks) {
+  Eigen::MatrixXd sum = blocks.front().on_nuisances;
+  for (std::size_t b = 1; b < blocks.size(); ++b) {
+    sum += blocks[b].on_nuisances;
+  }
+  return sum;
+}
+
 // The columns of the least squares: derivatives of the force, what is free in each log, and last the residual.
 struct Columns {
   const std::vector<log::Record>& records;
@@ -51,74 +106,152 @@ struct Columns {
   const std::vector<Eigen::VectorXd>& base;
   const std::vector<ForceColumn>& derivatives;
   FreeInLog free;
-  Eigen::Index width;
+  const KnownColumns* known;
+  const ForceColumn& by_zero;
 
-  // Which of them are not zero in a block: those of the model, of what is free in its own log, and the residual.
-  std::vector<Eigen::Index> placesIn(const Rows& rows) const {
-    std::vector<Eigen::Index> places;
-    const auto modelled = static_cast<Eigen::Index>(derivatives.size());
-    for (Eigen::Index j = 0; j < modelled; ++j) {
-      if (derivatives[static_cast<std::size_t>(j)]) {
-        places.push_back(j);
-      }
-    }
-    for (Eigen::Index j = 0; j < free.count(); ++j) {
-      places.push_back(modelled + free.count() * static_cast<Eigen::Index>(rows.record) + j);
-    }
-    places.push_back(width - 1);
-    return places;
-  }
-
-  // Their rows of a block; 0 where samples do not count.
-  Eigen::MatrixXd in(const Rows& rows) const {
-    const log::Record& record = records[rows.record];
-    const double weight = weights[rows.record];
-    const Eigen::Index size = rows.last - rows.first;
-    const std::vector<Eigen::Index> places = placesIn(rows);
-    const auto count = static_cast<Eigen::Index>(places.size());
-    const Eigen::Index from_model = count - free.count() - 1;
-    Eigen::MatrixXd local(size, count);
-    for (Eigen::Index j = 0; j < from_model; ++j) {
-      const auto& column = *derivatives[static_cast<std::size_t>(places[static_cast<std::size_t>(j)])];
-      local.col(j) = weight * column[rows.record].segment(rows.first, size);
-    }
-    fillFreeInLog(free, record, base[rows.record], rows.first, weight, local.middleCols(from_model, free.count()));
-    local.rightCols<1>() = weight * (record.force - base[rows.record]).segment(rows.first, size);
-    if (record.counts.size() > 0) {
-      local.array().colwise() *= record.counts.segment(rows.first, size).array();
-    }
-    return local;
+  Eigen::Index width() const {
+    return static_cast<Eigen::Index>(derivatives.size()) +
+           free.count() * static_cast<Eigen::Index>(records.size()) + 1;
   }
 };
 
-// By how much each nuisance of a log is in each of its columns; empty for logs without nuisances.
-std::vector<Eigen::MatrixXd> sharesOfNuisances(const Columns& columns, const std::vector<Rows>& blocks, int threads) {
-  std::vector<Eigen::MatrixXd> shares(columns.records.size());
-  parallelFor(shares.size(), threads, [&](std::size_t r) {
-    const Eigen::MatrixXd& nuisances = columns.records[r].nuisances;
-    if (nuisances.cols() == 0) {
-      return;
-    }
-    for (const Rows& rows : blocks) {
-      if (rows.record == r) {
-        const Eigen::MatrixXd share =
-            nuisances.middleRows(rows.first, rows.last - rows.first).transpose() * columns.in(rows);
-        shares[r] = shares[r].size() == 0 ? share : (shares[r] + share).eval();
-      }
-    }
-  });
-  return shares;
-}
+// The same, sorted by what has to be multiplied.
+struct Sorted {
+  std::vector<ForceColumn> fresh;
+  std::vector<Eigen::Index> fresh_places;
+  std::vector<ForceColumn> known;
+  std::vector<Eigen::Index> known_places;
+  std::vector<Eigen::Index> known_index;  // among KnownColumns
+};
 
-// A small matrix at its places in one of this width.
-Eigen::MatrixXd spreadOut(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& places, Eigen::Index width) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(width, width);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      result(places[i], places[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+Sorted sortedBy(const KnownColumns* known, const std::vector<ForceColumn>& derivatives) {
+  Sorted sorted;
+  for (std::size_t j = 0; j < derivatives.size(); ++j) {
+    const Eigen::Index index = derivatives[j] && known != nullptr ? known->find(derivatives[j]) : -1;
+    if (index >= 0) {
+      sorted.known.push_back(derivatives[j]);
+      sorted.known_places.push_back(static_cast<Eigen::Index>(j));
+      sorted.known_index.push_back(index);
+    } else if (derivatives[j]) {
+      sorted.fresh.push_back(derivatives[j]);
+      sorted.fresh_places.push_back(static_cast<Eigen::Index>(j));
     }
   }
+  return sorted;
+}
+
+// Those that are to be multiplied in one log: derivatives, what is free in it, its residual.
+Eigen::MatrixXd freshOver(const Columns& all, const Sorted& sorted, std::size_t r) {
+  const log::Record& record = all.records[r];
+  const auto derivatives = static_cast<Eigen::Index>(sorted.fresh.size());
+  Eigen::MatrixXd columns(record.size(), derivatives + all.free.count() + 1);
+  columns.leftCols(derivatives) = columnsOver(sorted.fresh, r, record, all.weights[r]);
+  fillFreeInLog(all.free, record, all.base[r], all.by_zero ? (*all.by_zero)[r] : Eigen::VectorXd(), 0, all.weights[r],
+                columns.middleCols(derivatives, all.free.count()));
+  columns.rightCols<1>() = all.weights[r] * (record.force - all.base[r]);
+  maskOut(record, columns);
+  return columns;
+}
+
+std::vector<Eigen::Index> placesOfFresh(const Columns& all, const Sorted& sorted, std::size_t r) {
+  std::vector<Eigen::Index> places = sorted.fresh_places;
+  const Eigen::Index of_log = all.free.count();
+  const auto first = static_cast<Eigen::Index>(all.derivatives.size()) + of_log * static_cast<Eigen::Index>(r);
+  for (Eigen::Index j = 0; j < of_log; ++j) {
+    places.push_back(first + j);
+  }
+  places.push_back(all.width() - 1);
+  return places;
+}
+
+// A matrix without the columns that are not listed.
+Eigen::MatrixXd chosen(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& columns) {
+  Eigen::MatrixXd result(matrix.rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    result.col(static_cast<Eigen::Index>(j)) = matrix.col(columns[j]);
+  }
   return result;
+}
+
+void place(const Eigen::MatrixXd& small, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns,
+           Eigen::MatrixXd& gram) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      gram(rows[i], columns[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      gram(columns[j], rows[i]) = gram(rows[i], columns[j]);
+    }
+  }
+}
+
+void placeKnown(const Sorted& sorted, const Eigen::MatrixXd& products, Eigen::MatrixXd& gram) {
+  for (std::size_t i = 0; i < sorted.known_places.size(); ++i) {
+    for (std::size_t j = 0; j < sorted.known_places.size(); ++j) {
+      gram(sorted.known_places[i], sorted.known_places[j]) = products(sorted.known_index[i], sorted.known_index[j]);
+    }
+  }
+}
+
+// Grams of the blocks of one log, from place `first` on among all blocks.
+void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::size_t first,
+               const std::vector<Rows>& blocks, std::vector<Eigen::MatrixXd>& grams) {
+  const log::Record& record = all.records[r];
+  const Eigen::MatrixXd fresh = freshOver(all, sorted, r);
+  const std::vector<Eigen::Index> places = placesOfFresh(all, sorted, r);
+  std::vector<OfBlock> of_fresh;
+  for (std::size_t b = first; b < blocks.size() && blocks[b].record == r; ++b) {
+    of_fresh.push_back(
+        productsIn(blocks[b], record, fresh.middleRows(blocks[b].first, blocks[b].last - blocks[b].first)));
+  }
+  if (of_fresh.empty()) {
+    return;
+  }
+  const Eigen::MatrixXd shares = sumOf(of_fresh);
+  const bool known = !sorted.known.empty();
+  const Eigen::MatrixXd known_shares = known ? chosen(all.known->shares(r), sorted.known_index) : Eigen::MatrixXd();
+  for (std::size_t i = 0; i < of_fresh.size(); ++i) {
+    const Rows& rows = blocks[first + i];
+    const OfBlock& block = of_fresh[i];
+    Eigen::MatrixXd& gram = grams[first + i];
+    gram = Eigen::MatrixXd::Zero(all.width(), all.width());
+    place(freed(block.products, block.nuisances, block.on_nuisances, shares, block.on_nuisances, shares), places, places,
+          gram);
+    if (!known) {
+      continue;
+    }
+    const auto here = fresh.middleRows(rows.first, rows.last - rows.first);
+    Eigen::MatrixXd mixed(fresh.cols(), static_cast<Eigen::Index>(sorted.known.size()));
+    for (std::size_t j = 0; j < sorted.known.size(); ++j) {
+      mixed.col(static_cast<Eigen::Index>(j)).noalias() =
+          all.weights[r] * (here.transpose() * (*sorted.known[j])[r].segment(rows.first, here.rows()));
+    }
+    const Eigen::MatrixXd on_nuisances = chosen(all.known->onNuisances(first + i), sorted.known_index);
+    place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
+          sorted.known_places, gram);
+    placeKnown(sorted, all.known->products(first + i), gram);
+  }
+}
+
+// Zeros of the displacement are in units that count as the standard deviation of their log's force.
+Eigen::MatrixXd priorOfZeros(const Columns& all) {
+  Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(all.width(), all.width());
+  for (std::size_t r = 0; all.free.zero && r < all.records.size(); ++r) {
+    const auto place = static_cast<Eigen::Index>(all.derivatives.size() + r * static_cast<std::size_t>(all.free.count())) +
+                       (all.free.trend ? kTrendsPerLog : 0);
+    prior(place, place) =
+        std::pow(all.weights[r] * all.records[r].force_deviation, 2) * all.records[r].counted();
+  }
+  return prior;
+}
+
+// The first block of each log, by its place among all; a log none of whose blocks counts has that of the next.
+std::vector<std::size_t> firstBlocks(const std::vector<Rows>& blocks, std::size_t logs) {
+  std::vector<std::size_t> first(logs, 0);
+  for (std::size_t r = 0; r < logs; ++r) {
+    while (first[r] < blocks.size() && blocks[first[r]].record < r) {
+      ++first[r];
+    }
+  }
+  return first;
 }
 
 }  // namespace
@@ -137,25 +270,60 @@ void BlockGrams::sumUp() {
   }
 }
 
+KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::vector<double>& weights,
+                           std::vector<ForceColumn> columns, int threads)
+    : columns_(std::move(columns)), shares_(records.size()) {
+  for (std::size_t j = 0; j < columns_.size(); ++j) {
+    places_[columns_[j].get()] = static_cast<Eigen::Index>(j);
+  }
+  const std::vector<Rows> blocks = cut(records);
+  const std::vector<std::size_t> first = firstBlocks(blocks, records.size());
+  products_.resize(blocks.size());
+  on_nuisances_.resize(blocks.size());
+  parallelFor(records.size(), threads, [&](std::size_t r) {
+    std::vector<OfBlock> of_log;
+    for (std::size_t b = first[r]; b < blocks.size() && blocks[b].record == r; ++b) {
+      const Eigen::Index rows = blocks[b].last - blocks[b].first;
+      Eigen::MatrixXd local(rows, static_cast<Eigen::Index>(columns_.size()));
+      for (std::size_t j = 0; j < columns_.size(); ++j) {
+        local.col(static_cast<Eigen::Index>(j)) = weights[r] * (*columns_[j])[r].segment(blocks[b].first, rows);
+      }
+      if (records[r].counts.size() > 0) {
+        local.array().colwise() *= records[r].counts.segment(blocks[b].first, rows).array();
+      }
+      of_log.push_back(productsIn(blocks[b], records[r], local));
+    }
+    if (of_log.empty()) {
+      return;
+    }
+    shares_[r] = sumOf(of_log);
+    for (std::size_t i = 0; i < of_log.size(); ++i) {
+      const OfBlock& block = of_log[i];
+      products_[first[r] + i] =
+          freed(block.products, block.nuisances, block.on_nuisances, shares_[r], block.on_nuisances, shares_[r]);
+      on_nuisances_[first[r] + i] = block.on_nuisances;
+    }
+  });
+}
+
+Eigen::Index KnownColumns::find(const ForceColumn& column) const {
+  const auto found = places_.find(column.get());
+  return found == places_.end() ? -1 : found->second;
+}
+
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
-                           FreeInLog free, int threads) {
+                           FreeInLog free, int threads, const KnownColumns* known, const ForceColumn& by_zero) {
   const auto logs = static_cast<Eigen::Index>(records.size());
-  const Eigen::Index width = static_cast<Eigen::Index>(columns.size()) + free.count() * logs + 1;
   const std::vector<Rows> blocks = cut(records);
-  const Columns all{records, weights, base, columns, free, width};
-  const std::vector<Eigen::MatrixXd> shares = sharesOfNuisances(all, blocks, threads);
+  const std::vector<std::size_t> first_block = firstBlocks(blocks, records.size());
+  const Columns all{records, weights, base, columns, free, known, by_zero};
+  const Sorted sorted = sortedBy(known, columns);
   BlockGrams result;
   result.gram.resize(blocks.size());
-  parallelFor(blocks.size(), threads, [&](std::size_t b) {
-    const Rows& rows = blocks[b];
-    const log::Record& record = records[rows.record];
-    Eigen::MatrixXd local = all.in(rows);
-    if (record.nuisances.cols() > 0) {
-      local -= record.nuisances.middleRows(rows.first, rows.last - rows.first) * shares[rows.record];
-    }
-    result.gram[b] = spreadOut(gramOf(local), all.placesIn(rows), width);
-  });
+  parallelFor(records.size(), threads,
+              [&](std::size_t r) { fillGrams(all, sorted, r, first_block[r], blocks, result.gram); });
+  result.prior = priorOfZeros(all);
   int place = 0;  // among the blocks of its log
   for (const Rows& rows : blocks) {
     const log::Record& record = records[rows.record];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -32,11 +33,37 @@ struct BlockGrams {
 /// Derivative of the force by an unknown, per log; null: zero everywhere.
 using ForceColumn = std::shared_ptr<const std::vector<Eigen::VectorXd>>;
 
+/// Products with each other of columns that no fit changes, found once for all fits to the same logs.
+class KnownColumns {
+ public:
+  /// `weights` as for normalEquations().
+  KnownColumns(const std::vector<log::Record>& records, const std::vector<double>& weights,
+               std::vector<ForceColumn> columns, int threads);
+
+  /// Place of a column among them, -1 for others.
+  Eigen::Index find(const ForceColumn& column) const;
+
+  /// Of a block, once what the rig may have added is taken out.
+  const Eigen::MatrixXd& products(std::size_t block) const { return products_[block]; }
+  /// By how much each nuisance of its log is in each column of a block, and of the whole log.
+  const Eigen::MatrixXd& onNuisances(std::size_t block) const { return on_nuisances_[block]; }
+  const Eigen::MatrixXd& shares(std::size_t record) const { return shares_[record]; }
+
+ private:
+  std::vector<ForceColumn> columns_;
+  std::map<const std::vector<Eigen::VectorXd>*, Eigen::Index> places_;
+  std::vector<Eigen::MatrixXd> products_;
+  std::vector<Eigen::MatrixXd> on_nuisances_;
+  std::vector<Eigen::MatrixXd> shares_;
+};
+
 /// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes
-/// residuals of each log comparable [1/N]. `free`: unknown in each log, too.
+/// residuals of each log comparable [1/N]. `free`: unknown in each log, too; `by_zero` as in Hypothesis. `known`: of the
+/// same logs; may be null. The prior is that of zeros of the displacement.
 BlockGrams normalEquations(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            const std::vector<Eigen::VectorXd>& base, const std::vector<ForceColumn>& columns,
-                           FreeInLog free, int threads);
+                           FreeInLog free, int threads, const KnownColumns* known = nullptr,
+                           const ForceColumn& by_zero = nullptr);
 
 /// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others.
 std::vector<double> crossValidate(const BlockGrams& blocks, const std::vector<Eigen::Index>& columns,

@@ -32,7 +32,7 @@ const KindInfo& infoOf(FileKind kind) {
   static const std::vector<KindInfo> table = {
       {FileKind::force_csv,
        "a log as this command writes it (time_s,displacement_m,force_N)",
-       {"time_s,displacement_m\n", "time_s,displacement_m,force_N\n"},
+       {"time_s,displacement_m\n", "time_s,displacement_m,force_N\n", "time_s,x_m,y_m,z_m,rx_rad,"},
        {}},
       {FileKind::gap_csv, "a record of the live gap", {"time_s,level,"}, {}},
       {FileKind::vehicle_csv, "a record of a vehicle", {"time_s,frame_m,"}, {}},

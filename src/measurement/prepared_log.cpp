@@ -30,12 +30,11 @@ double standardDeviation(const Eigen::VectorXd& values, const Eigen::VectorXd& c
   return std::sqrt((values.array() - mean).square().matrix().dot(counts) / count);
 }
 
-// Zero of the force, unless it counts, and initial state; each of the size that it may have.
-Eigen::MatrixXd chosenColumns(const RigColumns& rig, bool zero_counts) {
+// Those of the initial state, each of the size that it may have.
+Eigen::MatrixXd statesOf(const RigColumns& rig) {
   std::vector<Eigen::Index> chosen;
   for (std::size_t j = 0; j < rig.nuisances.size(); ++j) {
-    const bool zero = rig.nuisances[j] == Nuisance::force_zero && !zero_counts;
-    if (zero || rig.nuisances[j] == Nuisance::initial_state) {
+    if (rig.nuisances[j] == Nuisance::initial_state) {
       chosen.push_back(static_cast<Eigen::Index>(j));
     }
   }
@@ -84,19 +83,18 @@ PreparedLog prepareLog(const log::Log& log) { return prepare(log, Start::counts_
 
 PreparedLog preparePiece(const log::Log& log) { return prepare(log, Start::counts); }
 
-std::vector<Eigen::MatrixXd> freeNuisances(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
-                                           bool zero_counts, const std::vector<Eigen::VectorXd>& simulated,
-                                           const Simulate& simulate) {
+std::vector<Eigen::MatrixXd> initialStates(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+                                           const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) {
+  std::vector<Eigen::MatrixXd> states;
   const std::vector<RigColumns> all = RigModel(records, {}, tolerances).columns(simulated, simulate);
-  std::vector<Eigen::MatrixXd> nuisances;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    Eigen::MatrixXd columns = chosenColumns(all[r], zero_counts);
+    Eigen::MatrixXd columns = statesOf(all[r]);
     if (records[r].counts.size() > 0) {
       columns.array().colwise() *= records[r].counts.array();
     }
-    nuisances.push_back(orthonormal(columns));
+    states.push_back(orthonormal(columns));
   }
-  return nuisances;
+  return states;
 }
 
 }  // namespace rubber_suspension::measurement

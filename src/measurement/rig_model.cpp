@@ -347,9 +347,26 @@ double timeToMove(const VectorXd& displacement, double distance) {
   return static_cast<double>(displacement.size());
 }
 
+// At 0 without force: nothing moved the component before, or left anything in it.
+bool startsAtRest(const log::Record& record) {
+  constexpr double kNear = 0.01;  // of the range
+  return std::abs(record.displacement[0]) < kNear * rangeOf(record.displacement) && record.force.size() > 0 &&
+         std::abs(record.force[0]) < kNear * rangeOf(record.force);
+}
+
+// No more than what the force at the first samples is beside that of a component that rested before [N].
+double mostLeft(const log::Record& record, const VectorXd& base) {
+  constexpr Index kFirst = 5;  // samples, against noise
+  const Index count = std::min(kFirst, record.size());
+  return std::abs((record.force - base).head(count).mean());
+}
+
 }  // namespace
 
 bool startsInMotion(const log::Record& record) {
+  if (startsAtRest(record)) {
+    return false;
+  }
   // From a turning point the way grows with the square of the time, so ten times the way takes 3.2 times as long; at
   // speed, 10 times; an amplitude that is faded in, the third root or less; after a standstill, about as long.
   constexpr double kFadedIn = 2.6;
@@ -449,13 +466,16 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
     if (startsInMotion(record)) {
       addInitialState(record.size(), columns);
     }
-    const double scale = std::max(prior(Nuisance::initial_state, record), 1e-300);
+    const double state = std::min(prior(Nuisance::initial_state, record), mostLeft(record, base));
+    const double scale = std::max(state, 1e-300);
     for (std::size_t kind = 0; kind < running.size(); ++kind) {
       if (mayPrecede(kMotionsBefore[kind], record)) {
         columns.push_back({Nuisance::initial_state, (running[kind][i].tail(record.size()) - simulated[i]) / scale});
       }
     }
-    result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) { return prior(nuisance, record); }));
+    result.push_back(assemble(std::move(columns), [&](Nuisance nuisance) {
+      return nuisance == Nuisance::initial_state ? state : prior(nuisance, record);
+    }));
     setBase(base, point, result.back());
   }
   return result;

@@ -1,7 +1,10 @@
 // Least squares by orthogonal decompositions that find the rank.
 #include "numerics/least_squares.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
 
 namespace rubber_suspension::numerics {
 
@@ -33,6 +36,34 @@ Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_
   }
   factor.compute(columns);
   return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
+}
+
+// With C = U S V' from the eigenvalues S^2 of C' C, N = U sqrt(1 - 1/sqrt(1 + S^2)).
+Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c) {
+  constexpr double kNothing = 1e-12;  // of the largest S^2, and of 1: rounding
+  if (c.cols() == 0) {
+    return c;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(c.transpose() * c);
+  const Eigen::VectorXd& squares = solver.eigenvalues();
+  const double least = kNothing * std::max(1.0, squares[squares.size() - 1]);
+  const Eigen::Index dropped = (squares.array() <= least).count();
+  Eigen::MatrixXd n = c * solver.eigenvectors().rightCols(squares.size() - dropped);
+  for (Eigen::Index j = 0; j < n.cols(); ++j) {
+    const double square = squares[dropped + j];
+    n.col(j) *= std::sqrt((1.0 - 1.0 / std::sqrt(1.0 + square)) / square);
+  }
+  return n;
+}
+
+Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n) {
+  Eigen::MatrixXd c = n;
+  for (Eigen::Index j = 0; j < n.cols(); ++j) {
+    const double square = n.col(j).squaredNorm();
+    const double left = std::max(1.0 - square, 1e-9);
+    c.col(j) *= std::sqrt((1.0 / (left * left) - 1.0) / square);
+  }
+  return c;
 }
 
 }  // namespace rubber_suspension::numerics

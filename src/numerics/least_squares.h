@@ -27,4 +27,12 @@ Remainder remainder(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// this share of the largest; at 0, below its rounding.
 Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_share = 0.0);
 
+/// For errors of unit variance with, beside them, columns C times unknowns of unit variance: orthogonal columns N such
+/// that I - N N' is the symmetric root of (I + C C')^-1, which makes both together white. A column of N is at most 1
+/// long: that of what C leaves entirely free.
+Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c);
+
+/// From N to columns that C C' is of.
+Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n);
+
 }  // namespace rubber_suspension::numerics

@@ -29,7 +29,7 @@ py::object toReport(const Diagnosis& diagnosis) {
 
 void addDiagnosis(py::module_& module) {
   py::class_<Diagnosis>(module, "Diagnosis", "What a diagnosis found.")
-      .def_readonly("verdict", &Diagnosis::verdict)
+      .def_property_readonly("verdict", [](const Diagnosis& diagnosis) { return toString(diagnosis.verdict); })
       .def_readonly("sentence", &Diagnosis::sentence, "The verdict for an engineer.")
       .def_readonly("effects", &Diagnosis::effects, "Those named, most important first.")
       .def_readonly("augmented", &Diagnosis::augmented, "The component with the effects named.")

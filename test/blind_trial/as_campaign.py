@@ -118,7 +118,7 @@ def score_all(trial, folder, campaign, programs, sets):
              campaign, "--json", figures + ".json", "--markdown", figures + ".md", *further)
     labels = [word for name in CALIBRATED_ON for word in ("--labels", os.path.join(folder, name + "_labels"))]
     page = os.path.join(folder, "calibration.md")
-    call(os.path.join(programs, "judge_again"), "--campaign", campaign, *labels, "--compare", output=page)
+    call(os.path.join(programs, "judge_again"), "--campaign", campaign, *labels, output=page)
     with open(page, encoding="utf-8") as file:
         print("\nCalibration on the bank, nothing of which enters the trial:\n\n" + file.read(), end="")
 

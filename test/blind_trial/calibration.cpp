@@ -165,9 +165,9 @@ double ofUnlisted(const SetPosterior& posterior, const FittedCase& known) {
 std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases) {
   std::vector<FittedCase> fitted;
   for (const TrialCase& known : cases) {
-    if (known.named) {
-      const double configured = known.named->evidence.at(Evidence::kAsConfigured).held_out;
-      fitted.push_back({scoreTable(*known.named), known.truth, known.isHidden(), configured > kAccepted});
+    if (known.evidence) {
+      const double configured = leftBeyondNoise(*known.evidence, Evidence::kAsConfigured);
+      fitted.push_back({scoreTable(*known.evidence), known.truth, known.isHidden(), configured > kAccepted});
     }
   }
   return fitted;

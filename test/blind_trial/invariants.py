@@ -1,32 +1,17 @@
 # What every report of a diagnosis must say of itself, whatever it found: verdict, gaps, floor, interval and
-# probabilities agree. Only what report.json shows; how the reports look to a reader is tested elsewhere.
+# probabilities agree (docs/diagnosis.md lists it). Only what report.json shows; test/diagnosis/invariants.h asks the
+# same of the result itself, and of what the page says.
 """Invariants of a report."""
-REST = (1.0, 0.02)      # a rest is beyond the noise if it is more than so many floors, and more than this of the force
+import math
+
+LISTED = 0.02           # a set that holds a less probable effect is not listed
+WORTH_SAYING = 0.02     # logarithm of a changed value
 SLACK = 1e-3            # of sums, fractions and gaps, which are rounded
 NAMING = ("named", "confounded", "partly")
-QUIET = ("none", "parameter_error", "unknown", "check_bench")
-
-
-def beyond_noise(report, which):
-    gap, floor = report["gap"][which], report["gap"]["noise_floor"]
-    return gap ** 2 - floor ** 2 > (1.0 + SLACK) * max(REST[0] * floor, REST[1]) ** 2
 
 
 def verdict_has_its_effects(report):
     return bool(report["effects"]) == (report["verdict"] in NAMING)
-
-
-def parameter_error_leaves_noise(report):
-    return None if report["verdict"] != "parameter_error" else not beyond_noise(report, "re_estimated")
-
-
-def none_leaves_noise(report):
-    return None if report["verdict"] != "none" else not beyond_noise(report, "as_configured")
-
-
-def named_leaves_noise(report):
-    """A rest beyond the noise is `partly`."""
-    return None if report["verdict"] != "named" else not beyond_noise(report, "augmented")
 
 
 def named_closes(report):
@@ -79,9 +64,58 @@ def verdict_is_the_likeliest(report):
     return report["posterior"][says] >= max(report["posterior"].values()) - SLACK
 
 
-def first_is_the_likeliest(report):
-    """The effect named first is in the first set that cannot be told apart."""
-    return None if report["verdict"] not in NAMING else any(report["effects"][0] in s for s in report["confounded"])
+def probability_of(report, effect):
+    return max((c["probability"] for c in report["candidates"] if c["effect"] == effect), default=0.0)
+
+
+def candidates_are_of_the_sets(report):
+    """An effect is as probable as the sets that hold it: none more than all of them, all together no less."""
+    if report["verdict"] == "check_bench":
+        return None
+    effects = report["posterior"]["effects"]
+    probabilities = [c["probability"] for c in report["candidates"]]
+    return max(probabilities) <= effects + SLACK and sum(probabilities) >= effects - SLACK
+
+
+def first_set_is_named(report):
+    return None if report["verdict"] not in NAMING else sorted(report["confounded"][0]) == sorted(report["effects"])
+
+
+def sets_are_probable(report):
+    """No other set holds an effect that the table gives below 2 %."""
+    if report["verdict"] not in NAMING:
+        return None
+    return all(probability_of(report, effect) >= LISTED - SLACK for s in report["confounded"][1:] for effect in s)
+
+
+def alternatives_follow(report):
+    """By probability, and no more than 1 with what is said."""
+    if report["verdict"] == "check_bench":
+        return None
+    others = [a["probability"] for a in report["alternatives"]]
+    return others == sorted(others, reverse=True) and report["probability"] + sum(others) <= 1.0 + SLACK
+
+
+def headline_is_the_largest(report):
+    """Where the sentence says how far one of the specification's values is off, no other value is farther off beyond its
+    interval."""
+    far = []
+    for size in report.get("model_sizes", []):
+        given, value, (low, high) = size["configured"], size["value"], size["interval_95"]
+        if given and value and given > 0.0 and value > 0.0 and not low <= given <= high:
+            far.append((abs(math.log(value / given)), given, value))
+    far = sorted((f for f in far if f[0] > WORTH_SAYING), reverse=True)
+    said = report["sentence"].partition(" in the component file")[0]
+    if not far or " % too " not in said or "force channel" in said:
+        return None
+    percent = f"{abs(far[0][1] / far[0][2] - 1.0) * 100.0:.0f} %"
+    return f" is {percent} too " in said
+
+
+def bounds_are_said(report):
+    """An interval of an effect's size that ends at 0 says that this is a bound."""
+    return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
+               if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
 
 def where_is_one(report):
@@ -93,21 +127,25 @@ def next_experiment_is_there(report):
 
 
 def surrogate_is_there(report):
-    return None if report["verdict"] not in ("unknown", "partly") else "surrogate" in report
+    if report["verdict"] not in ("unknown", "partly") or "table" in report:
+        return None
+    return "surrogate" in report
 
 
 CHECKS = {
     "effects if and only if the verdict names any": verdict_has_its_effects,
-    "none: what is left is noise": none_leaves_noise,
-    "parameter_error: what is left is noise": parameter_error_leaves_noise,
-    "named: what is left is noise": named_leaves_noise,
     "named: the gap falls, and the interval excludes 0": named_closes,
     "closed is of the gaps": closed_is_of_the_gaps,
     "the interval holds what is closed": interval_holds_the_fraction,
     "the floor is no more than any gap": floor_is_least,
     "the posterior adds up to 1": posterior_is_one,
     "the verdict is the likeliest": verdict_is_the_likeliest,
-    "the first name is in a set": first_is_the_likeliest,
+    "effects are as probable as their sets": candidates_are_of_the_sets,
+    "the first set is the one named": first_set_is_named,
+    "no set holds an improbable effect": sets_are_probable,
+    "alternatives follow by probability": alternatives_follow,
+    "the headline has the largest change": headline_is_the_largest,
+    "an interval that ends at a bound says so": bounds_are_said,
     "where adds up to 1": where_is_one,
     "a next experiment where confounded or unknown": next_experiment_is_there,
     "a surrogate where unknown or partly": surrogate_is_there,

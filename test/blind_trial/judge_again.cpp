@@ -1,20 +1,17 @@
-// Judges the evidence of many diagnoses again: both judges side by side, the fit of the numbers of the judgement by
-// posterior, and which verdicts of the judgement by criteria hang on which number.
+// Judges the evidence of many diagnoses again: how often the answer is right and stated probabilities true, and the fit
+// of the judgement's numbers.
 //
 // Cases are folders FOLDER with FOLDER_labels and FOLDER_reports beside them, as `generate.py` and `run.py --evidence`
 // leave them, or those of a campaign that folders of labels have labels of.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <ctime>
-#include <exception>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <stdexcept>
@@ -23,199 +20,82 @@
 #include <vector>
 
 #include "calibration.h"
+#include "command_line/command.h"
 #include "diagnosis/judge/answer.h"
 #include "judged_case.h"
 
 namespace rubber_suspension::blind_trial {
 namespace {
 
-using diagnosis::Criteria;
+using diagnosis::Evidence;
 using diagnosis::JudgeNumbers;
-using diagnosis::NamedEvidence;
 
-struct Criterion {
-  const char* name;
-  double Criteria::*value;
-};
-
-const std::vector<Criterion> kCriteria = {
-    {"floor_margin", &Criteria::floor_margin},
-    {"insignificant_gap", &Criteria::insignificant_gap},
-    {"within_noise", &Criteria::within_noise},
-    {"share_left_before_elements", &Criteria::share_left_before_elements},
-    {"changed_little", &Criteria::changed_little},
-    {"chance", &Criteria::chance},
-    {"needs_another", &Criteria::needs_another},
-    {"clearly_less", &Criteria::clearly_less},
-    {"unknown", &Criteria::unknown},
-    {"partly", &Criteria::partly},
-    {"larger_part", &Criteria::larger_part},
-    {"sharpness", &Criteria::sharpness},
-    {"noise_blur", &Criteria::noise_blur},
-    {"gap_blur", &Criteria::gap_blur},
-    {"set_probability", &Criteria::set_probability},
-    {"shows_nothing", &Criteria::shows_nothing},
-    {"beyond_noise", &Criteria::beyond_noise},
-    {"beyond_noise_of_floor", &Criteria::beyond_noise_of_floor},
-};
-
-std::vector<std::string> namesOf(const std::vector<int>& effects, const NamedEvidence& named) {
+std::vector<std::string> namesOf(const std::vector<int>& effects, const Evidence& evidence) {
   std::vector<std::string> names;
   std::transform(effects.begin(), effects.end(), std::back_inserter(names),
-                 [&](int effect) { return named.effects.at(static_cast<std::size_t>(effect)); });
+                 [&](int effect) { return evidence.effects.at(static_cast<std::size_t>(effect)); });
   return names;
 }
 
-double probabilityOfVerdict(const diagnosis::Judgement& judgement) {
-  switch (judgement.verdict) {
-    case diagnosis::Verdict::none:
-      return judgement.posterior.none;
-    case diagnosis::Verdict::parameter_error:
-      return judgement.posterior.parameter_error;
-    default:
-      return judgement.posterior.none_of_these;
+// Without evidence the diagnosis refused the logs, or failed.
+Said saidOf(const TrialCase& known, const JudgeNumbers& numbers) {
+  if (!known.evidence) {
+    return {diagnosis::Verdict::check_bench, {}, 0.0};
   }
+  const diagnosis::Answer answer = diagnosis::answer(*known.evidence, numbers);
+  return {answer.verdict, namesOf(answer.effects, *known.evidence), answer.probability};
 }
 
-const Said kNothing = {"check_bench", {}, 0.0};  // the diagnosis refused the logs, or failed
-
-Said byCriteria(const TrialCase& known, const Criteria& criteria) {
-  if (!known.named) {
-    return kNothing;
-  }
-  const diagnosis::Judgement judgement = judge(known.named->evidence, criteria);
-  const double stated = judgement.effects.empty()
-                            ? probabilityOfVerdict(judgement)
-                            : judgement.probabilities.at(static_cast<std::size_t>(judgement.effects.front()));
-  return {toString(judgement.verdict), namesOf(judgement.effects, *known.named), stated};
-}
-
-Said byPosterior(const TrialCase& known, const JudgeNumbers& numbers) {
-  if (!known.named) {
-    return kNothing;
-  }
-  const diagnosis::Answer answer = diagnosis::answer(*known.named, numbers);
-  return {toString(answer.verdict), namesOf(answer.effects, *known.named), answer.probability};
-}
-
-// ---- criteria moved
-// --------------------------------------------------------------------------------------------------
-
-// "3 (+1 -2)": verdicts that change, of which so many become right and so many wrong.
-std::string changes(const std::vector<TrialCase>& cases, const std::vector<Said>& before, const Criteria& criteria) {
-  int changed = 0;
-  int better = 0;
-  int worse = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Said after = byCriteria(cases[i], criteria);
-    if (after.verdict != before[i].verdict || after.effects != before[i].effects) {
-      const bool was = cases[i].isRight(before[i]);
-      const bool is = cases[i].isRight(after);
-      ++changed;
-      better += !was && is ? 1 : 0;
-      worse += was && !is ? 1 : 0;
-    }
-  }
-  return changed == 0 ? "0" : fmt::format("{} (+{} -{})", changed, better, worse);
-}
-
-void printCriteria(const std::vector<TrialCase>& cases, double change) {
-  std::vector<Said> before;
-  long right = 0;
-  for (const TrialCase& known : cases) {
-    before.push_back(byCriteria(known, {}));
-    right += known.isRight(before.back()) ? 1 : 0;
-  }
-  std::cout << fmt::format("{} cases, {} right by criteria\n\n", cases.size(), right);
-  std::cout << fmt::format("| criterion | value | times {:.2g} | times {:.2g} |\n|---|---|---|---|\n", 1.0 - change,
-                           1.0 + change);
-  for (const Criterion& criterion : kCriteria) {
-    Criteria less;
-    Criteria more;
-    less.*criterion.value *= 1.0 - change;
-    more.*criterion.value *= 1.0 + change;
-    if (criterion.value == &Criteria::set_probability) {  // a probability: its complement is moved
-      more.set_probability = 1.0 - (1.0 - change) * (1.0 - Criteria().set_probability);
-    }
-    std::cout << fmt::format("| `{}` | {:g} | {} | {} |\n", criterion.name, Criteria().*criterion.value,
-                             changes(cases, before, less), changes(cases, before, more));
-  }
-}
-
-// ---- judges side by side
-// ---------------------------------------------------------------------------------------------
-
-// A case under both judges.
 struct Judged {
   const TrialCase* known;
-  Said criteria;
-  Said posterior;
-};
+  Said said;
 
-using SaidOf = const Said Judged::*;
+  bool isRight() const { return known->isRight(said); }
+};
 
 struct Counts {
   long cases = 0;
   long right = 0;
   long too_many = 0;
-
-  std::string text() const {
-    return fmt::format("{:.1f} % | {:.1f} %", 100.0 * static_cast<double>(right) / static_cast<double>(cases),
-                       100.0 * static_cast<double>(too_many) / static_cast<double>(cases));
-  }
 };
 
-Counts count(const std::vector<Judged>& judged, SaidOf of, const std::string& group) {
+Counts count(const std::vector<Judged>& judged, const std::string& group) {
   Counts counts;
   for (const Judged& one : judged) {
     if (group.empty() || one.known->group() == group) {
       ++counts.cases;
-      counts.right += one.known->isRight(one.*of) ? 1 : 0;
-      counts.too_many += one.known->namesTooMuch(one.*of) ? 1 : 0;
+      counts.right += one.isRight() ? 1 : 0;
+      counts.too_many += one.known->namesTooMuch(one.said) ? 1 : 0;
     }
   }
   return counts;
 }
 
-// 95 % interval of a share by Wilson's method, in percent.
-std::string interval(const Counts& counts) {
+// "86.0 % (72 to 95 %)": a share with its 95 % interval (Clopper and Pearson, Biometrika 26, 1934).
+std::string share(long part, long all) {
   using Binomial = boost::math::binomial;
   constexpr double kTail = 0.025;
-  const auto n = static_cast<double>(counts.cases);
-  const auto k = static_cast<double>(counts.right);
-  return fmt::format("{:.0f} to {:.0f} %", 100.0 * Binomial::find_lower_bound_on_p(n, k, kTail),
+  const auto n = static_cast<double>(all);
+  const auto k = static_cast<double>(part);
+  return fmt::format("{:.1f} % ({:.0f} to {:.0f} %)", 100.0 * k / n,
+                     100.0 * Binomial::find_lower_bound_on_p(n, k, kTail),
                      100.0 * Binomial::find_upper_bound_on_p(n, k, kTail));
 }
 
 void printGroups(const std::vector<Judged>& judged) {
-  std::map<std::string, bool> groups;
+  std::map<std::string, Counts> rows;
   for (const Judged& one : judged) {
-    groups[one.known->group()] = true;
+    rows[one.known->group()] = count(judged, one.known->group());
   }
-  std::cout << "| cases | number | criteria: right | an effect too many | posterior: right | an effect too many |\n"
-               "|---|---|---|---|---|---|\n";
-  const auto row = [&](const std::string& name, const std::string& group) {
-    const Counts criteria = count(judged, &Judged::criteria, group);
-    const Counts posterior = count(judged, &Judged::posterior, group);
-    std::cout << fmt::format("| {} | {} | {} | {} |\n", name, criteria.cases, criteria.text(), posterior.text());
+  std::cout << "| cases | number | right (95 %) | an effect too many (95 %) |\n|---|---|---|---|\n";
+  const auto row = [](const std::string& name, const Counts& counts) {
+    std::cout << fmt::format("| {} | {} | {} | {} |\n", name, counts.cases, share(counts.right, counts.cases),
+                             share(counts.too_many, counts.cases));
   };
-  for (const auto& [group, present] : groups) {
-    row(group, group);
+  for (const auto& [group, counts] : rows) {
+    row(group, counts);
   }
-  row("all", "");
-  std::cout << fmt::format("\nRight, 95 % interval: {} by criteria, {} by the posterior.\n",
-                           interval(count(judged, &Judged::criteria, "")),
-                           interval(count(judged, &Judged::posterior, "")));
-}
-
-// How probable so uneven a split of the cases that differ would be if neither judge were better.
-double signTest(long to_right, long to_wrong) {
-  const long differ = to_right + to_wrong;
-  if (differ == 0) {
-    return 1.0;
-  }
-  const boost::math::binomial even(static_cast<double>(differ), 0.5);
-  return std::min(1.0, 2.0 * cdf(even, static_cast<double>(std::min(to_right, to_wrong))));
+  row("all", count(judged, ""));
 }
 
 std::string inWords(const Truth& truth) {
@@ -224,39 +104,27 @@ std::string inWords(const Truth& truth) {
                         : (effects.empty() ? truth.kind : effects);
 }
 
-// The cases that a judge is wrong about.
-void printDifferences(const std::vector<Judged>& judged) {
-  long to_right = 0;
-  long to_wrong = 0;
+void printWrong(const std::vector<Judged>& judged) {
   for (const Judged& one : judged) {
-    const bool before = one.known->isRight(one.criteria);
-    const bool after = one.known->isRight(one.posterior);
-    to_right += !before && after ? 1 : 0;
-    to_wrong += before && !after ? 1 : 0;
-    if (!before || !after) {
-      const char* change = before ? "to wrong" : after ? "to right" : "wrong in both";
-      std::cout << fmt::format("{}: {} ({}): {} [{}] -> {} [{}] ({:.2f})\n", change, one.known->name,
-                               inWords(one.known->truth), one.criteria.verdict, fmt::join(one.criteria.effects, ", "),
-                               one.posterior.verdict, fmt::join(one.posterior.effects, ", "), one.posterior.stated);
+    if (!one.isRight()) {
+      std::cout << fmt::format("{} ({}): {} [{}] ({:.2f})\n", one.known->name, inWords(one.known->truth),
+                               toString(one.said.verdict), fmt::join(one.said.effects, ", "), one.said.stated);
     }
   }
-  std::cout << fmt::format("{} to right, {} to wrong; by chance as uneven with probability {:.2g}\n\n", to_right,
-                           to_wrong, signTest(to_right, to_wrong));
 }
 
-void printStated(const std::vector<Judged>& judged, const char* judge, SaidOf of) {
+void printStated(const std::vector<Judged>& judged) {
   constexpr std::array kLimits = {0.0, 0.5, 0.8, 0.95, 1.0 + 1e-9};
-  std::cout << fmt::format("\n| stated by {} | cases | mean | right |\n|---|---|---|---|\n", judge);
+  std::cout << "\n| stated | cases | mean | right |\n|---|---|---|---|\n";
   for (std::size_t bin = 0; bin + 1 < kLimits.size(); ++bin) {
     double cases = 0.0;
     double right = 0.0;
     double stated = 0.0;
     for (const Judged& one : judged) {
-      const Said& said = one.*of;
-      if (one.known->named && said.stated >= kLimits[bin] && said.stated < kLimits[bin + 1]) {
+      if (one.known->evidence && one.said.stated >= kLimits[bin] && one.said.stated < kLimits[bin + 1]) {
         cases += 1.0;
-        right += one.known->isRight(said) ? 1.0 : 0.0;
-        stated += said.stated;
+        right += one.isRight() ? 1.0 : 0.0;
+        stated += one.said.stated;
       }
     }
     if (cases > 0.0) {
@@ -266,7 +134,7 @@ void printStated(const std::vector<Judged>& judged, const char* judge, SaidOf of
   }
 }
 
-// Of what labels say, by the posterior; of cases with evidence.
+// Of what labels say; of cases with evidence.
 double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vector<JudgeNumbers>& numbers) {
   double sum = 0.0;
   double count = 0.0;
@@ -302,24 +170,22 @@ std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int fol
   return numbers;
 }
 
-void printComparison(const std::vector<TrialCase>& cases, int folds) {
+void printFigures(const std::vector<TrialCase>& cases, int folds) {
   const std::vector<JudgeNumbers> numbers = numbersOf(cases, folds);
   std::vector<Judged> judged;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    judged.push_back({&cases[i], byCriteria(cases[i], {}), byPosterior(cases[i], numbers[i])});
+    judged.push_back({&cases[i], saidOf(cases[i], numbers[i])});
   }
-  const auto refused = std::count_if(cases.begin(), cases.end(), [](const TrialCase& one) { return !one.named; });
-  std::cout << fmt::format("{} cases, {} of them without evidence, which count as wrong\n\n", cases.size(), refused);
-  printDifferences(judged);
+  const auto refused = std::count_if(cases.begin(), cases.end(), [](const TrialCase& one) { return !one.evidence; });
+  std::cout << fmt::format("{} cases, {} of them without evidence, which count as wrong. Wrong are:\n\n", cases.size(),
+                           refused);
+  printWrong(judged);
+  std::cout << "\n";
   printGroups(judged);
-  printStated(judged, "criteria", &Judged::criteria);
-  printStated(judged, "the posterior", &Judged::posterior);
-  std::cout << fmt::format("\nMean logarithm of the probability of the truth by the posterior: {:.3f}\n",
+  printStated(judged);
+  std::cout << fmt::format("\nMean logarithm of the probability of the truth: {:.3f}\n",
                            meanLogarithmOfTruth(cases, numbers));
 }
-
-// ---- the fit
-// ---------------------------------------------------------------------------------------------------------
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -333,8 +199,8 @@ std::string fitInWords(const std::vector<TrialCase>& cases) {
   std::map<std::string, int> kinds;
   int number = 0;
   for (const TrialCase& known : cases) {
-    kinds[known.truth.kind] += known.named ? 1 : 0;
-    number += known.named ? 1 : 0;
+    kinds[known.truth.kind] += known.evidence ? 1 : 0;
+    number += known.evidence ? 1 : 0;
   }
   std::vector<std::string> words;
   for (const auto& [kind, count] : kinds) {
@@ -359,44 +225,40 @@ void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) 
 
 void printVerdicts(const std::vector<TrialCase>& cases) {
   for (const TrialCase& known : cases) {
-    const Said criteria = byCriteria(known, {});
-    const Said posterior = byPosterior(known, diagnosis::fittedNumbers());
-    std::cout << fmt::format("{}: {} [{}] by criteria, {} [{}] by the posterior\n", known.name, criteria.verdict,
-                             fmt::join(criteria.effects, ", "), posterior.verdict, fmt::join(posterior.effects, ", "));
+    const Said said = saidOf(known, diagnosis::fittedNumbers());
+    std::cout << fmt::format("{}: {} [{}]\n", known.name, toString(said.verdict), fmt::join(said.effects, ", "));
   }
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Judges the evidence of many diagnoses again");
+struct Options {
   std::vector<std::string> folders;
-  std::vector<std::string> labels;
   std::string campaign;
+  std::vector<std::string> labels;
   std::string numbers;
-  double change = 0.3;
-  int folds = 0;
-  app.add_option("folders", folders, "folders of cases, with FOLDER_labels and FOLDER_reports beside each")
-      ->type_name("FOLDER");
-  CLI::Option* in_campaign =
-      app.add_option("--campaign", campaign, "campaign whose jobs are the cases")->type_name("FOLDER");
-  app.add_option("--labels", labels, "folders of the labels of its cases (may be repeated)")
-      ->type_name("FOLDER")
-      ->needs(in_campaign)
-      ->take_all();
-  CLI::Option* fit = app.add_option("--calibrate", numbers, "fit the numbers of the posterior and write this source")
-                         ->type_name("FILE");
-  CLI::Option* compare = app.add_flag("--compare", "both judges side by side")->excludes(fit);
-  app.add_option("--folds", folds, "with --compare: numbers fitted without each of so many parts, and judged on it")
-      ->type_name("NUMBER")
-      ->check(CLI::Range(2, 100))
-      ->needs(compare);
-  CLI::Option* verdicts = app.add_flag("--verdicts", "the verdicts of each case")->excludes(fit)->excludes(compare);
-  app.add_option("--change", change, "share by which each criterion is moved; default 0.3")
-      ->type_name("SHARE")
-      ->check(CLI::Range(0.01, 0.99));
-  CLI11_PARSE(app, argc, argv);
+  int folds = 0;  // 0: numbers as fitted last
+  bool verdicts = false;
 
-  std::vector<TrialCase> cases = campaign.empty() ? std::vector<TrialCase>{} : casesOfCampaign(campaign, labels);
-  for (const std::string& folder : folders) {
+  command_line::OptionTable table() {
+    using command_line::Option;
+    command_line::OptionTable options = {
+        Option("folders", folders, "FOLDER", "folders of cases, with FOLDER_labels and FOLDER_reports beside each"),
+        Option("--campaign", campaign, "FOLDER", "campaign whose jobs are the cases"),
+        Option("--labels", labels, "FOLDER", "folders of the labels of its cases"),
+        Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
+        Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
+            .within(2, 100),
+        Option("--verdicts", verdicts, "print the verdict of each case alone")};
+    options.needs({"--labels"}, {"--campaign"});
+    options.excludes({"--folds", "--verdicts"}, {"--calibrate"});
+    options.excludes({"--folds"}, {"--verdicts"});
+    return options;
+  }
+};
+
+std::vector<TrialCase> casesOf(const Options& options) {
+  std::vector<TrialCase> cases =
+      options.campaign.empty() ? std::vector<TrialCase>{} : casesOfCampaign(options.campaign, options.labels);
+  for (const std::string& folder : options.folders) {
     const std::vector<TrialCase> more = casesOfFolder(folder);
     cases.insert(cases.end(), more.begin(), more.end());
   }
@@ -404,14 +266,17 @@ int run(int argc, char** argv) {
     throw std::invalid_argument(
         "no cases; accepted: folders of cases with labels and reports, or --campaign and --labels");
   }
-  if (*fit) {
-    writeNumbers(cases, numbers);
-  } else if (*compare) {
-    printComparison(cases, folds);
-  } else if (*verdicts) {
+  return cases;
+}
+
+int run(const Options& options) {
+  const std::vector<TrialCase> cases = casesOf(options);
+  if (!options.numbers.empty()) {
+    writeNumbers(cases, options.numbers);
+  } else if (options.verdicts) {
     printVerdicts(cases);
   } else {
-    printCriteria(cases, change);
+    printFigures(cases, options.folds);
   }
   return 0;
 }
@@ -420,10 +285,8 @@ int run(int argc, char** argv) {
 }  // namespace rubber_suspension::blind_trial
 
 int main(int argc, char** argv) {
-  try {
-    return rubber_suspension::blind_trial::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "judge_again: " << error.what() << "\n";
-    return 1;
-  }
+  using namespace rubber_suspension;
+  blind_trial::Options options;
+  return command_line::runCommand(argc, argv, {"judge_again", "Judges the evidence of many diagnoses again."},
+                                  options.table(), [&] { return blind_trial::run(options); });
 }

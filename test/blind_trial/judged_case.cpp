@@ -2,6 +2,7 @@
 #include "judged_case.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -9,12 +10,15 @@
 #include <stdexcept>
 
 #include "campaign/manifest.h"
+#include "diagnosis/judge/evidence_json.h"
 
 namespace rubber_suspension::blind_trial {
 namespace {
 
 namespace fs = std::filesystem;
 using diagnosis::Evidence;
+using diagnosis::LogEvidence;
+using diagnosis::Verdict;
 
 std::string textOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -51,7 +55,7 @@ TrialCase caseOf(const std::string& name, const fs::path& label, const fs::path&
   try {
     TrialCase result{name, truthOf(nlohmann::json::parse(textOf(label))), std::nullopt};
     if (fs::exists(evidence)) {
-      result.named = diagnosis::parseEvidence(textOf(evidence));
+      result.evidence = diagnosis::parseEvidence(textOf(evidence));
     }
     return result;
   } catch (const nlohmann::json::exception& error) {
@@ -76,13 +80,21 @@ std::string withoutSlash(const std::string& folder) { return folder.substr(0, fo
 
 }  // namespace
 
+double leftBeyondNoise(const Evidence& evidence, int hypothesis) {
+  double left = 0.0;
+  double weight = 0.0;
+  for (std::size_t l = 0; l < evidence.logs.size(); ++l) {
+    const LogEvidence& log = evidence.logs[l];
+    const double counts = log.unseen ? 0.0 : log.weight;
+    left += counts * (evidence.at(hypothesis).log_errors.at(l) - log.floor * log.floor);
+    weight += counts;
+  }
+  return std::sqrt(std::max(0.0, left / weight));
+}
+
 bool TrialCase::isHidden() const {
   constexpr double kHidden = 0.007;  // of the force
-  if (truth.effects.empty() || !named) {
-    return false;
-  }
-  const Evidence& evidence = named->evidence;
-  return gap::residualAboveFloor(evidence.reEstimated().held_out, evidence.noise_floor) < kHidden;
+  return !truth.effects.empty() && evidence && leftBeyondNoise(*evidence, Evidence::kReEstimated) < kHidden;
 }
 
 bool TrialCase::isRight(const Said& said) const {
@@ -90,24 +102,24 @@ bool TrialCase::isRight(const Said& said) const {
   if (truth.kind == "machine") {
     return names_something && has(truth.effects, said.effects.front()) && !namesTooMuch(said);
   }
-  if (isHidden() && said.verdict == "parameter_error") {
+  if (isHidden() && said.verdict == Verdict::parameter_error) {
     return true;
   }
   // A series spring on a linear base makes such a base again.
   if (truth.effects == std::vector<std::string>{"series_compliance"} && !truth.unlisted &&
-      (said.verdict == "parameter_error" || said.verdict == "confounded")) {
+      (said.verdict == Verdict::parameter_error || said.verdict == Verdict::confounded)) {
     return true;
   }
   if (truth.unlisted && truth.effects.empty()) {
-    return said.verdict == "unknown" || said.verdict == "partly";
+    return said.verdict == Verdict::unknown || said.verdict == Verdict::partly;
   }
   if (truth.unlisted) {
-    return said.verdict == "partly" &&
+    return said.verdict == Verdict::partly &&
            std::any_of(said.effects.begin(), said.effects.end(),
                        [&](const std::string& effect) { return has(truth.effects, effect); });
   }
   if (truth.effects.empty()) {
-    return said.verdict == "parameter_error" || (truth.kind == "none" && said.verdict == "none");
+    return said.verdict == Verdict::parameter_error || (truth.kind == "none" && said.verdict == Verdict::none);
   }
   const auto count = static_cast<std::ptrdiff_t>(std::min(said.effects.size(), truth.effects.size()));
   return areAll({said.effects.begin(), said.effects.begin() + count}, truth.effects);

@@ -1,11 +1,12 @@
-// Cases of a trial as judges see them: evidence beside the sealed label, and whether an answer is right.
+// Cases of a trial as the judgement sees them: evidence beside the sealed label, and whether an answer is right.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "diagnosis/judge/evidence_json.h"
+#include "diagnosis/judge/evidence.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::blind_trial {
 
@@ -19,17 +20,20 @@ struct Truth {
   bool bench = false;                ///< logs as benches are
 };
 
-/// What a judge says of a case.
+/// What the judgement says of a case.
 struct Said {
-  std::string verdict;
+  diagnosis::Verdict verdict = diagnosis::Verdict::none;
   std::vector<std::string> effects;
   double stated = 0.0;  ///< its probability
 };
 
+/// Root mean square that a hypothesis leaves of the logs of the fit beyond their noise, as a gap.
+double leftBeyondNoise(const diagnosis::Evidence& evidence, int hypothesis);
+
 struct TrialCase {
   std::string name;
   Truth truth;
-  std::optional<diagnosis::NamedEvidence> named;  ///< none where the diagnosis refused the logs or failed
+  std::optional<diagnosis::Evidence> evidence;  ///< none where the diagnosis refused the logs or failed
 
   /// Re-estimation takes the effects up, but for what is less than 0.7 % of the force: wrong values are right, too.
   bool isHidden() const;

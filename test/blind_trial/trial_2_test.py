@@ -170,9 +170,11 @@ def report_of(verdict, effects=(), **changes):
            "augmented": left if naming else before, "noise_floor": 0.01}
     closed = (before - gap["augmented"]) / (before - 0.01)
     posterior = dict.fromkeys(("none", "parameter_error", "effects", "none_of_these"), 0.0)
-    report = {"verdict": verdict, "effects": list(effects), "confounded": [[e] for e in effects], "gap": gap,
+    report = {"verdict": verdict, "effects": list(effects), "confounded": [list(effects)] if naming else [], "gap": gap,
+              "sentence": "", "probability": 1.0, "alternatives": [],
               "closed": {"fraction": closed, "interval_95": [closed - 0.02, min(1.0, closed + 0.02)]},
-              "candidates": [{"effect": e, "probability": 1.0, "gap": 0.02} for e in effects],
+              "candidates": [{"effect": e, "probability": 1.0, "gap": 0.02} for e in effects] or
+                            [{"effect": "creep", "probability": 0.0, "gap": 0.12}],
               "posterior": dict(posterior, **{says: 1.0}), "where": [{"share": 0.4}, {"share": 0.6}],
               "next_experiment": "A sine.", "surrogate": {"gap": 0.04, "gap_unseen": {"before": 0.11, "after": 0.05}}}
     return dict(report, **changes)
@@ -248,7 +250,17 @@ class ScoreTest(unittest.TestCase):
                             for holds in invariants.checked(r).values()))
         gap = report_of("named", ["creep"])["gap"]
         for name, changes in (
-                ("named: what is left is noise", {"gap": dict(gap, augmented=0.06)}),
+                ("no set holds an improbable effect", {"confounded": [["creep"], ["friction"]]}),
+                ("the first set is the one named", {"confounded": [["friction"]]}),
+                ("effects are as probable as their sets", {"candidates": [{"effect": "creep", "probability": 0.5,
+                                                                           "gap": 0.02}]}),
+                ("alternatives follow by probability", {"alternatives": [{"probability": 0.1}, {"probability": 0.2}]}),
+                ("the headline has the largest change", {
+                    "sentence": "K_n is 10 % too low in the component file",
+                    "model_sizes": [{"configured": 1.0, "value": v, "interval_95": [0.9 * v, 1.02 * v]}
+                                    for v in (2.0, 1.1)]}),
+                ("an interval that ends at a bound says so", {
+                    "effect_sizes": [{"value": 2.0, "interval_95": [0.0, 3.0], "at_bound": [False, False]}]}),
                 ("closed is of the gaps", {"gap": dict(gap, augmented=0.06)}),
                 ("the floor is no more than any gap", {"gap": dict(gap, noise_floor=0.05)}),
                 ("effects if and only if the verdict names any", {"effects": []}),

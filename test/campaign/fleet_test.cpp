@@ -45,11 +45,19 @@ campaign::Record diagnosis(const std::string& verdict, const std::vector<std::st
   for (const double sign : {-1.0, 0.0, 1.0}) {
     by_log.push_back({{"static_stiffness", ratio * std::exp(sign * scatter_of_logs)}});
   }
+  nlohmann::ordered_json explanations = nlohmann::ordered_json::array();
+  for (const std::string& cause : set) {
+    const auto probability = probabilities.find(cause);
+    explanations.push_back(
+        {{"effects", cause == "parameter_error" ? std::vector<std::string>{} : std::vector<std::string>{cause}},
+         {"probability", probability == probabilities.end() ? 0.0 : probability->second}});
+  }
+  if (set.empty() && verdict != "unknown") {
+    explanations.push_back({{"effects", nlohmann::ordered_json::array()}, {"probability", 0.99}});
+  }
   record.evidence = {{"verdict", verdict},
                      {"effects", effects},
-                     {"confounded", set.empty() ? std::vector<std::vector<std::string>>{}
-                                                : std::vector<std::vector<std::string>>{set}},
-                     {"probabilities", probabilities},
+                     {"explanations", explanations},
                      {"ratios", {{"static_stiffness", ratio}}},
                      {"ratios_by_log", by_log}};
   return record;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "command_line/command.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -51,14 +50,10 @@ diagnosis::Diagnosis diagnose(const VirtualBench& bench, const std::vector<log::
   return diagnosis::diagnose(bench.component(), logs, {}, options);
 }
 
-// The set of more than one member that holds the truth.
-std::optional<std::vector<std::string>> ambiguousSet(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
-  for (const std::vector<std::string>& set : diagnosis.confounded) {
-    if (set.size() > 1 && std::find(set.begin(), set.end(), truth) != set.end()) {
-      return set;
-    }
-  }
-  return std::nullopt;
+// Several sets that cannot be told apart, of which one is the truth.
+bool isAmbiguous(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
+  const std::vector<std::vector<std::string>>& sets = diagnosis.confounded;
+  return sets.size() > 1 && std::find(sets.begin(), sets.end(), std::vector<std::string>{truth}) != sets.end();
 }
 
 bool isTheTruthAlone(const diagnosis::Diagnosis& diagnosis, const std::string& truth) {
@@ -77,7 +72,7 @@ std::string resultOf(const diagnosis::Diagnosis& diagnosis) {
   std::string text = fmt::format(
       "{} {}, none {:.2f} values {:.2f} effects {:.2f} others {:.2f}, gap {:.4f} {:.4f} {:.4f} "
       "floor {:.4f};",
-      diagnosis.verdict, diagnosis.confounded, posterior.none, posterior.parameter_error, posterior.effects,
+      toString(diagnosis.verdict), diagnosis.confounded, posterior.none, posterior.parameter_error, posterior.effects,
       posterior.none_of_these, diagnosis.gap.as_configured, diagnosis.gap.re_estimated, diagnosis.gap.augmented,
       diagnosis.gap.noise_floor);
   constexpr std::size_t kMost = 4;
@@ -95,11 +90,10 @@ void runCase(unsigned seed, const Options& options, Tally& tally) {
     logs.push_back(bench.play(programme));
   }
   const diagnosis::Diagnosis before = diagnose(bench, logs, options.threads);
-  const auto set = ambiguousSet(before, bench.effect());
   if (options.verbose) {
     fmt::print("{} {}: {}\n", seed, bench.effect(), resultOf(before));
   }
-  if (!set) {
+  if (!isAmbiguous(before, bench.effect())) {
     return;
   }
   ++tally.ambiguous;

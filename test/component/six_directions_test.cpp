@@ -88,7 +88,11 @@ TEST(SixDirections, RotationMeasuresTurnBackToTheirRotations) {
       rotation.coeffs() *= i % 2 == 0 ? 1.0 : -1.0;  // the same rotation
       const component::RotationCoordinates found = component::coordinatesOf(measure, rotation);
       EXPECT_LT((found.value - value).norm(), 1e-15 + 1e-14 * size);
-      EXPECT_LT((found.rates - component::ratesAt(measure, value)).norm(), 1e-13);
+      const component::RotationCoordinates same = component::coordinatesOf(measure, rotation.toRotationMatrix());
+      EXPECT_LT((same.value - value).norm(), 1e-15 + 1e-14 * size);
+      const Vector3d moments(1.0, -2.0, 0.5);
+      EXPECT_LT((same.momentOf(moments) - found.rates().transpose() * moments).norm(), 1e-13);
+      EXPECT_LT((found.rates() - component::ratesAt(measure, value)).norm(), 1e-13);
       // The rates are the derivative of the coordinates by a rotation in A's axes.
       constexpr double kStep = 1e-6;
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -96,7 +100,7 @@ TEST(SixDirections, RotationMeasuresTurnBackToTheirRotations) {
           const Eigen::AngleAxisd turn(by, Vector3d::Unit(axis));
           return component::coordinatesOf(measure, turn * rotation).value;
         };
-        EXPECT_LT(((turned(kStep) - turned(-kStep)) / (2.0 * kStep) - found.rates.col(axis)).norm(), 1e-8);
+        EXPECT_LT(((turned(kStep) - turned(-kStep)) / (2.0 * kStep) - found.rates().col(axis)).norm(), 1e-8);
       }
     }
   }
@@ -118,7 +122,7 @@ TEST(SixDirections, DashpotsAnswerToATwist) {
   const component::RotationCoordinates rotation =
       component::coordinatesOf(RotationMeasure::cardan, Eigen::Quaterniond(pose.linear()));
   const Vector3d force = elastic.force + 70.0 * twist.linear;
-  const Vector3d moment = elastic.moment + 70.0 * rotation.rates.transpose() * rotation.rates * twist.angular;
+  const Vector3d moment = elastic.moment + 70.0 * rotation.rates().transpose() * rotation.rates() * twist.angular;
   const component::Wrench at_once = bush.initialise(state, pose, twist).wrench;
   EXPECT_LT((at_once.force - force).norm() + (at_once.moment - moment).norm(), 1e-9 * force.norm());
   bush.step(state, 3e-3, poseAt({0.0, 1e-3, 0.0}, {0.3, 0.8, -0.2}));

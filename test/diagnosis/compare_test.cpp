@@ -18,7 +18,7 @@ using testing::Not;
 diagnosis::Diagnosis firstDay() {
   diagnosis::Diagnosis d;
   d.component = "bush";
-  d.verdict = "named";
+  d.verdict = diagnosis::Verdict::named;
   d.effects = {"friction"};
   d.gap = {0.14, 0.12, 0.02, 0.01};
   d.model_sizes = {{"specification", "dynamic_stiffness", "N/m", 4e6, 4.2e6, {4.1e6, 4.3e6}}};
@@ -83,7 +83,7 @@ TEST_F(Compare, TellsValuesApartByTheirIntervals) {
 TEST_F(Compare, FollowsThePlacesOfTheGap) {
   diagnosis::Diagnosis now = firstDay();
   now.gap.as_configured = 0.2;
-  now.verdict = "partly";
+  now.verdict = diagnosis::Verdict::partly;
   now.where = {{"tuesday", {2.0, 4.0}, {2e-4, 5e-4}, gap::Quantity::loss, 0.49, 10.0},
                {"tuesday", {4.0, 8.0}, {2e-4, 5e-4}, gap::Quantity::stiffness, 0.51, 10.0}};
   const diagnosis::Comparison comparison = since(firstDay(), now);

@@ -162,7 +162,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     std::vector<log::Record> with = records;
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
     const fit::Fitter fitted(with, model);
-    const double left = fitted.fit({}, fitted.configured({}), 10).gap;
+    const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
     // The model is not linear in its parameters, and noise of 0.2 % of the force is left as well.
     EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;
     ++compared;

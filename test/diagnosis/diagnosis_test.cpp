@@ -19,7 +19,7 @@ namespace {
 
 TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
   const diagnosis::Diagnosis& result = ofNothing();
-  EXPECT_EQ(result.verdict, "none");
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::none);
   EXPECT_TRUE(result.effects.empty());
   // 20 N of white noise over the standard deviation of the force; the floor is the median of some hundred spectral
   // lines.
@@ -37,7 +37,7 @@ TEST(Diagnosis, CallsWrongValuesAParameterError) {
   specification.set("break_frequency", 4.0);
   wrong.specify(specification);
   const diagnosis::Diagnosis result = diagnoseRig(nothing, wrong);
-  EXPECT_EQ(result.verdict, "parameter_error");
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error);
   EXPECT_TRUE(result.effects.empty());
   EXPECT_GT(result.gap.as_configured, 5.0 * result.gap.noise_floor);
   EXPECT_LT(result.gap.re_estimated, 1.1 * result.gap.noise_floor);  // the floor itself is an estimate
@@ -54,7 +54,7 @@ TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
 
 TEST(Diagnosis, RefusesMainsHum) {
   const diagnosis::Diagnosis& result = ofHum();
-  EXPECT_EQ(result.verdict, "unknown");
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::unknown);
   EXPECT_TRUE(result.effects.empty());
 }
 

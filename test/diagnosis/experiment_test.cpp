@@ -9,6 +9,7 @@
 #include "diagnosis/experiment/menu.h"
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/search_evidence.h"
 #include "rig.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 
@@ -157,11 +158,34 @@ class Rivals : public testing::Test {
     throw std::logic_error(effect);
   }
 
+  // Judged: an effect whose fit is as it is now, of all that the search has.
+  void judgeAs(int effect) {
+    diagnosis::Evidence& evidence = workings_.evidence;
+    evidence = diagnosis::evidenceOf(search_);
+    evidence.logs = {{search_.noise, 0.0, 1.0, false, 50}};
+    for (std::size_t h = 0; h < evidence.hypotheses.size(); ++h) {
+      diagnosis::HypothesisEvidence& hypothesis = evidence.hypotheses[h];
+      hypothesis.log_errors = {std::pow(search_.at(static_cast<int>(h)).fit.held_out, 2)};
+      hypothesis.sizes.assign(hypothesis.members.size(), {0.01});
+    }
+    workings_.answer = diagnosis::answer(evidence);
+    workings_.answer.effects = {effect};
+    workings_.answer.model = diagnosis::Evidence::kFirstSingle + effect;
+    workings_.answer.verdict = diagnosis::Verdict::named;
+    workings_.answer.probability = 0.5;
+  }
+
+  int placeOf(const std::string& effect) const {
+    const auto found = std::find_if(search_.candidates.begin(), search_.candidates.end(),
+                                    [&](const fit::Candidate& candidate) { return candidate.effect == effect; });
+    return static_cast<int>(found - search_.candidates.begin());
+  }
+
   // RMS difference before any refit, and what is left after it, in noise floors of the log.
   double afterRefit(const Experiment& experiment) {
     const std::vector<diagnosis::Explanation> explanations = {{&single("viscous_damping"), 1.0},
                                                               {&search_.re_estimated, 0.0}};
-    diagnosis::Discriminator discriminator(fitter_, search_, explanations, {}, 1e9, 1);
+    diagnosis::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);
     const auto found = discriminator.best({experiment});
     EXPECT_NE(found.experiment, nullptr);
     return found.floors;
@@ -170,7 +194,8 @@ class Rivals : public testing::Test {
   fit::ModelParameters model_;
   fit::Fitter fitter_;
   fit::Excitation excitation_;
-  diagnosis::Search search_;
+  diagnosis::Workings workings_;
+  diagnosis::Search& search_ = workings_.search;
 };
 
 Experiment motion(const std::function<double(double)>& law) {
@@ -194,19 +219,11 @@ TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
 TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   single("viscous_damping").fit.held_out = 0.01;
-  diagnosis::Judgement judgement;
-  judgement.verdict = diagnosis::Verdict::confounded;
-  for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
-    if (search_.candidates[static_cast<std::size_t>(c)].effect == "viscous_damping") {
-      judgement.effects = {c};
-      judgement.model = diagnosis::Evidence::kFirstSingle + c;
-    }
-  }
-  judgement.confounded = {judgement.effects};
+  judgeAs(placeOf("viscous_damping"));
   diagnosis::ExperimentLimits limits;  // the logs are slow
   limits.speed = 0.1;
   limits.frequency = 15.0;
-  const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1);
+  const auto proposed = diagnosis::nextExperiment(fitter_, workings_, limits, 1);
   ASSERT_FALSE(proposed.proposed.displacement.empty()) << proposed.text;
   EXPECT_GE(proposed.proposed.floors, diagnosis::kLeastFloors);
   EXPECT_EQ(proposed.proposed.decides, "viscous_damping");
@@ -214,7 +231,7 @@ TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
   EXPECT_THAT(proposed.text, testing::HasSubstr("viscous_damping"));
 
   search_.noise *= 1.2 * proposed.proposed.floors / diagnosis::kLeastFloors;
-  const auto none = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1);
+  const auto none = diagnosis::nextExperiment(fitter_, workings_, limits, 1);
   EXPECT_TRUE(none.proposed.displacement.empty()) << none.text;
   EXPECT_THAT(none.text, testing::StartsWith("None within the limits"));
   EXPECT_THAT(none.text, testing::HasSubstr("It would take"));
@@ -223,9 +240,6 @@ TEST_F(Rivals, ProposeNothingBelowTwoFloors) {
 TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   single("viscous_damping").fit.held_out = 0.01;
-  diagnosis::Judgement judgement;
-  judgement.verdict = diagnosis::Verdict::named;
-  judgement.model = diagnosis::Evidence::kFirstSingle;
   diagnosis::ExperimentLimits limits;
   limits.stroke = 0.004;
   limits.speed = 0.1;
@@ -233,8 +247,8 @@ TEST_F(Rivals, ProposalsKeepToTheLimitsGiven) {
   limits.force = 2500.0;
   limits.duration = 12.0;
   for (int c = 0; c < static_cast<int>(search_.candidates.size()); ++c) {
-    judgement.model = diagnosis::Evidence::kFirstSingle + c;
-    const auto proposed = diagnosis::nextExperiment(fitter_, search_, judgement, limits, 1).proposed;
+    judgeAs(c);
+    const auto proposed = diagnosis::nextExperiment(fitter_, workings_, limits, 1).proposed;
     for (std::size_t i = 1; i < proposed.displacement.size(); ++i) {
       ASSERT_LE(std::abs(proposed.displacement[i]), 0.004);
       ASSERT_LE(std::abs(proposed.displacement[i] - proposed.displacement[i - 1]), 0.1 * proposed.dt * (1.0 + 1e-9));

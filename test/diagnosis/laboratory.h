@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "diagnosis/results/contradictions.h"
+#include "diagnosis/invariants.h"
 #include "fit/table_fit.h"
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 #include "rubber_suspension/io/component_file.h"
@@ -77,16 +77,7 @@ class Laboratory {
 // Held to the invariants of every report.
 inline Diagnosis checkedTable(const io::ComponentDescription& component, const fit::MeasuredTable& table) {
   Diagnosis result = diagnoseTable(component, table);
-  for (const std::string& contradiction : contradictions(result)) {
-    ADD_FAILURE() << contradiction << ": " << result.sentence;
-  }
-  double shares = 0.0;
-  for (const gap::GapCell& cell : result.where) {
-    shares += cell.share;
-  }
-  if (result.verdict != "check_bench") {
-    EXPECT_NEAR(shares, 1.0, 1e-9);
-  }
+  test::checkInvariants(result);
   return result;
 }
 

@@ -24,7 +24,7 @@ diagnosis::Diagnosis madeUp() {
   record.force_deviation = 1e3 / std::sqrt(2.0);
   diagnosis::Diagnosis diagnosis;
   diagnosis.component = "bush";
-  diagnosis.verdict = "named";
+  diagnosis.verdict = diagnosis::Verdict::named;
   diagnosis.effects = {"friction", "creep"};
   auto workings = std::make_shared<diagnosis::Workings>();
   workings->records = {record};

@@ -285,7 +285,7 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
 TEST(FirstScreen, AnswersTheFiveQuestions) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
-  d.verdict = "named";
+  d.verdict = diagnosis::Verdict::named;
   d.sentence = "The model lacks friction.";
   d.effects = {"friction"};
   d.gap = {0.14, 0.12, 0.02, 0.015};

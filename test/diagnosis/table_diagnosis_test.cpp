@@ -71,7 +71,7 @@ TEST(TableDiagnosis, ChecksTheBench) {
     point.stiffness *= 1000.0;
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_EQ(found.verdict, "check_bench");
+  EXPECT_EQ(found.verdict, diagnosis::Verdict::check_bench);
   ASSERT_EQ(found.rig_findings.size(), 1U);
   EXPECT_EQ(found.rig_findings.front().finding, "unit_factor");
   EXPECT_THAT(found.sentence, HasSubstr("factor 1000"));

@@ -35,7 +35,7 @@ diagnosis::Diagnosis diagnosed(const std::function<RigEffect()>& effect) {
 
 TEST(BesideHum, FrictionThatClosesASmallPartOfTheGapIsNamed) {
   const diagnosis::Diagnosis result = diagnosed(rigFriction);
-  EXPECT_EQ(result.verdict, "partly");
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::partly);
   EXPECT_THAT(result.effects, testing::ElementsAre("friction")) << result.sentence;
   EXPECT_LT(result.closed, 0.29);
   ASSERT_TRUE(result.surrogate);
@@ -44,7 +44,7 @@ TEST(BesideHum, FrictionThatClosesASmallPartOfTheGapIsNamed) {
 
 TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
   const diagnosis::Diagnosis result = diagnosed([] { return [](double, double, double) { return 0.0; }; });
-  EXPECT_EQ(result.verdict, "unknown") << result.sentence;
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::unknown) << result.sentence;
 }
 
 // Six noisy logs confirm the component as configured, a seventh, held out, does not: the surrogate is on top of that
@@ -59,8 +59,8 @@ TEST(BesideHum, ASurrogateIsOnTopOfTheAugmentedComponent) {
   }
   const log::Log held_out = runRig("held out", 7, withHum(nothing, 7.0, kFaint), kLoud);
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {held_out});
-  ASSERT_EQ(result.verdict, "unknown") << result.sentence;
-  ASSERT_EQ(result.workings->judgement.model, diagnosis::Evidence::kAsConfigured);
+  ASSERT_EQ(result.verdict, diagnosis::Verdict::unknown) << result.sentence;
+  ASSERT_EQ(result.workings->answer.model, diagnosis::Evidence::kAsConfigured);
   ASSERT_TRUE(result.surrogate);
   const auto below = result.augmented.allElements();
   const auto elements = result.surrogate->component.allElements();

@@ -24,7 +24,7 @@ TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(), {runRig("one", 1, nothing), runRig("two", 2, nothing)}, {runRig("unseen", 3, stop)});
   EXPECT_GT(result.gap.as_configured, 0.05);
-  EXPECT_EQ(result.verdict, "unknown");
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::unknown);
   EXPECT_TRUE(result.effects.empty());
   EXPECT_NE(result.sentence.find("unseen"), std::string::npos) << result.sentence;
 }

@@ -30,7 +30,7 @@ log::Log hold(unsigned seed) {
 TEST(NoisyLog, HidesNothing) {
   const auto result = checkedDiagnosis(rigComponent(), {runRig("one", 1, rigFriction()), hold(5), hold(6)},
                                        {runRig("unseen", 3, rigFriction()), hold(7)});
-  EXPECT_EQ(result.verdict, "named") << result.sentence;
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
   EXPECT_THAT(result.effects, ElementsAre("friction"));
   // 20 N of a kN in the log that moves, and the hold adds 2 %; alike they would come to 0.7.
   EXPECT_LT(result.gap.noise_floor, 0.05);

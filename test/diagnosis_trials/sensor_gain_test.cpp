@@ -32,7 +32,7 @@ diagnosis::Diagnosis diagnoseWithGain(double gain, const io::ComponentDescriptio
 TEST(SensorGain, IsToldBesideWrongValues) {
   for (const double gain : {0.5, -0.4}) {
     const diagnosis::Diagnosis result = diagnoseWithGain(gain);
-    EXPECT_EQ(result.verdict, "confounded") << result.sentence;
+    EXPECT_EQ(result.verdict, diagnosis::Verdict::confounded) << result.sentence;
     EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
     ASSERT_EQ(result.confounded.size(), 1U);
     EXPECT_THAT(result.confounded[0], ElementsAre("sensor_gain", "parameter_error"));
@@ -50,7 +50,7 @@ TEST(SensorGain, IsToldBesideWrongValues) {
 TEST(SensorGain, IsLessLikelyThanWrongValuesThatSpecificationsHave) {
   for (const double gain : {0.08, -0.12}) {
     const diagnosis::Diagnosis result = diagnoseWithGain(gain);
-    EXPECT_EQ(result.verdict, "parameter_error") << result.sentence;
+    EXPECT_EQ(result.verdict, diagnosis::Verdict::parameter_error) << result.sentence;
     EXPECT_THAT(result.sentence,
                 HasSubstr(gain > 0.0 ? "So would a force channel that reads 8.0 % too much" : "too little"));
   }
@@ -61,7 +61,7 @@ TEST(SensorGain, IsNoneOfAnUnevenError) {
   estimation::Specification specification = wrong.specification();
   specification.set("static_stiffness", 0.85e6);
   wrong.specify(specification);
-  EXPECT_EQ(diagnoseWithGain(0.0, wrong).verdict, "parameter_error");
+  EXPECT_EQ(diagnoseWithGain(0.0, wrong).verdict, diagnosis::Verdict::parameter_error);
 }
 
 TEST(SensorGain, WithinTheToleranceIsNoCause) {
@@ -84,7 +84,7 @@ TEST(SensorGain, IsNamedWhereItDiffersFromLogToLog) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(rigComponent(), {runWithGain("one", 1, 0.1), runWithGain("two", 2, -0.05)},
                        {runWithGain("unseen", 3, 0.1), runWithGain("other", 4, -0.05)});
-  EXPECT_EQ(result.verdict, "named") << result.sentence;
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::named) << result.sentence;
   EXPECT_THAT(result.effects, ElementsAre("sensor_gain"));
   EXPECT_LT(result.gap.augmented, 1.05 * result.gap.noise_floor);
   EXPECT_NEAR((1.0 + gainFound(result, "one")) / (1.0 + gainFound(result, "two")), 1.1 / 0.95, 0.005);

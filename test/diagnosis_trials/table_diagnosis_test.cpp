@@ -88,7 +88,7 @@ TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
   for (const char* model : {kZener, kManyMaxwell}) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       const Diagnosis found = checkedTable(without(model), Laboratory(seed).table(without(model)));
-      EXPECT_EQ(found.verdict, "none") << found.sentence;
+      EXPECT_EQ(found.verdict, diagnosis::Verdict::none) << found.sentence;
       EXPECT_THAT(found.effects, IsEmpty());
     }
   }
@@ -97,7 +97,7 @@ TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
 TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Diagnosis found = checkedTable(without(kZener), Laboratory(seed).table(without(kZenerOff)));
-    EXPECT_EQ(found.verdict, "parameter_error") << found.sentence;
+    EXPECT_EQ(found.verdict, diagnosis::Verdict::parameter_error) << found.sentence;
     // To the noise of the table over the root of its rows, and a few times that.
     for (const SizedValue& size : found.model_sizes) {
       if (size.name == "static_stiffness") {
@@ -134,7 +134,7 @@ TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
     point.loss_angle = std::arg(stiffness);
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_THAT(found.verdict, testing::AnyOf("unknown", "partly")) << found.sentence;
+  EXPECT_THAT(found.verdict, testing::AnyOf(diagnosis::Verdict::unknown, diagnosis::Verdict::partly)) << found.sentence;
 }
 
 // About a preload the even part of a spring shows as well.

@@ -60,7 +60,7 @@ TEST(TemperatureEffect, AComponentThatFollowsTheTemperatureHasNoGap) {
   component.temperature = {"wlf_shift",
                            {{"c1", {6.13}}, {"c2", {146.8}}, {"reference", {20.0}}, {"vertical", {1.0 / 293.15}}}};
   const diagnosis::Diagnosis result = checkedDiagnosis(component, warmingLogs(), {unseenLog()});
-  EXPECT_EQ(result.verdict, "none") << result.sentence;
+  EXPECT_EQ(result.verdict, diagnosis::Verdict::none) << result.sentence;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fit/gram.h"
+#include "numerics/least_squares.h"
 #include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::fit {
@@ -64,6 +65,63 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
     // The same force, so the same rest: 0.1 of 3 but for where the cycles of the two are cut.
     EXPECT_NEAR(heldOut(blocks), heldOut(whole), 0.02 * heldOut(whole));
   }
+}
+
+// What the rig may have added: its zero within a prior, and a slow wave that is entirely free.
+void addRig(log::Record& one) {
+  Eigen::MatrixXd columns(one.size(), 2);
+  columns.col(0).setConstant(0.02);
+  columns.col(1) = 10.0 * Eigen::ArrayXd::LinSpaced(one.size(), 0.0, 3.0).sin();
+  if (one.counts.size() > 0) {
+    columns.array().colwise() *= one.counts.array();
+  }
+  one.nuisances = numerics::whiteningColumns(columns);
+}
+
+// The same blocks whether or not columns were multiplied before, and what Record::withoutRig() leaves of each column.
+TEST(NormalEquations, AreTheSameWithKnownColumns) {
+  std::vector<log::Record> records = {record(0, 0), record(300, 400)};
+  std::vector<double> weights;
+  std::vector<Eigen::VectorXd> base;
+  std::vector<Eigen::VectorXd> displacement;
+  std::vector<Eigen::VectorXd> cubic;
+  for (log::Record& one : records) {
+    addRig(one);
+    weights.push_back(0.7 / one.force_deviation);
+    base.emplace_back(0.1 * one.force);
+    displacement.push_back(one.displacement);
+    cubic.emplace_back(one.displacement.array().cube() + 0.3);
+  }
+  const std::vector<ForceColumn> columns = {std::make_shared<const std::vector<Eigen::VectorXd>>(displacement), nullptr,
+                                            std::make_shared<const std::vector<Eigen::VectorXd>>(cubic)};
+  const KnownColumns known(records, weights, {columns[2]}, 2);
+  const FreeInLog free{true, true};
+  const BlockGrams plain = normalEquations(records, weights, base, columns, free, 1);
+  const BlockGrams faster = normalEquations(records, weights, base, columns, free, 1, &known);
+  ASSERT_EQ(plain.gram.size(), faster.gram.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(plain.gram[0].rows(), plain.gram[0].rows());
+  for (std::size_t b = 0; b < plain.gram.size(); ++b) {
+    EXPECT_LT((plain.gram[b] - faster.gram[b]).cwiseAbs().maxCoeff(), 1e-10) << b;
+    sum += plain.gram[b];
+  }
+  double expected = 0.0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    expected += std::pow(weights[r], 2) *
+                records[r].withoutRig(displacement[r]).dot(records[r].withoutRig(records[r].force - base[r]));
+  }
+  EXPECT_NEAR(sum(0, sum.cols() - 1), expected, 1e-9 * std::abs(expected));
+}
+
+TEST(WhiteningColumns, MakeErrorsAndUnknownsWhite) {
+  Eigen::MatrixXd c = Eigen::MatrixXd::Random(30, 4);
+  c.col(2) = c.col(0) - 2.0 * c.col(1);  // of what others stand for
+  c.col(3) *= 1e3;                       // nearly free
+  const Eigen::MatrixXd n = numerics::whiteningColumns(c);
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(30, 30);
+  const Eigen::MatrixXd root = identity - n * n.transpose();
+  EXPECT_LT((root * (identity + c * c.transpose()) * root - identity).cwiseAbs().maxCoeff(), 1e-6);
+  const Eigen::MatrixXd again = numerics::columnsOfWhitening(n);
+  EXPECT_LT((again * again.transpose() - c * c.transpose()).cwiseAbs().maxCoeff(), 1e-3);  // of a million
 }
 
 // Any number of rows and columns, on any processor, to the last bits of a sum.

@@ -38,7 +38,7 @@ class Piece:
         self.fleet, self.plan = label["fleet"], FLEETS[label["fleet"]]
         self.verdict = row["values"].get("verdict", row["status"])
         self.effects = [e for e in row["values"].get("effects", "").split(", ") if e]
-        self.may_be_values = "parameter_error" in row["values"].get("confounded", "")
+        self.may_be_values = "parameter_error" in row["values"].get("alternatives", "")
         self.changed_to, self.stands_out = None, False
 
     @property

@@ -17,7 +17,6 @@ namespace {
 using diagnosis::Answer;
 using diagnosis::Evidence;
 using diagnosis::HypothesisEvidence;
-using diagnosis::NamedEvidence;
 using diagnosis::SetPosterior;
 using diagnosis::SetProbability;
 using diagnosis::Verdict;
@@ -37,22 +36,22 @@ std::vector<double> anySquares(std::size_t logs) {
 }
 
 // All singles and some pairs, whatever they leave and add.
-NamedEvidence anyEvidence() {
+Evidence anyEvidence() {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
   const int effects = *rc::gen::inRange(1, 6);
-  NamedEvidence named = unexplained(logs, effects, anyGap(5, 400));
+  Evidence evidence = unexplained(logs, effects, anyGap(5, 400));
   for (int effect = 0; effect < effects; ++effect) {
-    named.evidence.hypotheses[static_cast<std::size_t>(Evidence::kFirstSingle + effect)] =
+    evidence.hypotheses[static_cast<std::size_t>(Evidence::kFirstSingle + effect)] =
         fitted({effect}, anySquares(logs), {anySquares(logs)});
   }
   for (int effect = 1; effect < effects; ++effect) {
-    named.evidence.hypotheses.push_back(fitted({0, effect}, anySquares(logs), {anySquares(logs), anySquares(logs)}));
+    evidence.hypotheses.push_back(fitted({0, effect}, anySquares(logs), {anySquares(logs), anySquares(logs)}));
   }
-  return named;
+  return evidence;
 }
 
-SetPosterior posteriorOf(const NamedEvidence& named) {
-  return setPosterior(scoreTable(named), diagnosis::fittedNumbers());
+SetPosterior posteriorOf(const Evidence& evidence) {
+  return setPosterior(scoreTable(evidence), diagnosis::fittedNumbers());
 }
 
 double probabilityOf(const SetPosterior& posterior, const std::vector<int>& members) {
@@ -64,30 +63,32 @@ double probabilityOf(const SetPosterior& posterior, const std::vector<int>& memb
   return 0.0;
 }
 
-bool names(Verdict verdict) {
-  return verdict == Verdict::named || verdict == Verdict::confounded || verdict == Verdict::partly;
-}
-
 RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
-  const NamedEvidence named = anyEvidence();
-  const SetPosterior posterior = posteriorOf(named);
+  const Evidence evidence = anyEvidence();
+  const SetPosterior posterior = posteriorOf(evidence);
   RC_ASSERT(std::abs(posterior.none + posterior.parameter_error + posterior.unknown + posterior.ofSets() - 1.0) < 1e-9);
-  const Answer answer = diagnosis::answer(posterior, named.effects.size());
+  const Answer answer = diagnosis::answer(posterior, evidence.effects.size());
   for (const double probability : answer.candidates) {
     RC_ASSERT(probability >= 0.0 && probability < posterior.ofSets() + 1e-9);
   }
 }
 
-// The sets that cannot be told apart are as few as hold 90 % of all, and the one that is named is among them.
+// The sets that cannot be told apart are as few as hold 90 % of all, and the one that is evidence is among them.
 RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
-  const NamedEvidence named = anyEvidence();
-  const SetPosterior posterior = posteriorOf(named);
-  const Answer answer = diagnosis::answer(posterior, named.effects.size());
-  RC_PRE(names(answer.verdict));
+  const Evidence evidence = anyEvidence();
+  const SetPosterior posterior = posteriorOf(evidence);
+  const Answer answer = diagnosis::answer(posterior, evidence.effects.size());
+  RC_PRE(namesEffects(answer.verdict));
+  const auto improbable = [&](int effect) { return answer.candidates[static_cast<std::size_t>(effect)] < 0.02; };
   double sum = 0.0;
   for (const std::vector<int>& set : answer.confounded) {
     RC_ASSERT(sum < 0.9 * posterior.ofSets());
+    RC_ASSERT(&set == &answer.confounded.front() || std::none_of(set.begin(), set.end(), improbable));
     sum += probabilityOf(posterior, set);
+  }
+  for (const SetProbability& set : posterior.sets) {
+    const bool left_out = std::any_of(set.members.begin(), set.members.end(), improbable);
+    sum += left_out && set.members != answer.confounded.front() ? set.sum() : 0.0;
   }
   RC_ASSERT(sum >= 0.9 * posterior.ofSets() - 1e-9);
   std::vector<int> effects = answer.effects;
@@ -95,18 +96,33 @@ RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   RC_ASSERT(effects == answer.confounded.front());
 }
 
+// What is said is the likeliest of its kind, and the alternatives follow it, the likeliest first.
+RC_GTEST_PROP(AnyEvidence, ListsAlternativesByProbability, ()) {
+  const Evidence evidence = anyEvidence();
+  const Answer answer = diagnosis::answer(evidence);
+  double sum = answer.probability;
+  double last = 1.0;
+  for (const diagnosis::Explained& other : answer.alternatives) {
+    RC_ASSERT(sum < 0.9);
+    RC_ASSERT(other.probability <= last);
+    last = other.probability;
+    sum += last;
+  }
+  RC_ASSERT(sum < 1.0 + 1e-9);
+}
+
 RC_GTEST_PROP(AnyEvidence, SaysTheSameInAnyOrderOfItsLogs, ()) {
-  const NamedEvidence named = anyEvidence();
-  NamedEvidence turned = named;
+  const Evidence evidence = anyEvidence();
+  Evidence turned = evidence;
   const auto turn = [](auto& list) { std::rotate(list.begin(), list.begin() + 1, list.end()); };
-  turn(turned.evidence.logs);
-  for (HypothesisEvidence& hypothesis : turned.evidence.hypotheses) {
+  turn(turned.logs);
+  for (HypothesisEvidence& hypothesis : turned.hypotheses) {
     turn(hypothesis.log_errors);
     for (std::vector<double>& sizes : hypothesis.sizes) {
       turn(sizes);
     }
   }
-  const SetPosterior before = posteriorOf(named);
+  const SetPosterior before = posteriorOf(evidence);
   const SetPosterior after = posteriorOf(turned);
   RC_ASSERT(std::abs(before.unknown - after.unknown) < 1e-9);
   for (const SetProbability& set : before.sets) {
@@ -116,29 +132,29 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameInAnyOrderOfItsLogs, ()) {
 
 // Weights of logs are relative: only what one log counts beside another one matters.
 RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
-  NamedEvidence named = anyEvidence();
-  const SetPosterior before = posteriorOf(named);
+  Evidence evidence = anyEvidence();
+  const SetPosterior before = posteriorOf(evidence);
   const double factor = std::pow(10.0, *rc::gen::inRange(-6, 7));
-  for (diagnosis::LogEvidence& log : named.evidence.logs) {
+  for (diagnosis::LogEvidence& log : evidence.logs) {
     log.weight *= factor;
   }
-  const SetPosterior after = posteriorOf(named);
+  const SetPosterior after = posteriorOf(evidence);
   RC_ASSERT(std::abs(before.ofSets() - after.ofSets()) < 1e-9);
   RC_ASSERT(std::abs(before.none - after.none) < 1e-9);
 }
 
 // What no model run follows is not the answer, however well it does on the other logs.
 RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
-  NamedEvidence named = anyEvidence();
-  HypothesisEvidence& first = named.evidence.hypotheses[Evidence::kFirstSingle];
+  Evidence evidence = anyEvidence();
+  HypothesisEvidence& first = evidence.hypotheses[Evidence::kFirstSingle];
   first.log_errors.back() = std::numeric_limits<double>::infinity();
-  RC_ASSERT(probabilityOf(posteriorOf(named), {0}) == 0.0);
+  RC_ASSERT(probabilityOf(posteriorOf(evidence), {0}) == 0.0);
 }
 
 RC_GTEST_PROP(AnEffectThatRemovesNothing, IsNeverNamed, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
-  const NamedEvidence named = unexplained(logs, *rc::gen::inRange(1, 25), anyGap(4, 500));
-  RC_ASSERT(!names(diagnosis::answer(named).verdict));
+  const Evidence evidence = unexplained(logs, *rc::gen::inRange(1, 25), anyGap(4, 500));
+  RC_ASSERT(!namesEffects(diagnosis::answer(evidence).verdict));
 }
 
 // Two effects of the same kind, of which one leaves less: the more blocks say so, the surer it is.
@@ -148,21 +164,21 @@ RC_GTEST_PROP(MoreData, IsSurer, ()) {
   const double worse = better * (1.0 + 0.01 * *rc::gen::inRange(10, 60));
   const int blocks = *rc::gen::inRange(20, 200);
   const auto odds = [&](int of_blocks) {
-    NamedEvidence named = unexplained(5, 2, left, static_cast<std::size_t>(of_blocks));
-    explain(named, 0, better);
-    explain(named, 1, worse);
-    const SetPosterior posterior = posteriorOf(named);
+    Evidence evidence = unexplained(5, 2, left, static_cast<std::size_t>(of_blocks));
+    explain(evidence, 0, better);
+    explain(evidence, 1, worse);
+    const SetPosterior posterior = posteriorOf(evidence);
     return std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1}));
   };
   RC_ASSERT(odds(blocks) > 0.0);
   RC_ASSERT(odds(4 * blocks) > odds(blocks));
 }
 
-// An effect that explains a gap down to the noise is named, and nothing beside it.
+// An effect that explains a gap down to the noise is evidence, and nothing beside it.
 RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
-  NamedEvidence named = unexplained(5, *rc::gen::inRange(2, 20), anyGap(80, 400));
-  explain(named, 1, anyGap(3, 6));
-  const Answer answer = diagnosis::answer(named);
+  Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), anyGap(80, 400));
+  explain(evidence, 1, anyGap(3, 6));
+  const Answer answer = diagnosis::answer(evidence);
   RC_ASSERT(answer.verdict == Verdict::named);
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
@@ -170,9 +186,9 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
 // An effect whose force is twice that of something that the list lacks: four fifths of the square of the gap are its.
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
-  NamedEvidence named = unexplained(5, *rc::gen::inRange(2, 20), left);
-  explain(named, 1, std::sqrt(0.2) * left);
-  const Answer answer = diagnosis::answer(named);
+  Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);
+  explain(evidence, 1, std::sqrt(0.2) * left);
+  const Answer answer = diagnosis::answer(evidence);
   RC_ASSERT(answer.verdict == Verdict::partly);
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }

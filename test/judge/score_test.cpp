@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "diagnosis/judge/answer.h"
+#include "diagnosis/judge/evidence_json.h"
 #include "judge/made_evidence.h"
 
 namespace rubber_suspension::test {
@@ -14,21 +17,20 @@ namespace {
 
 using diagnosis::Evidence;
 using diagnosis::JudgeNumbers;
-using diagnosis::NamedEvidence;
 
 TEST(ScoreTable, RefusesEvidenceWithoutLogs) {
-  NamedEvidence named = unexplained(3, 2, 0.1);
-  named.evidence.logs.clear();
-  EXPECT_THROW(scoreTable(named), std::invalid_argument);
-  named = unexplained(3, 2, 0.1);
-  named.evidence.hypotheses.back().sizes.clear();
-  EXPECT_THROW(scoreTable(named), std::invalid_argument);
+  Evidence evidence = unexplained(3, 2, 0.1);
+  evidence.logs.clear();
+  EXPECT_THROW(scoreTable(evidence), std::invalid_argument);
+  evidence = unexplained(3, 2, 0.1);
+  evidence.hypotheses.back().sizes.clear();
+  EXPECT_THROW(scoreTable(evidence), std::invalid_argument);
 }
 
 // One log, so that nothing is shrunk: the weights are those of the equations in score.h, computed here by hand.
 TEST(LogWeights, AreThoseOfTheEquations) {
-  NamedEvidence named = unexplained(1, 1, 0.1, 50);
-  explain(named, 0, 0.02);
+  Evidence evidence = unexplained(1, 1, 0.1, 50);
+  explain(evidence, 0, 0.02);
   JudgeNumbers numbers;
   numbers.sharpness = 6.0;
   numbers.tails = 3.0;
@@ -39,7 +41,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   numbers.per_number = 0.2;
   numbers.rest = -2.0;
   numbers.effect = -3.0;
-  const diagnosis::LogWeights weights = logWeights(scoreTable(named), numbers);
+  const diagnosis::LogWeights weights = logWeights(scoreTable(evidence), numbers);
   const double r2 = 0.02 * 0.02 - kFloor * kFloor;
   const double s2 = std::pow(0.5 * kFloor, 2) + 0.01 * 0.01 + 0.1 * 0.1 * (0.1 * 0.1 - 0.02 * 0.02);
   const double prior = -3.0 - 0.2 * std::log1p(5.0);
@@ -48,15 +50,31 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   EXPECT_NEAR(weights.beside[Evidence::kFirstSingle], -3.0 * (std::log(std::max(r2, s2)) + 1.0) - 2.0 + prior, 1e-9);
 }
 
+// A file of evidence holds all that the judgement takes, what no model run follows included.
+TEST(EvidenceJson, IsReadAsItWasWritten) {
+  Evidence evidence = unexplained(3, 2, 0.1);
+  explain(evidence, 1, 0.01);
+  evidence.logs.back().unseen = true;
+  evidence.hypotheses.back().free_gains = true;
+  evidence.hypotheses[2].log_errors[1] = std::numeric_limits<double>::infinity();
+  const Evidence read = diagnosis::parseEvidence(toJson(evidence));
+  EXPECT_EQ(toJson(read), toJson(evidence));
+  EXPECT_TRUE(std::isinf(read.hypotheses[2].log_errors[1]));
+  EXPECT_EQ(diagnosis::answer(read).candidates, diagnosis::answer(evidence).candidates);
+  for (const char* text : {"", "{}", "[]", R"({"schema": "rubber_suspension/evidence/2"})"}) {
+    EXPECT_THROW(diagnosis::parseEvidence(text), std::invalid_argument) << text;
+  }
+}
+
 // Hold-out logs are further logs: a law that fails on them is not the answer.
 TEST(LogWeights, CountUnseenLogs) {
-  NamedEvidence named = unexplained(4, 1, 0.1);
-  explain(named, 0, 0.004);
+  Evidence evidence = unexplained(4, 1, 0.1);
+  explain(evidence, 0, 0.004);
   const JudgeNumbers numbers;
-  const double before = logWeights(scoreTable(named), numbers).alone[Evidence::kFirstSingle];
-  named.evidence.logs.back().unseen = true;
-  named.evidence.hypotheses.back().log_errors.back() = 0.1 * 0.1;
-  EXPECT_LT(logWeights(scoreTable(named), numbers).alone[Evidence::kFirstSingle], before - 1.0);
+  const double before = logWeights(scoreTable(evidence), numbers).alone[Evidence::kFirstSingle];
+  evidence.logs.back().unseen = true;
+  evidence.hypotheses.back().log_errors.back() = 0.1 * 0.1;
+  EXPECT_LT(logWeights(scoreTable(evidence), numbers).alone[Evidence::kFirstSingle], before - 1.0);
 }
 
 TEST(JudgeNumbers, AreEachInTheTableOnce) {

@@ -99,9 +99,9 @@ diagnosis::BlockErrors block(int second, double configured, double augmented = s
 
 TEST(LiveJudgement, NamesAnEffectOnceTheBlocksConfirmItAndTellsTheOnset) {
   LiveJudgement judgement;
-  EXPECT_EQ(judgement.now().verdict, "watching");
-  judgement.addLook({"none", {}});
-  EXPECT_EQ(judgement.now().verdict, "none");
+  EXPECT_EQ(judgement.now().verdict, std::nullopt);
+  judgement.addLook({diagnosis::Verdict::none, {}});
+  EXPECT_EQ(judgement.now().verdict, diagnosis::Verdict::none);
   const std::vector<double> noise = steps({{200, 1.0}}, 0.05, 3);
   for (int i = 0; i < 100; ++i) {
     judgement.addBlock(block(i, 10.0 * noise[static_cast<std::size_t>(i)]));
@@ -109,15 +109,15 @@ TEST(LiveJudgement, NamesAnEffectOnceTheBlocksConfirmItAndTellsTheOnset) {
   for (int i = 100; i < 120; ++i) {
     judgement.addBlock(block(i, 30.0 * noise[static_cast<std::size_t>(i)]));
   }
-  judgement.addLook({"named", {"friction"}});
-  EXPECT_EQ(judgement.now().verdict, "watching") << "a look alone names nothing";
+  judgement.addLook({diagnosis::Verdict::named, {"friction"}});
+  EXPECT_EQ(judgement.now().verdict, std::nullopt) << "a look alone names nothing";
   for (int i = 120; i < 145; ++i) {
     judgement.addBlock(block(i, 30.0 * noise[static_cast<std::size_t>(i)], 11.0));
   }
-  EXPECT_EQ(judgement.now().verdict, "watching");
+  EXPECT_EQ(judgement.now().verdict, std::nullopt);
   judgement.addBlock(block(145, 30.0, 11.0));
   const diagnosis::LiveVerdict verdict = judgement.now();
-  EXPECT_EQ(verdict.verdict, "named");
+  EXPECT_EQ(verdict.verdict, diagnosis::Verdict::named);
   EXPECT_THAT(verdict.effects, ElementsAre("friction"));
   ASSERT_TRUE(verdict.since);
   EXPECT_NEAR(static_cast<double>(*verdict.since), 100.0 * kSecond, 3.0 * kSecond);
@@ -125,11 +125,11 @@ TEST(LiveJudgement, NamesAnEffectOnceTheBlocksConfirmItAndTellsTheOnset) {
 
 TEST(LiveJudgement, AGapFromTheBeginOnHasNoOnset) {
   LiveJudgement judgement;
-  judgement.addLook({"named", {"friction"}});
+  judgement.addLook({diagnosis::Verdict::named, {"friction"}});
   for (int i = 0; i < 60; ++i) {
     judgement.addBlock(block(i, 30.0 + i % 3, 11.0));
   }
-  EXPECT_EQ(judgement.now().verdict, "named");
+  EXPECT_EQ(judgement.now().verdict, diagnosis::Verdict::named);
   EXPECT_FALSE(judgement.now().since);
 }
 
@@ -137,36 +137,37 @@ TEST(LiveJudgement, AnEffectThatDoesNotPredictIsNotNamed) {
   LiveJudgement judgement;
   for (int i = 0; i < 100000; ++i) {
     if (i % 60 == 0) {
-      judgement.addLook({"named", {"creep"}});
+      judgement.addLook({diagnosis::Verdict::named, {"creep"}});
     }
     judgement.addBlock(block(i, 10.0, i % 2 == 0 ? 9.9 : 10.1));  // as often better as worse
   }
-  EXPECT_EQ(judgement.now().verdict, "watching");
+  EXPECT_EQ(judgement.now().verdict, std::nullopt);
   EXPECT_THAT(judgement.now().effects, IsEmpty());
 }
 
 TEST(LiveJudgement, ANameIsTakenBackByTwoLooksThatAgree) {
   LiveJudgement judgement;
-  judgement.addLook({"named", {"friction"}});
+  judgement.addLook({diagnosis::Verdict::named, {"friction"}});
   for (int i = 0; i < 40; ++i) {
     judgement.addBlock(block(i, 30.0, 11.0));
   }
-  judgement.addLook({"none", {}});
-  EXPECT_EQ(judgement.now().verdict, "named");
-  judgement.addLook({"partly", {"friction", "creep"}});
+  judgement.addLook({diagnosis::Verdict::none, {}});
+  EXPECT_EQ(judgement.now().verdict, diagnosis::Verdict::named);
+  judgement.addLook({diagnosis::Verdict::partly, {"friction", "creep"}});
   EXPECT_THAT(judgement.now().effects, ElementsAre("friction", "creep"));
-  judgement.addLook({"none", {}});
-  EXPECT_EQ(judgement.now().verdict, "partly");
-  judgement.addLook({"none", {}});
-  EXPECT_EQ(judgement.now().verdict, "none");
+  judgement.addLook({diagnosis::Verdict::none, {}});
+  EXPECT_EQ(judgement.now().verdict, diagnosis::Verdict::partly);
+  judgement.addLook({diagnosis::Verdict::none, {}});
+  EXPECT_EQ(judgement.now().verdict, diagnosis::Verdict::none);
   EXPECT_EQ(judgement.now().evidence, 1.0);
 }
 
 TEST(LiveJudgement, OtherVerdictsNeedTwoLooks) {
-  for (const char* verdict : {"parameter_error", "unknown", "check_bench"}) {
+  for (const auto verdict :
+       {diagnosis::Verdict::parameter_error, diagnosis::Verdict::unknown, diagnosis::Verdict::check_bench}) {
     LiveJudgement judgement;
     judgement.addLook({verdict, {}});
-    EXPECT_EQ(judgement.now().verdict, "watching");
+    EXPECT_EQ(judgement.now().verdict, std::nullopt);
     judgement.addLook({verdict, {}});
     EXPECT_EQ(judgement.now().verdict, verdict);
   }
@@ -174,7 +175,7 @@ TEST(LiveJudgement, OtherVerdictsNeedTwoLooks) {
 
 TEST(LiveJudgement, StandstillSaysNothing) {
   LiveJudgement judgement;
-  judgement.addLook({"named", {"friction"}});
+  judgement.addLook({diagnosis::Verdict::named, {"friction"}});
   judgement.addBlock(block(0, 30.0, 11.0));
   const double evidence = judgement.now().evidence;
   for (int i = 1; i < 100; ++i) {

@@ -174,13 +174,29 @@ TEST(RigModel, FindsTheSameTheOtherWayRound) {
   }
 }
 
-// A zero that is a cause is not free, and a log that starts at rest has nothing else that is.
-TEST(FreeNuisances, AreNoneWhereTheZeroIsACause) {
+TEST(InitialStates, AreNoneOfALogThatStartsAtRest) {
   const log::Record record = prepareLog(runRig(allRigs(1).front()).log).record;
-  ASSERT_EQ(freeNuisances({record}, {}, false, {record.force}, {}).front().cols(), 1);
-  const Eigen::MatrixXd none = freeNuisances({record}, {}, true, {record.force}, {}).front();
+  const Eigen::MatrixXd none = initialStates({record}, {}, {record.force}, {}).front();
   EXPECT_EQ(none.rows(), record.size());
   EXPECT_EQ(none.cols(), 0);
+}
+
+// A ramp from the first sample on, as a relaxation test has it: it moves at once, but from rest and without force.
+TEST(RigModel, ARampFromRestDoesNotStartInMotion) {
+  log::Log log;
+  log.name = "ramp";
+  for (int i = 0; i < 4000; ++i) {
+    const double z = 1e-3 * std::min(1.0, i / 200.0);
+    const double relaxing = 0.3 * std::exp(-std::max(0, i - 200) / 500.0);
+    log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
+    log.displacement.push_back(z);
+    log.force.push_back(1e6 * z * (1.0 + relaxing));
+  }
+  EXPECT_FALSE(startsInMotion(log::makeRecord(log)));
+  for (double& force : log.force) {
+    force += 300.0;  // a motion before may have left it
+  }
+  EXPECT_TRUE(startsInMotion(log::makeRecord(log)));
 }
 
 // A ramp that the recording begins in, then a hold: the start does not count, but the log's force is that of all of it.

@@ -89,7 +89,7 @@ class SixDirectionsState {
   void copyFrom(const SixDirectionsState& other);
 
   /// Coordinates at the last sample [m, rad].
-  const SixNumbers& coordinates() const { return coordinates_; }
+  SixNumbers coordinates() const { return SixNumbers(coordinates_.data()); }
 
   /// All that it remembers, for SixDirections::restore().
   std::vector<double> numbers() const;
@@ -97,9 +97,9 @@ class SixDirectionsState {
  private:
   friend class SixDirections;
 
-  std::vector<ComponentState> directions_;  // of those that are not free
-  std::vector<double> coupled_;             // memory of what acts by the radius
-  SixNumbers coordinates_ = SixNumbers::Zero();
+  std::array<ComponentState, kDirections> directions_;  // of those that are not free
+  std::vector<double> coupled_;                         // memory of what acts by the radius
+  std::array<double, kDirections> coordinates_{};
 };
 
 class RadialCoupling;
@@ -179,12 +179,7 @@ class SixDirections {
   void restore(SixDirectionsState& state, const std::vector<double>& numbers) const;
 
  private:
-  // A direction that is not free.
-  struct Placed {
-    Direction direction;
-    Component component;
-    double damping;  // of the dashpots that answer to a twist [N s/m]
-  };
+  using Coordinates = std::array<double, kDirections>;
 
   // Where the bush stands at a pose.
   struct Place {
@@ -192,27 +187,30 @@ class SixDirections {
     RotationCoordinates rotation;
     Eigen::Vector3d arm;  // from B's origin to the bush on B, in A's axes [m]
 
-    SixNumbers coordinates() const {
-      SixNumbers numbers;
-      numbers << translation, rotation.value;
-      return numbers;
+    Coordinates coordinates() const {
+      const Eigen::Vector3d& turn = rotation.value;
+      return {translation.x(), translation.y(), translation.z(), turn.x(), turn.y(), turn.z()};
     }
   };
 
   void couple(std::vector<Direction> directions, SixElements& elements);
-  void initialiseCoupled(SixDirectionsState& state, BushForce& force) const;
+  BushForce start(SixDirectionsState& state, const Place& place, bool as_new) const;
   Place placeAt(const Eigen::Isometry3d& pose) const;
+  Place framedPlaceAt(const Eigen::Isometry3d& pose) const;
   SixNumbers ratesOf(const Place& place, const Twist& twist) const;
-  void stepDirections(SixDirectionsState& state, double dt, const SixNumbers& coordinates, BushForce& force) const;
+  void stepCoupled(SixDirectionsState& state, double dt, Coordinates coordinates, BushForce& force) const;
+  BushForce stepInline(SixDirectionsState& state, double dt, const Coordinates& coordinates) const;
+  BushForce stepDirections(SixDirectionsState& state, double dt, const Coordinates& coordinates) const;
   void addDamping(const SixNumbers& rates, BushForce& force) const;
-  Wrench wrenchOf(const Place& place, const SixNumbers& forces) const;
+  Wrench carriedToB(const Wrench& wrench, const Eigen::Vector3d& arm) const;
   void complete(const Place& place, BushForce& force) const;
   Eigen::Matrix<double, 6, 6> coordinateJacobian(const Place& place) const;
   Eigen::Matrix3d turningMoment(const Place& place, const Eigen::Vector3d& moments) const;
 
   SixDirectionsLaws laws_;
   bool framed_;  // the bush does not sit at the origins of the bodies, along their axes
-  std::vector<Placed> directions_;
+  std::array<std::optional<Component>, kDirections> directions_;  // nothing: free, or all of it is coupled
+  std::array<double, kDirections> damping_{};                     // of dashpots that answer to a twist [N s/m]
   std::vector<std::shared_ptr<const RadialCoupling>> couplings_;
   std::size_t coupled_size_ = 0;  // of their memory
 };

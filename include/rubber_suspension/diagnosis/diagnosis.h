@@ -16,6 +16,7 @@
 #include "rubber_suspension/diagnosis/could_show.h"
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 #include "rubber_suspension/diagnosis/posterior.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/fit/measured_table.h"
 #include "rubber_suspension/gap/where.h"
@@ -34,8 +35,8 @@ struct DiagnosisOptions {
   int threads = 2;
   /// Called with the stage's name and the fraction done.
   std::function<void(const std::string& stage, double fraction)> progress;
-  unsigned seed = 1;  ///< of the resampling for intervals
-  int resamplings = 400;
+  unsigned seed = 1;        ///< of the draws for intervals
+  int resamplings = 400;    ///< draws
   ExperimentLimits limits;  ///< of the experiment that is proposed
   bool evidence = false;    ///< the report holds the evidence, too: errors of every hypothesis on all hold-outs
   std::uint64_t available_memory = 0;  ///< that it may take [bytes]; 0: what the system has left for this process
@@ -48,15 +49,22 @@ struct CandidateResult {
   std::string effect;
   std::string documentation;
   bool on_rig = false;
-  double probability = 0.0;  ///< that this is the (most important) effect
+  double probability = 0.0;  ///< of all sets that hold this effect
   double gap = 0.0;          ///< held out, with this effect alone added
   double closed = 0.0;       ///< fraction of the closable gap
-  /// 95 % interval of `closed`: on these logs, of the effect named alone on further logs.
+  /// 95 % interval of `closed` on further logs of the same rig.
   std::array<double, 2> interval{};
   bool testable = false;       ///< a typical size of it would be visible in these logs, or what was fitted is
   double visible_share = 0.0;  ///< of a typical effect's force, the part that re-estimation does not hide [-]
   std::map<std::string, double> parameters;
   std::vector<element::ElementDescription> add;  ///< its entries for a component file
+};
+
+/// An explanation of the logs beside the one that is told.
+struct Alternative {
+  Verdict verdict = Verdict::none;   ///< `named` for a set of effects
+  std::vector<std::string> effects;  ///< the set
+  double probability = 0.0;
 };
 
 /// RMS of measured minus simulated force over the standard deviation of the measured force, on data that took no part
@@ -132,7 +140,8 @@ struct SizedValue {
   std::string unit;                                              ///< SI; "1" for none
   double configured = std::numeric_limits<double>::quiet_NaN();  ///< not a number where the component file has none
   double value = 0.0;
-  std::array<double, 2> interval_95{};  ///< by resampling blocks of the logs
+  std::array<double, 2> interval_95{};  ///< posterior predictive: logs, form of the law and choice of the law
+  std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
 };
 
 /// An experiment to play on the bench.
@@ -184,7 +193,8 @@ struct Workings;       // what the report draws and lists besides: every hypothe
 /// What a diagnosis found.
 struct Diagnosis {
   std::string component;
-  std::string verdict;               ///< none, parameter_error, named, confounded, unknown, partly or check_bench
+  Verdict verdict = Verdict::none;
+  double probability = 0.0;          ///< of the verdict; where effects are named, of their set
   std::string sentence;              ///< the verdict for an engineer
   std::vector<std::string> effects;  ///< named, most important first
   Gap gap;                           ///< what the rig did to each log taken out
@@ -195,9 +205,9 @@ struct Diagnosis {
   double closed = 0.0;  ///< fraction of the closable gap
   /// 95 %, of further logs of the same rig where effects are named.
   std::array<double, 2> closed_interval{};
-  std::vector<std::vector<std::string>>
-      confounded;                           ///< for each effect named, what these logs cannot tell from it: other
-                                            ///< effects, and `parameter_error` for the model's own values
+  /// Where effects are named: the sets of effects that make 90 % of all, the likeliest first.
+  std::vector<std::vector<std::string>> confounded;
+  std::vector<Alternative> alternatives;    ///< what else may be right, the likeliest first
   std::vector<CandidateResult> candidates;  ///< most probable first
   Posterior posterior;                      ///< of the answers; the verdict's is the largest
   std::vector<gap::GapCell> where;

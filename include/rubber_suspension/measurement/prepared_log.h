@@ -25,12 +25,10 @@ PreparedLog prepareLog(const log::Log& log);
 /// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.
 PreparedLog preparePiece(const log::Log& log);
 
-/// What the rig may have added to the force of each record, as orthonormal columns for Record::nuisances: the force's
-/// zero unless `zero_counts`, and, where the log starts in motion, what decays from before it and what motions before
-/// it would have left in a component (its friction, above all). A tolerance of 0 takes the column out. `simulated`:
-/// force of that component over the records [N]; `simulate`: over other displacements.
-std::vector<Eigen::MatrixXd> freeNuisances(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
-                                           bool zero_counts, const std::vector<Eigen::VectorXd>& simulated,
-                                           const Simulate& simulate);
+/// Orthonormal columns of what a motion before each record may have left in a component: where the log starts in motion,
+/// what decays, and what motions before it would have left (in its friction, above all). A tolerance of 0 takes them
+/// out. `simulated`: force of that component over the records [N]; `simulate`: over other displacements.
+std::vector<Eigen::MatrixXd> initialStates(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+                                           const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate);
 
 }  // namespace rubber_suspension::measurement

@@ -61,7 +61,8 @@ struct RigFit {
 using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 
 /// True where a record may start while the machine runs: at speed or at a turning point, by how the way grows at first.
-/// A ramp from rest may look the same; then nothing is found to be left from before.
+/// Not where it starts at 0 without force, as a ramp from rest does. Of what is left from before, the force at the first
+/// samples is the bound.
 bool startsInMotion(const log::Record& record);
 
 /// A signal that comes later by so many samples, by cubic interpolation; held at its ends.

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 
-#include "diagnosis/judge/judge.h"
-#include "diagnosis/judge/weighing.h"
+#include "diagnosis/judge/answer.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
@@ -25,30 +26,31 @@ const char* outcomeName(Outcome outcome) {
 
 HypothesisEvidence evidenceOf(const Leaves& leaves, double noise, double size) {
   HypothesisEvidence evidence;
-  evidence.held_out = std::hypot(noise, size * leaves.gap);
+  evidence.log_errors = {noise * noise + std::pow(size * leaves.gap, 2)};
   evidence.penalty = size * leaves.penalty;
-  evidence.largest_change = size * leaves.change;
   return evidence;
 }
 
-Outcome outcomeOf(const Judgement& judgement, int effect) {
-  if (judgement.effects.empty()) {
-    return judgement.verdict == Verdict::unknown ? Outcome::unexplained : Outcome::out_of_reach;
+bool has(const std::vector<int>& effects, int effect) {
+  return std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
+Outcome outcomeOf(const Answer& answer, int effect) {
+  if (answer.effects.empty()) {
+    return answer.verdict == Verdict::unknown ? Outcome::unexplained : Outcome::out_of_reach;
   }
-  for (std::size_t i = 0; i < judgement.effects.size(); ++i) {
-    const std::vector<int>& set = judgement.confounded[i];
-    if (std::find(set.begin(), set.end(), effect) != set.end()) {
-      return set.size() == 1 && !judgement.values_would_do ? Outcome::found : Outcome::confounded;
-    }
+  if (has(answer.effects, effect) && answer.verdict != Verdict::confounded) {
+    return Outcome::found;
   }
-  return Outcome::taken_for;
+  const bool listed = std::any_of(answer.confounded.begin(), answer.confounded.end(),
+                                  [&](const std::vector<int>& set) { return has(set, effect); });
+  return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
 // The implants of one effect.
 class EffectRow {
  public:
-  EffectRow(const Search& search, const Criteria& criteria, int effect)
-      : search_(search), criteria_(criteria), effect_(effect) {
+  EffectRow(const Search& search, int effect) : search_(search), effect_(effect) {
     for (const Implant& implant : search.implants) {
       if (implant.effect == effect) {
         implants_.push_back(&implant);
@@ -71,15 +73,12 @@ class EffectRow {
     std::map<int, double> in_its_place;
     for (const Implant* implant : implants_) {
       row.visible_share = std::max(row.visible_share, implant->hidden_by_rig ? 0.0 : implant->model.gap);
-      const Judgement judgement = judgementOf(*implant, size);
-      outcomes[outcomeOf(judgement, effect_)] += share;
-      (judgement.effects.empty() ? row.nothing_named
-                                 : row.named_as[static_cast<std::size_t>(judgement.effects.front())]) += share;
-      for (const int other : othersOf(judgement)) {
+      const Answer answer = answerTo(*implant, size);
+      outcomes[outcomeOf(answer, effect_)] += share;
+      (answer.effects.empty() ? row.nothing_named : row.named_as[static_cast<std::size_t>(answer.effects.front())]) +=
+          share;
+      for (const int other : othersOf(answer)) {
         in_its_place[other] += share;
-      }
-      if (judgement.values_would_do) {
-        in_its_place[kWrongValues] += share;
       }
     }
     row.outcome = outcomeName(std::max_element(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) {
@@ -98,24 +97,21 @@ class EffectRow {
                                   : search_.candidates[static_cast<std::size_t>(effect)].effect;
   }
 
-  // What values do as well takes nothing but their place.
-  Judgement judgementOf(const Implant& implant, double size) const {
-    if (implant.hidden_by_rig) {
-      return {};
-    }
-    Judgement judgement = judge(diagnosis::evidenceOf(search_, implant, size), criteria_);
-    const bool named = !judgement.effects.empty() && judgement.effects.front() != effect_;
-    if (named && search_.candidates[static_cast<std::size_t>(judgement.effects.front())].like_parameters) {
-      judgement.withdraw(Verdict::parameter_error, Evidence::kReEstimated);
-    }
-    return judgement;
+  Answer answerTo(const Implant& implant, double size) const {
+    return implant.hidden_by_rig ? Answer{} : answer(diagnosis::evidenceOf(search_, implant, size));
   }
 
-  // Named, or in the set of what is.
-  std::vector<int> othersOf(const Judgement& judgement) const {
-    std::vector<int> others;
-    for (const std::vector<int>& set : judgement.confounded) {
-      std::copy_if(set.begin(), set.end(), std::back_inserter(others), [&](int other) { return other != effect_; });
+  // Named, or in a set of what may be; wrong values where they may be at work instead.
+  std::set<int> othersOf(const Answer& answer) const {
+    std::set<int> others;
+    for (const std::vector<int>& set : answer.confounded) {
+      std::copy_if(set.begin(), set.end(), std::inserter(others, others.end()),
+                   [&](int other) { return other != effect_; });
+    }
+    const bool values = std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
+                                    [](const Explained& e) { return e.verdict == Verdict::parameter_error; });
+    if (values && !answer.effects.empty()) {
+      others.insert(kWrongValues);
     }
     return others;
   }
@@ -139,7 +135,7 @@ class EffectRow {
   bool halfIsFound(double size) const {
     std::size_t found = 0;
     for (const Implant* implant : implants_) {
-      const Outcome outcome = outcomeOf(judgementOf(*implant, size), effect_);
+      const Outcome outcome = outcomeOf(answerTo(*implant, size), effect_);
       found += outcome == Outcome::found || outcome == Outcome::confounded ? 1 : 0;
     }
     return 2 * found >= implants_.size();
@@ -159,7 +155,6 @@ class EffectRow {
   }
 
   const Search& search_;
-  const Criteria& criteria_;
   int effect_;
   std::vector<const Implant*> implants_;
 };
@@ -168,27 +163,25 @@ class EffectRow {
 
 Evidence evidenceOf(const Search& search, const Implant& implant, double size) {
   Evidence evidence;
-  evidence.noise_floor = search.noise;
-  evidence.discretisation = search.discretisation;
-  evidence.testable = search.testable;
+  evidence.logs = {{search.noise, 0.0, 1.0, false, implant.blocks}};
   evidence.hypotheses.push_back(evidenceOf(Leaves{}, search.noise, size));
   evidence.hypotheses.push_back(evidenceOf(implant.model, search.noise, size));
-  evidence.element_level = evidence.hypotheses.back().held_out;
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     const fit::Candidate& candidate = search.candidates[c];
     HypothesisEvidence single = evidenceOf(implant.singles[c], search.noise, size);
     single.members = {static_cast<int>(c)};
+    single.sizes = {{std::pow(size * implant.singles[c].added, 2)}};
     single.terms = candidate.terms.size();
     single.free_trends = candidate.free_in_log.trend;
     single.free_gains = candidate.free_in_log.gain;
-    single.last_resort = candidate.last_resort;
-    single.like_parameters = candidate.like_parameters;
     evidence.hypotheses.push_back(std::move(single));
+    evidence.effects.push_back(candidate.effect);
+    evidence.on_rig.push_back(candidate.on_rig);
   }
   return evidence;
 }
 
-CouldShow couldShow(const Search& search, double size, const std::string& why, const Criteria& criteria) {
+CouldShow couldShow(const Search& search, double size, const std::string& why) {
   CouldShow table;
   table.size = size;
   table.force = size * search.excitation.force;
@@ -196,19 +189,18 @@ CouldShow couldShow(const Search& search, double size, const std::string& why, c
   table.noise = search.noise;
   for (std::size_t c = 0; c < search.candidates.size(); ++c) {
     table.effects.push_back(search.candidates[c].effect);
-    table.implanted.push_back(EffectRow(search, criteria, static_cast<int>(c)).at(size));
+    table.implanted.push_back(EffectRow(search, static_cast<int>(c)).at(size));
   }
   return table;
 }
 
-CouldShow couldShow(const Search& search, const Criteria& criteria) {
+CouldShow couldShow(const Search& search) {
   constexpr double kOfGap = 1.0 / 3.0;
   constexpr double kOfForce = 0.1;
-  const double gap = gap::residualAboveFloor(search.configured_gap, criteria.floor_margin * search.noise);
-  const double least = std::max(criteria.within_noise * search.noise, criteria.insignificant_gap);
-  return kOfGap * gap > least
-             ? couldShow(search, kOfGap * gap, "a third of the gap", criteria)
-             : couldShow(search, kOfForce, "10 % of the force, since there is next to no gap", criteria);
+  const double gap = gap::residualAboveFloor(search.configured_gap, search.noise);
+  return kOfGap * gap > std::max(fittedNumbers().accepted, search.noise)
+             ? couldShow(search, kOfGap * gap, "a third of the gap")
+             : couldShow(search, kOfForce, "10 % of the force, since there is next to no gap");
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,7 +3,7 @@
 
 #include "diagnosis/experiment/implant.h"
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/criteria.h"
+#include "diagnosis/judge/evidence.h"
 #include "rubber_suspension/diagnosis/could_show.h"
 
 namespace rubber_suspension::diagnosis {
@@ -12,9 +12,9 @@ namespace rubber_suspension::diagnosis {
 Evidence evidenceOf(const Search& search, const Implant& implant, double size);
 
 /// The table of all implants of a search at a size (a gap), judged as logs are.
-CouldShow couldShow(const Search& search, double size, const std::string& why, const Criteria& criteria);
+CouldShow couldShow(const Search& search, double size, const std::string& why);
 
 /// The same at a third of the gap above the noise; where there is none, at 10 % of the force.
-CouldShow couldShow(const Search& search, const Criteria& criteria);
+CouldShow couldShow(const Search& search);
 
 }  // namespace rubber_suspension::diagnosis

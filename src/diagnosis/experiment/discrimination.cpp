@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "diagnosis/judge/numbers.h"
 #include "fit/bounded_least_squares.h"
 #include "fit/hypothesis_forces.h"
 #include "fit/parallel.h"
@@ -51,14 +52,12 @@ double rms(const Eigen::VectorXd& values) {
 }  // namespace
 
 Discriminator::Discriminator(const fit::Fitter& fitter, const Search& search,
-                             const std::vector<Explanation>& explanations, const Criteria& criteria, double force_limit,
-                             int threads)
+                             const std::vector<Explanation>& explanations, double force_limit, int threads)
     : fitter_(fitter),
       search_(search),
       explanations_(explanations),
-      criteria_(criteria),
       noise_{std::max(search.noise, kLeastNoise) * search.excitation.force,
-             std::max(criteria.insignificant_gap, search.discretisation)},
+             std::max(fittedNumbers().accepted, search.discretisation)},
       force_limit_(force_limit),
       threads_(threads),
       played_(fitter.records()) {}
@@ -219,16 +218,12 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
   result.experiment = played_.motions()[motion];
   for (std::size_t right = 0; right < explanations_.size(); ++right) {
     const double deviation = rms(withoutZero(says_[right].force[motion]));
-    const double noise = noise_.force / deviation;
-    const auto joined = [&](double before, double now) {
-      return std::sqrt((logs * before * before + now * now) / (logs + 1.0));
-    };
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = right;
     std::vector<double> left;
     for (std::size_t wrong = 0; wrong < explanations_.size(); ++wrong) {
       const double off = wrong == right ? 0.0 : leftAfterRefit(right, wrong, motion);
-      left.push_back(joined(explanations_[wrong].fitted->fit.score(), std::hypot(noise, off / deviation)));
+      left.push_back(std::pow(off / deviation, 2));
       if (wrong != right && off < least) {
         least = off;
         nearest = wrong;
@@ -237,8 +232,7 @@ Discrimination Discriminator::weigh(std::size_t motion) const {
     const double probability = explanations_[right].probability;
     result.difference = right == 0 ? least : result.difference;
     result.floors += probability * std::min(kMostFloors, least / floorOf(deviation));
-    result.probability += probability * probabilitiesOf(left, joined(search_.noise, noise),
-                                                        search_.re_estimated.fit.held_out, criteria_)[right];
+    result.probability += probability * updated(explanations_, left, logs)[right];
     result.nearest = right == 0 ? nearest : result.nearest;
   }
   return result;

@@ -32,7 +32,7 @@ class Discriminator {
  public:
   /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
   Discriminator(const fit::Fitter& fitter, const Search& search, const std::vector<Explanation>& explanations,
-                const Criteria& criteria, double force_limit, int threads);
+                double force_limit, int threads);
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
@@ -66,7 +66,6 @@ class Discriminator {
   const fit::Fitter& fitter_;
   const Search& search_;
   const std::vector<Explanation>& explanations_;
-  Criteria criteria_;
   NewLogNoise noise_;
   double force_limit_;
   int threads_;

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/judge.h"
+#include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
 
@@ -13,17 +12,15 @@ namespace rubber_suspension::diagnosis {
 struct Explanation {
   const FittedHypothesis* fitted = nullptr;
   double probability = 0.0;
+  double expected = 1e-4;  ///< square that it is expected to leave of a log (expectedSquares())
 };
 
-/// The hypothesis judged and, of the largest set that cannot be told apart, those with another member in its place,
-/// wrong values among them; the best other one where no set has two members. The one judged comes first, then by
-/// probability. One alone where there is no other.
-std::vector<Explanation> explanationsOf(const Search& search, const Judgement& judgement, const Criteria& criteria);
+/// The hypothesis judged, then the likeliest others; the model as configured and re-estimated are among them.
+std::vector<Explanation> explanationsOf(const Workings& workings);
 
-/// Probabilities of explanations by what each leaves (a gap), by the law of the judgement: a power of what is left
-/// above the floor, blurred by what cannot be told apart. `gap`: what a model without effects leaves.
-std::vector<double> probabilitiesOf(const std::vector<double>& left, double noise_floor, double gap,
-                                    const Criteria& criteria);
+/// Probabilities of explanations once there is one log more beside `logs`, of which each leaves these squares beyond
+/// the noise: by the score of the judgement, in which all logs count alike.
+std::vector<double> updated(const std::vector<Explanation>& explanations, const std::vector<double>& left, double logs);
 
 /// "friction + creep"; "the model as it is" without members.
 std::string nameOf(const Search& search, const FittedHypothesis& fitted);

@@ -51,19 +51,20 @@ class Projected {
         gram(i, j) = projected_(row, columns[static_cast<std::size_t>(j)] - model_);
       }
     }
-    Eigen::VectorXd rest = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
-    rest[column] = scale;
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
     if (count > 0) {
       const Eigen::VectorXd fitted = fit::boundedLeastSquares(gram, moment, lower, upper);
       for (Eigen::Index i = 0; i < count; ++i) {
-        rest[columns[static_cast<std::size_t>(i)]] -= fitted[i];
+        added[columns[static_cast<std::size_t>(i)]] = fitted[i];
       }
     }
+    Eigen::VectorXd rest = -added;
+    rest[column] += scale;
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
     Leaves leaves;
     leaves.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
     leaves.penalty = fitter_.penaltyOf(rest.head(model_));
-    leaves.change = model_ > 0 ? rest.head(model_).cwiseAbs().maxCoeff() : 0.0;
+    leaves.added = std::sqrt(std::max(0.0, added.dot(plain_ * added)));
     return leaves;
   }
 
@@ -122,6 +123,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
       Implant implant;
       implant.effect = static_cast<int>(c);
       implant.term = place;
+      implant.blocks = screening.blocks().gram.size();
       implant.hidden_by_rig = !(gap * term.typical > kNothing);
       implant.scale = implant.hidden_by_rig ? 0.0 : 1.0 / gap;
       implants.push_back(implant);

@@ -15,7 +15,7 @@ class Screening;
 struct Leaves {
   double gap = 1.0;      ///< RMS force over the force's standard deviation
   double penalty = 0.0;  ///< regularisation penalty of the model parameters that moved
-  double change = 0.0;   ///< largest change of the logarithm of a model parameter
+  double added = 0.0;    ///< RMS force that the candidate adds, over the force's standard deviation
 };
 
 /// One shape of a candidate effect, implanted.
@@ -24,6 +24,7 @@ struct Implant {
   double scale = 0.0;           ///< of its basis term, at a gap of 1
   std::size_t term = 0;         ///< that it is the shape of, among those of its effect
   bool hidden_by_rig = false;   ///< what the rig may do to a log takes all of it
+  std::size_t blocks = 0;       ///< of the logs that errors would be known of
   Leaves model;                 ///< model parameters alone
   std::vector<Leaves> singles;  ///< with each candidate, in their order
 };

@@ -43,12 +43,11 @@ std::vector<Relaxation> relaxationsOf(const Bounds& bounds) {
 
 class Proposer {
  public:
-  Proposer(const fit::Fitter& fitter, const Search& search, const Judgement& judgement, const ExperimentLimits& limits,
-           int threads)
-      : search_(search),
-        bounds_(boundsOf(search.excitation, fitter.records(), limits)),
-        explanations_(explanationsOf(search, judgement, criteria_)),
-        discriminator_(fitter, search, explanations_, criteria_, bounds_.force, threads) {}
+  Proposer(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits, int threads)
+      : search_(workings.search),
+        bounds_(boundsOf(search_.excitation, fitter.records(), limits)),
+        explanations_(explanationsOf(workings)),
+        discriminator_(fitter, search_, explanations_, bounds_.force, threads) {}
 
   NextExperiment run() {
     if (explanations_.size() < 2) {
@@ -119,7 +118,6 @@ class Proposer {
   }
 
   const Search& search_;
-  const Criteria criteria_;
   Bounds bounds_;
   std::vector<Explanation> explanations_;
   Discriminator discriminator_;
@@ -127,15 +125,12 @@ class Proposer {
 
 }  // namespace
 
-NextExperiment nextExperiment(const fit::Fitter& fitter, const Search& search, const Judgement& judgement,
-                              const ExperimentLimits& limits, int threads) {
-  if (judgement.verdict == Verdict::none) {
+NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits,
+                              int threads) {
+  if (workings.answer.verdict == Verdict::none) {
     return {"None is needed: the model agrees with the measurement as far as these logs can show.", {}};
   }
-  if (judgement.values_would_do && search.at(judgement.model).hypothesis.like_parameters) {
-    return {"No motion tells a gain from wrong values: put a known weight on the load cell, and compare.", {}};
-  }
-  return Proposer(fitter, search, judgement, limits, threads).run();
+  return Proposer(fitter, workings, limits, threads).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/judge.h"
+#include "diagnosis/results/workings.h"
 #include "fit/fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -21,7 +20,7 @@ constexpr double kLeastFloors = 2.0;
 
 /// The experiment after which the explanations of the logs that cannot be told apart are expected to differ most; or
 /// why there is none, and what it would take.
-NextExperiment nextExperiment(const fit::Fitter& fitter, const Search& search, const Judgement& judgement,
-                              const ExperimentLimits& limits, int threads);
+NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits,
+                              int threads);
 
 }  // namespace rubber_suspension::diagnosis

@@ -68,22 +68,21 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
                    [&](std::size_t i) { records[i] = measurement::prepareLog(simulated[i]).record; });
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  freeNuisances(model, component.rig.value_or(io::RigTolerances{}), records, none);
-  const fit::Fitter fitter(records, model);
-  const Criteria criteria;
+  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none);
+  fit::Fitter fitter(records, model);
   Search search;
   search.excitation = fit::summarise(fitter.records());
   search.candidates = candidates(search.excitation);
-  fit::findUnitEffects(search.candidates, fitter.records(), options.threads);
+  fitter.prepare(search.candidates, options.threads);
   search.noise = options.noise;
   search.re_estimated.fit.parameters = fitter.configured(search.re_estimated.hypothesis);
   const Screening screening(fitter, search.candidates, search.re_estimated, options.threads);
-  screening.measureVisibility(search.noise, criteria, search);
+  screening.measureVisibility(search.noise, search);
   search.implants = implantAll(fitter, screening, options.threads);
   Plan result;
   result.component = component.name;
   std::transform(records.begin(), records.end(), std::back_inserter(result.logs), plannedLog);
-  result.could_show = couldShow(search, options.size, "as given", criteria);
+  result.could_show = couldShow(search, options.size, "as given");
   return result;
 }
 

@@ -21,22 +21,6 @@ double meanSquare(const log::Record& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// The scales without the terms of one member; the terms lie one member after the other.
-fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
-                                   std::size_t member) {
-  fit::ParameterVector parameters = fitted.fit.parameters;
-  const auto terms = [&](std::size_t m) {
-    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
-    return static_cast<Eigen::Index>(candidates[candidate].terms.size());
-  };
-  Eigen::Index first = 0;
-  for (std::size_t m = 0; m < member; ++m) {
-    first += terms(m);
-  }
-  parameters.scales.segment(first, terms(member)).setZero();
-  return parameters;
-}
-
 // What a slow trend or a gain of a log takes of what is left of it.
 double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
@@ -100,8 +84,9 @@ double floorUncertainty(const log::Record& record, const Eigen::VectorXd& residu
 
 class LogTable {
  public:
-  LogTable(const PreparedCase& prepared, const Search& search, int threads, Evidence& evidence)
-      : prepared_(prepared), search_(search), threads_(threads), evidence_(evidence) {}
+  LogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen, int threads,
+           Evidence& evidence)
+      : prepared_(prepared), search_(search), unseen_(unseen), threads_(threads), evidence_(evidence) {}
 
   void add() {
     addLogs();
@@ -123,22 +108,32 @@ class LogTable {
                           unseen, prepared_.held_out, noiseLimit(search_.record_noise, prepared_.training)),
               true);
     }
+    countBlocks(search_.re_estimated.fit.blocks, 0);
+    if (!unseen_.empty()) {
+      countBlocks(unseen_[Evidence::kReEstimated], prepared_.training.size());
+    }
+  }
+
+  void countBlocks(const std::vector<gap::PartError>& blocks, std::size_t first) {
+    for (const gap::PartError& block : blocks) {
+      ++evidence_.logs[first + static_cast<std::size_t>(block.log)].blocks;
+    }
   }
 
   void addLogs(const std::vector<log::Record>& records, const gap::Forces& forces, const std::vector<double>& floors,
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen});
+      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen, 0});
     }
   }
 
   void addErrorsOf(int place, HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
-    hypothesis.log_errors.assign(evidence_.logs.size(), hypothesis.held_out * hypothesis.held_out);
+    hypothesis.log_errors.assign(evidence_.logs.size(), fitted.fit.held_out * fitted.fit.held_out);
     addErrors(place == Evidence::kAsConfigured ? partsAsConfigured() : fitted.fit.blocks, 0, hypothesis.log_errors);
-    if (hypothesis.unseen) {
-      addErrors(hypothesis.unseen->parts, prepared_.training.size(), hypothesis.log_errors);
+    if (!unseen_.empty()) {
+      addErrors(unseen_[static_cast<std::size_t>(place)], prepared_.training.size(), hypothesis.log_errors);
     }
   }
 
@@ -165,11 +160,27 @@ class LogTable {
 
   const PreparedCase& prepared_;
   const Search& search_;
+  const std::vector<UnseenErrors>& unseen_;
   int threads_;
   Evidence& evidence_;
 };
 
 }  // namespace
+
+fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
+                                   std::size_t member) {
+  fit::ParameterVector parameters = fitted.fit.parameters;
+  const auto terms = [&](std::size_t m) {
+    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
+    return static_cast<Eigen::Index>(candidates[candidate].terms.size());
+  };
+  Eigen::Index first = 0;
+  for (std::size_t m = 0; m < member; ++m) {
+    first += terms(m);
+  }
+  parameters.scales.segment(first, terms(member)).setZero();
+  return parameters;
+}
 
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
@@ -183,8 +194,9 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
   return sizes;
 }
 
-void addLogTable(const PreparedCase& prepared, const Search& search, int threads, Evidence& evidence) {
-  LogTable(prepared, search, threads, evidence).add();
+void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
+                 int threads, Evidence& evidence) {
+  LogTable(prepared, search, unseen, threads, evidence).add();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,12 +1,20 @@
 // Evidence by log: what each hypothesis errs by, what each of its members adds, and how well the noise floor is known.
 #pragma once
 
+#include <vector>
+
 #include "diagnosis/hypotheses/search.h"
+#include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
 #include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
+
+/// The parameters of a fitted hypothesis without the terms of one member, by its place among them: terms lie one member
+/// after the other.
+fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& fitted,
+                                   std::size_t member);
 
 /// Mean square of the force that each member of a fitted hypothesis adds to each record, in units of the variance of
 /// its force: of the force with the member less that without it, all other numbers as fitted, what the rig may have
@@ -15,7 +23,8 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
 /// Adds the logs of the fit and then the unseen ones to the evidence of a search: Evidence::logs, and log_errors and
-/// sizes of each hypothesis.
-void addLogTable(const PreparedCase& prepared, const Search& search, int threads, Evidence& evidence);
+/// sizes of each hypothesis. `unseen`: errors of each on the unseen logs; empty where there are none.
+void addLogTable(const PreparedCase& prepared, const Search& search, const std::vector<UnseenErrors>& unseen,
+                 int threads, Evidence& evidence);
 
 }  // namespace rubber_suspension::diagnosis

@@ -5,16 +5,49 @@
 #include <cmath>
 #include <numeric>
 
+#include "fit/bounded_least_squares.h"
 #include "fit/parallel.h"
 #include "numerics/least_squares.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+// Whether a typical effect shows in logs: so much of its force re-estimation leaves, in parts of it and of the noise.
+constexpr double kVisibleShare = 0.05;
+constexpr double kVisibleSize = 0.2;
+
 std::vector<int> allOf(const std::vector<fit::Candidate>& candidates) {
   std::vector<int> members(candidates.size());
   std::iota(members.begin(), members.end(), 0);
   return members;
+}
+
+Eigen::VectorXd chosen(const Eigen::VectorXd& values, const std::vector<Eigen::Index>& places) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    result[static_cast<Eigen::Index>(i)] = values[places[i]];
+  }
+  return result;
+}
+
+// The normal equations of some columns, solved within bounds.
+struct Solution {
+  Eigen::VectorXd values;
+  double squares = 0.0;  // that they leave
+};
+
+Solution solutionOf(const Eigen::MatrixXd& total, const std::vector<Eigen::Index>& columns, const Eigen::VectorXd& lower,
+               const Eigen::VectorXd& upper) {
+  const Eigen::Index last = total.rows() - 1;
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd gram(count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    gram.col(j) = chosen(total.col(columns[static_cast<std::size_t>(j)]), columns);
+  }
+  const Eigen::VectorXd moment = chosen(total.col(last), columns);
+  Solution solution{fit::boundedLeastSquares(gram, moment, lower, upper), 0.0};
+  solution.squares = total(last, last) - solution.values.dot(2.0 * moment - gram * solution.values);
+  return solution;
 }
 
 }  // namespace
@@ -32,38 +65,66 @@ Screening::Screening(const fit::HypothesisFitter& fitter, const std::vector<fit:
     std::iota(columns_of_.back().begin(), columns_of_.back().end(), column);
     column += static_cast<Eigen::Index>(candidate.terms.size());
   }
-  fit::ParameterVector parameters = fitter.configured(all_);
-  parameters.model = about.fit.parameters.model;
+  about_ = fitter.configured(all_);
+  about_.model = about.fit.parameters.model;
   Eigen::Index fitted = 0;
   for (const int member : about.hypothesis.members) {
     for (const Eigen::Index of_member : columns_of_[static_cast<std::size_t>(member)]) {
-      parameters.scales[of_member - model_size_] = about.fit.parameters.scales[fitted++];
+      about_.scales[of_member - model_size_] = about.fit.parameters.scales[fitted++];
     }
   }
-  blocks_ = fitter.linearise(all_, parameters, {}, threads);
-  fitter.stepBounds(all_, parameters, unknowns(), lower_, upper_);
+  blocks_ = fitter.linearise(all_, about_, {}, threads);
+  fitter.stepBounds(all_, about_, unknowns(), lower_, upper_);
+}
+
+Screening::Part Screening::partOf(const std::vector<int>& members) const {
+  Part part;
+  part.columns.resize(static_cast<std::size_t>(model_size_));
+  std::iota(part.columns.begin(), part.columns.end(), 0);
+  fit::FreeInLog free;
+  for (const int member : members) {
+    const auto& more = columns_of_[static_cast<std::size_t>(member)];
+    part.columns.insert(part.columns.end(), more.begin(), more.end());
+    free = free | candidates_[static_cast<std::size_t>(member)].free_in_log;
+  }
+  const std::vector<Eigen::Index> in_log = freeColumns(free);
+  part.columns.insert(part.columns.end(), in_log.begin(), in_log.end());
+  part.lower = chosen(lower_, part.columns);
+  part.upper = chosen(upper_, part.columns);
+  return part;
 }
 
 Screened Screening::screen(std::vector<int> members) const {
   std::sort(members.begin(), members.end());
-  std::vector<Eigen::Index> columns(static_cast<std::size_t>(model_size_));
-  std::iota(columns.begin(), columns.end(), 0);
-  fit::FreeInLog free;
-  for (const int member : members) {
-    const auto& more = columns_of_[static_cast<std::size_t>(member)];
-    columns.insert(columns.end(), more.begin(), more.end());
-    free = free | candidates_[static_cast<std::size_t>(member)].free_in_log;
-  }
-  const std::vector<Eigen::Index> in_log = freeColumns(free);
-  columns.insert(columns.end(), in_log.begin(), in_log.end());
-  Eigen::VectorXd lower(static_cast<Eigen::Index>(columns.size()));
-  Eigen::VectorXd upper(lower.size());
-  for (Eigen::Index i = 0; i < lower.size(); ++i) {
-    lower[i] = lower_[columns[static_cast<std::size_t>(i)]];
-    upper[i] = upper_[columns[static_cast<std::size_t>(i)]];
-  }
-  const std::vector<double> errors = fit::crossValidate(blocks_, columns, lower, upper);
+  const Part part = partOf(members);
+  const std::vector<double> errors = fit::crossValidate(blocks_, part.columns, part.lower, part.upper);
   return {members, std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks_.weight.begin(), 0.0))};
+}
+
+double Screening::leftBy(const std::vector<int>& members) const {
+  const Part part = partOf(members);
+  return std::sqrt(std::max(0.0, solutionOf(blocks_.sum, part.columns, part.lower, part.upper).squares));
+}
+
+// No farther than a step of a fit goes: beyond, the force is not linear in the model parameters.
+fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
+  constexpr double kLongestStep = 0.4;  // of a logarithm
+  Part part = partOf(members);
+  part.lower.head(model_size_) = part.lower.head(model_size_).cwiseMax(-kLongestStep);
+  part.upper.head(model_size_) = part.upper.head(model_size_).cwiseMin(kLongestStep);
+  const Eigen::VectorXd step = solutionOf(blocks_.sum, part.columns, part.lower, part.upper).values;
+  fit::ParameterVector best{about_.model + step.head(model_size_), {}};
+  best.scales.resize(0);
+  std::vector<double> scales;
+  for (std::size_t i = static_cast<std::size_t>(model_size_); i < part.columns.size(); ++i) {
+    const Eigen::Index term = part.columns[i] - model_size_;
+    if (term < static_cast<Eigen::Index>(all_.terms.size())) {
+      const fit::BasisTerm& info = all_.terms[static_cast<std::size_t>(term)];
+      scales.push_back(std::clamp(about_.scales[term] + step[static_cast<Eigen::Index>(i)], info.lower, info.upper));
+    }
+  }
+  best.scales = Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
+  return best;
 }
 
 std::vector<Eigen::Index> Screening::freeColumns(fit::FreeInLog free) const {
@@ -79,15 +140,11 @@ std::vector<Eigen::Index> Screening::freeColumns(fit::FreeInLog free) const {
   return columns;
 }
 
-bool Screening::mayJoin(int candidate, Joining joining) const {
-  const fit::Candidate& other = candidates_[static_cast<std::size_t>(candidate)];
-  return other.competes() && other.last_resort == (joining == Joining::last_resorts);
-}
-
-std::vector<Screened> Screening::additions(const std::vector<int>& members, Joining joining) const {
+std::vector<Screened> Screening::additions(const std::vector<int>& members) const {
   std::vector<std::vector<int>> sets;
   for (int c = 0; c < static_cast<int>(candidates_.size()); ++c) {
-    if (mayJoin(c, joining) && std::find(members.begin(), members.end(), c) == members.end()) {
+    const bool joins = candidates_[static_cast<std::size_t>(c)].competes();
+    if (joins && std::find(members.begin(), members.end(), c) == members.end()) {
       sets.push_back(members);
       sets.back().push_back(c);
     }
@@ -100,7 +157,7 @@ std::vector<Screened> Screening::pairs() const {
   const int count = static_cast<int>(candidates_.size());
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      if (mayJoin(a) && mayJoin(b)) {
+      if (candidates_[static_cast<std::size_t>(a)].competes() && candidates_[static_cast<std::size_t>(b)].competes()) {
         sets.push_back({a, b});
       }
     }
@@ -108,7 +165,7 @@ std::vector<Screened> Screening::pairs() const {
   return screenAll(sets);
 }
 
-void Screening::measureVisibility(double noise, const Criteria& criteria, Search& result) const {
+void Screening::measureVisibility(double noise, Search& result) const {
   const Eigen::MatrixXd total = blocks_.sum - blocks_.prior;
   const Eigen::MatrixXd base = total.topLeftCorner(model_size_, model_size_);
   for (const auto& columns : columns_of_) {
@@ -121,19 +178,23 @@ void Screening::measureVisibility(double noise, const Criteria& criteria, Search
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);
       const double size = all_.terms[static_cast<std::size_t>(j - model_size_)].typical * std::sqrt(rest);
-      testable = testable || (visible >= criteria.visible_share && size >= criteria.visible_size * noise);
+      testable = testable || (visible >= kVisibleShare && size >= kVisibleSize * noise);
     }
     result.visible_share.push_back(share);
     result.testable.push_back(testable);
   }
 }
 
-// Best first.
+// Best first: those that leave least of what they are fitted to, by what they leave of blocks held out.
 std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& sets) const {
+  constexpr std::size_t kHeldOut = 16;
   std::vector<Screened> result(sets.size());
-  fit::parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = screen(sets[i]); });
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Screened& x, const Screened& y) { return x.error < y.error; });
+  fit::parallelFor(sets.size(), threads_, [&](std::size_t i) { result[i] = {sets[i], leftBy(sets[i])}; });
+  const auto by_error = [](const Screened& x, const Screened& y) { return x.error < y.error; };
+  std::stable_sort(result.begin(), result.end(), by_error);
+  result.resize(std::min(kHeldOut, result.size()));
+  fit::parallelFor(result.size(), threads_, [&](std::size_t i) { result[i] = screen(result[i].members); });
+  std::stable_sort(result.begin(), result.end(), by_error);
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/criteria.h"
 #include "fit/hypothesis_fitter.h"
 
 namespace rubber_suspension::diagnosis {
@@ -14,9 +13,6 @@ struct Screened {
   std::vector<int> members;
   double error;
 };
-
-/// What may be added to a hypothesis: effects that can look like several others, or all but these.
-enum class Joining { others, last_resorts };
 
 /// One set of normal equations with the basis terms of all candidates, from which any hypothesis about the same model
 /// follows as if it were linear. Fitter and candidates have to outlive it.
@@ -28,11 +24,17 @@ class Screening {
 
   Screened screen(std::vector<int> members) const;
 
-  /// Each other candidate that may join added to these, best first.
-  std::vector<Screened> additions(const std::vector<int>& members, Joining joining = Joining::others) const;
+  /// In-sample error of a hypothesis, which is found faster.
+  double leftBy(const std::vector<int>& members) const;
 
-  /// All pairs, best first; no last resorts.
+  /// Each other candidate that competes added to these, best first.
+  std::vector<Screened> additions(const std::vector<int>& members) const;
+
+  /// The best of all pairs, best first.
   std::vector<Screened> pairs() const;
+
+  /// Where the parameters of a hypothesis leave least.
+  fit::ParameterVector bestOf(const std::vector<int>& members) const;
 
   /// The normal equations: model parameters, basis terms of one candidate after the other, what is free
   /// in each log, residual.
@@ -47,16 +49,23 @@ class Screening {
 
   /// Part of each candidate's force that the model parameters cannot take over, and whether a typical size of it stands
   /// out of the noise.
-  void measureVisibility(double noise, const Criteria& criteria, Search& result) const;
+  void measureVisibility(double noise, Search& result) const;
 
  private:
+  /// Columns of a hypothesis among all, and how far each may move.
+  struct Part {
+    std::vector<Eigen::Index> columns;
+    Eigen::VectorXd lower;
+    Eigen::VectorXd upper;
+  };
+  Part partOf(const std::vector<int>& members) const;
   Eigen::Index unknowns() const { return blocks_.gram[0].rows() - 1; }
-  bool mayJoin(int candidate, Joining joining = Joining::others) const;
   std::vector<Screened> screenAll(const std::vector<std::vector<int>>& sets) const;
 
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_size_;
   int threads_;
+  fit::ParameterVector about_;  // of all candidates
   fit::Hypothesis all_;
   std::vector<std::vector<Eigen::Index>> columns_of_;
   fit::BlockGrams blocks_;

@@ -5,13 +5,13 @@
 #include <array>
 #include <functional>
 #include <iterator>
+#include <limits>
+#include <numeric>
 
+#include "diagnosis/hypotheses/odds.h"
 #include "diagnosis/hypotheses/screening.h"
-#include "diagnosis/hypotheses/search_evidence.h"
-#include "diagnosis/hypotheses/sets.h"
 #include "diagnosis/hypotheses/starts.h"
-#include "diagnosis/judge/judge.h"
-#include "diagnosis/judge/weighing.h"
+#include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/measured.h"
 #include "fit/parallel.h"
 
@@ -19,62 +19,50 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr int kBaseIterations = 14;
-constexpr std::size_t kPairsFitted = 6;
-constexpr std::size_t kAdditionsFitted = 2;
-constexpr std::size_t kLastResortsFitted = 1;  // beside the best single effect
-constexpr double kSignificantRest = 1.5;  // held-out error over the noise floor that makes triples worth their time
-
-// The best fit of a part of a set: of one of its members, or of the pairs of a triple.
-const FittedHypothesis& bestPart(const Search& result, const std::vector<int>& members) {
-  const FittedHypothesis* best = &result.singles[static_cast<std::size_t>(members.front())];
-  for (const FittedHypothesis* fitted : result.withEffects()) {
-    const std::vector<int>& part = fitted->hypothesis.members;
-    const bool within =
-        part.size() < members.size() && std::includes(members.begin(), members.end(), part.begin(), part.end());
-    best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
-  }
-  return *best;
-}
-
-// Take the best of a screening that are not yet in the list.
-void choose(const std::vector<fit::Candidate>& candidates, const std::vector<Screened>& screened, std::size_t most,
-            std::vector<FittedHypothesis>& list) {
-  for (std::size_t i = 0; i < std::min(most, screened.size()); ++i) {
-    const auto same = [&](const FittedHypothesis& other) { return other.hypothesis.members == screened[i].members; };
-    if (std::none_of(list.begin(), list.end(), same)) {
-      list.push_back({fit::makeHypothesis(candidates, screened[i].members), {}});
-    }
-  }
-}
+constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
+constexpr std::size_t kMostStarts = 4;     // hypotheses that further effects are added to
+constexpr std::size_t kMostEffects = 3;
+// Logarithm of odds: what is less likely than the best by so much is not fitted, and nothing is added to it. Screening
+// takes laws for linear: its odds are off by about as much.
+constexpr double kWithinReach = 4.6;
+constexpr double kScreeningKnown = 4.6;
+// Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
+constexpr double kHopeless = 3.0;
 
 void sortByScore(std::vector<FittedHypothesis>& list) {
-  std::sort(list.begin(), list.end(),
-            [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const FittedHypothesis& x, const FittedHypothesis& y) { return x.fit.score() < y.fit.score(); });
 }
+
+// A set of effects that may be worth a fit, and where that starts.
+struct Planned {
+  std::vector<int> members;
+  double error = 0.0;  // as screened
+  double odds = 0.0;
+  fit::ParameterVector start;
+};
 
 class Searcher {
  public:
-  Searcher(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress)
-      : measured_(measured), fitter_(measured.fitter()), criteria_(criteria), threads_(threads), progress_(progress) {}
+  Searcher(const Measured& measured, int threads, const ProgressCallback& progress)
+      : measured_(measured), fitter_(measured.fitter()), threads_(threads), progress_(progress) {}
 
   Search run() {
     say("re-estimating the model parameters", 0.0);
     reEstimate();
-    say("fitting single effects", 0.1);
-    result_.candidates = measured_.candidates(result_.excitation, threads_);
-    contained_ = containedIn(result_.candidates);
-    fitSingles();
-    say("screening all pairs", 0.4);
-    const std::vector<Screened> pairs = screenPairs();
-    if (needsFurtherEffects(evidenceOf(result_), criteria_)) {
-      say("fitting the best pairs", 0.5);
-      fitPairs(pairs);
-      measured_.estimateNoise(result_.pairs.front(), result_);
-      if (result_.pairs.front().fit.held_out > kSignificantRest * result_.noise) {
-        say("fitting triples", 0.75);
-        fitTriples();
+    result_.candidates = measured_.candidates(result_.excitation, result_.re_estimated, threads_);
+    say("screening single effects", 0.2);
+    const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
+    say("fitting single effects", 0.3);
+    fitSingles(screening);
+    look(screening);
+    for (std::size_t effects = 2; effects <= kMostEffects && isWorthMore(effects); ++effects) {
+      say(effects == 2 ? "fitting pairs" : "fitting triples", effects == 2 ? 0.5 : 0.75);
+      if (!fitSets(plan(screening, effects), effects == 2 ? result_.pairs : result_.triples)) {
+        break;
       }
     }
+    fitPartsOfTriples();
     return std::move(result_);
   }
 
@@ -93,45 +81,46 @@ class Searcher {
         [&] {
           const fit::ParameterVector configured = fitter_.configured(model);
           result_.configured_gap = fitter_.gapAt(model, configured);
-          result_.re_estimated.fit = fitter_.fit(model, configured, kBaseIterations);
+          result_.re_estimated.fit = fitter_.fit(model, configured, {kBaseIterations});
           result_.as_configured = result_.re_estimated;
           result_.as_configured.fit.parameters = configured;
           result_.discretisation = measured_.discretisationError(result_.re_estimated);
         },
         [&] {
           const fit::HypothesisFitter& elements = measured_.elementFitter();
-          result_.element_level = elements.fit(model, elements.configured(model), kBaseIterations);
+          result_.element_level = elements.fit(model, elements.configured(model), {kBaseIterations});
         },
         [&] { result_.excitation = measured_.excitation(); }};
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
-  void fitSingles() {
+  void fitSingles(const Screening& screening) {
+    double least = result_.re_estimated.fit.gap;
+    std::vector<fit::ParameterVector> starts;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
       result_.singles.push_back({fit::makeHypothesis(result_.candidates, {c}), {}});
+      starts.push_back(screening.bestOf({c}));
+      if (result_.singles.back().hypothesis.competes()) {
+        least = std::min(least, screening.screen({c}).error);
+      }
     }
+    const double reach = kHopeless * std::max(least, result_.discretisation);
     // What has to be simulated takes longest and comes first, so that no thread waits for it at the end.
-    std::vector<FittedHypothesis*> order;
-    for (FittedHypothesis& single : result_.singles) {
-      order.push_back(&single);
-    }
+    std::vector<std::size_t> order(result_.singles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_partition(order.begin(), order.end(),
-                          [](const FittedHypothesis* single) { return !single->hypothesis.isAdditive(); });
+                          [&](std::size_t c) { return !result_.singles[c].hypothesis.isAdditive(); });
     fit::parallelFor(order.size(), threads_, [&](std::size_t i) {
-      const auto fit = order[i]->hypothesis.free_in_log.gain ? fitGains : fitSingle;
-      fit(fitter_, result_.re_estimated, *order[i]);
+      FittedHypothesis& single = result_.singles[order[i]];
+      const auto fit = single.hypothesis.free_in_log.gain ? fitGains : fitSingle;
+      fit(fitter_, result_.re_estimated, starts[order[i]], reach, single);
     });
-    std::copy_if(
-        result_.singles.begin(), result_.singles.end(), std::back_inserter(ranked_),
-        [](const FittedHypothesis& single) { return !single.hypothesis.last_resort && single.hypothesis.competes(); });
-    sortByScore(ranked_);
-    measured_.estimateNoise(ranked_.front(), result_);
+    measured_.estimateNoise(*bestOfAll(), result_);
   }
 
-  // All pairs about the re-estimated model; on the way, what is visible and what a flexible fit could close.
-  std::vector<Screened> screenPairs() {
-    const Screening screening(fitter_, result_.candidates, result_.re_estimated, threads_);
-    screening.measureVisibility(result_.noise, criteria_, result_);
+  // What is visible, and what a flexible fit could close.
+  void look(const Screening& screening) {
+    screening.measureVisibility(result_.noise, result_);
     result_.implants = implantAll(fitter_, screening, threads_);
     std::vector<int> all;
     for (const FittedHypothesis& single : result_.singles) {
@@ -140,158 +129,158 @@ class Searcher {
       }
     }
     result_.surrogate_gap = screening.screen(all).error;
-    return screening.pairs();
   }
 
-  void fitPairs(const std::vector<Screened>& screened) {
-    addBest(screened, kPairsFitted, result_.pairs);
-    addPairs(ranked_[0], kLastResortsFitted);
-    addPairs(ranked_[1], 0);
-    addPairs(bestLastResort(), 0);
-    addSets(withLawsApart(ranked_[0].hypothesis.members, contained_), result_.pairs);
-    fitFrom(0, result_.pairs);
-    fitSimpler(result_.pairs);
+  Odds odds() const { return {result_.candidates, result_.noise, result_.re_estimated.fit.score()}; }
+
+  double oddsOf(const FittedHypothesis& fitted) const {
+    return odds().of(fitted.hypothesis.members, fitted.fit.score());
   }
 
-  void fitTriples() {
-    for (const FittedHypothesis* pair : worthAThird()) {
-      addTriples(*pair);
+  // Of those that compete.
+  const FittedHypothesis* bestOfAll() const {
+    const FittedHypothesis* best = &result_.re_estimated;
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      best = fitted->hypothesis.competes() && fitted->fit.score() < best->fit.score() ? fitted : best;
     }
-    if (result_.triples.empty()) {
-      return;
-    }
-    fitFrom(0, result_.triples);
-    fitSimpler(result_.triples);
-    fitPartsOf(result_.triples.front());
-    measured_.estimateNoise(result_.triples.front(), result_);
+    return best;
   }
 
-  // The best pair, the best one without a trend, and the one that would be named, which need not be the best.
-  std::vector<const FittedHypothesis*> worthAThird() const {
-    std::vector<const FittedHypothesis*> pairs;
-    const auto add = [&](const FittedHypothesis& pair) {
-      if (std::find(pairs.begin(), pairs.end(), &pair) == pairs.end()) {
-        pairs.push_back(&pair);
+  double bestOdds() const {
+    double best = -std::numeric_limits<double>::infinity();
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      best = fitted->hypothesis.competes() ? std::max(best, oddsOf(*fitted)) : best;
+    }
+    return best;
+  }
+
+  // Whether a set of so many effects can come near the best of fewer.
+  bool isWorthMore(std::size_t effects) const { return odds().mostOf(effects) > bestOdds() - kWithinReach; }
+
+  // The likeliest of one size, from which further effects are added: an effect that is unlikely alone may be one of a
+  // pair, so that one more than those within reach is taken.
+  std::vector<const FittedHypothesis*> likeliest(std::size_t effects) const {
+    std::vector<const FittedHypothesis*> chosen;
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      if (fitted->hypothesis.members.size() == effects && fitted->hypothesis.competes()) {
+        chosen.push_back(fitted);
+      }
+    }
+    std::stable_sort(chosen.begin(), chosen.end(), [&](const FittedHypothesis* x, const FittedHypothesis* y) {
+      return oddsOf(*x) > oddsOf(*y);
+    });
+    std::size_t count = 0;
+    while (count < std::min(kMostStarts, chosen.size()) &&
+           oddsOf(*chosen[count]) > oddsOf(*chosen.front()) - kWithinReach) {
+      ++count;
+    }
+    chosen.resize(std::min({count + 1, kMostStarts, chosen.size()}));
+    return chosen;
+  }
+
+  // Sets of so many effects, the likeliest first: of all pairs about the model, and of those with one less about what
+  // they arrived at.
+  std::vector<Planned> plan(const Screening& about_model, std::size_t effects) const {
+    std::vector<Planned> planned;
+    const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
+      for (const Screened& set : sets) {
+        planned.push_back({set.members, set.error, odds().of(set.members, set.error), screening.bestOf(set.members)});
       }
     };
-    for (const bool trends : {true, false}) {
-      const auto best = std::find_if(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
-        return !pair.hypothesis.last_resort && (trends || !pair.hypothesis.free_in_log.trend);
-      });
-      if (best != result_.pairs.end()) {
-        add(*best);
+    if (effects == 2) {
+      add(about_model, about_model.pairs());
+    }
+    for (const FittedHypothesis* fitted : likeliest(effects - 1)) {
+      const Screening screening(fitter_, result_.candidates, *fitted, threads_);
+      add(screening, screening.additions(fitted->hypothesis.members));
+    }
+    std::stable_sort(planned.begin(), planned.end(),
+                     [](const Planned& x, const Planned& y) { return x.odds > y.odds; });
+    return withoutRepeats(planned);
+  }
+
+  static std::vector<Planned> withoutRepeats(const std::vector<Planned>& planned) {
+    std::vector<Planned> sets;
+    for (const Planned& set : planned) {
+      if (std::none_of(sets.begin(), sets.end(), [&](const Planned& other) { return other.members == set.members; })) {
+        sets.push_back(set);
       }
     }
-    const FittedHypothesis& named = result_.at(judge(evidenceOf(result_), criteria_).model);
-    if (named.hypothesis.members.size() == 2) {
-      add(named);
-    }
-    return pairs;
+    return sets;
   }
 
-  // The best of a screening, among them the best of those without a trend, which follows whatever is slow: the
-  // judgement compares the others with them.
-  void addBest(const std::vector<Screened>& screened, std::size_t most, std::vector<FittedHypothesis>& list) const {
-    choose(result_.candidates, screened, most, list);
-    const auto of_laws = std::find_if(screened.begin(), screened.end(), [&](const Screened& set) {
-      return std::none_of(set.members.begin(), set.members.end(), [&](int member) {
-        return result_.candidates[static_cast<std::size_t>(member)].free_in_log.trend;
-      });
-    });
-    if (of_laws != screened.end()) {
-      choose(result_.candidates, {*of_laws}, 1, list);
+  // Fits those that may be as likely as the best; false where none is.
+  bool fitSets(std::vector<Planned> planned, std::vector<FittedHypothesis>& list) {
+    const double best = std::max(bestOdds(), planned.empty() ? 0.0 : planned.front().odds);
+    std::size_t count = 0;
+    while (count < std::min(kMostOfOneSize, planned.size()) &&
+           planned[count].odds > best - kWithinReach - kScreeningKnown) {
+      ++count;
     }
+    planned.resize(count);
+    fitAll(planned, list);
+    if (count > 0) {
+      measured_.estimateNoise(*bestOfAll(), result_);
+    }
+    return count > 0;
   }
 
-  // Fits those from a place on and sorts all, best first.
-  void fitFrom(std::size_t first, std::vector<FittedHypothesis>& list) {
-    fit::parallelFor(list.size() - first, threads_, [&](std::size_t i) {
-      FittedHypothesis& fitted = list[first + i];
-      fitFurther(fitter_, result_.candidates, bestPart(result_, fitted.hypothesis.members), fitted);
+  void fitAll(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
+    const std::size_t first = list.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Planned& set : planned) {
+      list.push_back({fit::makeHypothesis(result_.candidates, set.members), {}});
+      least = std::min(least, set.error);
+    }
+    std::vector<const FittedHypothesis*> from;
+    for (const Planned& set : planned) {
+      from.push_back(&bestFitted(set.members));
+    }
+    fit::parallelFor(planned.size(), threads_, [&](std::size_t i) {
+      fitFurther(fitter_, result_.candidates, *from[i], planned[i].start, kHopeless * least, list[first + i]);
     });
     sortByScore(list);
   }
 
-  // Until the best of a list has beside it all that the judgement compares it with: a simpler law in the place of each
-  // that contains one.
-  void fitSimpler(std::vector<FittedHypothesis>& list) {
-    std::size_t fitted = 0;
-    do {
-      fitted = list.size();
-      addSets(withSimplerLaws(list.front().hypothesis.members, contained_), list);
-      fitFrom(fitted, list);
-    } while (list.size() > fitted);
-  }
-
-  // Those of them that are not yet in the list, and may do what parameters do not.
-  void addSets(const Sets& sets, std::vector<FittedHypothesis>& list) const {
-    std::vector<Screened> wanted;
-    for (const std::vector<int>& members : sets) {
-      const bool compete = std::all_of(members.begin(), members.end(), [&](int member) {
-        return result_.candidates[static_cast<std::size_t>(member)].competes();
-      });
-      if (compete) {
-        wanted.push_back({members, 0.0});
-      }
+  // The best fit of a part of a set: of one of its members, or of the pairs of a triple.
+  const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
+    const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
+    for (const FittedHypothesis* fitted : result_.withEffects()) {
+      const std::vector<int>& part = fitted->hypothesis.members;
+      const bool within = !fitted->fit.blocks.empty() && part.size() < members.size() &&
+                          std::includes(members.begin(), members.end(), part.begin(), part.end());
+      best = within && fitted->fit.score() < best->fit.score() ? fitted : best;
     }
-    choose(result_.candidates, wanted, wanted.size(), list);
+    return *best;
   }
 
-  // The pairs within a triple: without them it is not known what each of the three is for.
-  void fitPartsOf(const FittedHypothesis& triple) {
-    const std::size_t fitted = result_.pairs.size();
-    addSets(withoutOne(triple.hypothesis.members), result_.pairs);
-    fitFrom(fitted, result_.pairs);
-    fitSimpler(result_.pairs);
-  }
-
-  // Pairs of a single effect and what goes best with it, and so many with effects that can look like several others.
-  void addPairs(const FittedHypothesis& single, std::size_t last_resorts) {
-    if (!single.hypothesis.competes()) {
+  // The pairs within a likely triple: without them it is not known what each of the three is for.
+  void fitPartsOfTriples() {
+    if (result_.triples.empty()) {
       return;
     }
-    const Screening screening(fitter_, result_.candidates, single, threads_);
-    const std::vector<int>& members = single.hypothesis.members;
-    addBest(screening.additions(members), kAdditionsFitted, result_.pairs);
-    if (last_resorts > 0) {
-      choose(result_.candidates, screening.additions(members, Joining::last_resorts), last_resorts, result_.pairs);
+    std::vector<Planned> parts;
+    const std::vector<int>& members = result_.triples.front().hypothesis.members;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      std::vector<int> part = members;
+      part.erase(part.begin() + static_cast<std::ptrdiff_t>(i));
+      const bool fitted = std::any_of(result_.pairs.begin(), result_.pairs.end(), [&](const FittedHypothesis& pair) {
+        return pair.hypothesis.members == part;
+      });
+      if (!fitted) {
+        parts.push_back({part, std::numeric_limits<double>::infinity(), 0.0,
+                         fitter_.configured(fit::makeHypothesis(result_.candidates, part))});
+      }
     }
-  }
-
-  const FittedHypothesis& bestLastResort() const {
-    return *std::min_element(
-        result_.singles.begin(), result_.singles.end(), [](const FittedHypothesis& x, const FittedHypothesis& y) {
-          return x.hypothesis.last_resort != y.hypothesis.last_resort ? x.hypothesis.last_resort
-                                                                      : x.fit.score() < y.fit.score();
-        });
-  }
-
-  void addTriples(const FittedHypothesis& pair) {
-    const Screening screening(fitter_, result_.candidates, pair, threads_);
-    addBest(screening.additions(pair.hypothesis.members), kAdditionsFitted, result_.triples);
-    addSets(withLawsApart(pair.hypothesis.members, contained_), result_.triples);
+    fitAll(parts, result_.pairs);
   }
 
   const Measured& measured_;
   const fit::HypothesisFitter& fitter_;
-  const Criteria& criteria_;
   int threads_;
   const ProgressCallback& progress_;
   Search result_;
-  Sets contained_;                        // for each effect, the simpler ones that its law contains
-  std::vector<FittedHypothesis> ranked_;  // singles but for last resorts, best first
 };
-
-// From the candidates as they are now.
-void remakeHypotheses(Search& search) {
-  for (auto* list : {&search.singles, &search.pairs, &search.triples}) {
-    for (FittedHypothesis& fitted : *list) {
-      const fit::FreeInLog free = fitted.hypothesis.free_in_log;  // gains may be common
-      fitted.hypothesis = fit::makeHypothesis(search.candidates, fitted.hypothesis.members);
-      fitted.hypothesis.free_in_log = free;
-    }
-  }
-}
 
 }  // namespace
 
@@ -318,22 +307,21 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
   return all;
 }
 
-void forgetUnitEffects(Search& search) {
-  for (fit::Candidate& candidate : search.candidates) {
-    for (fit::BasisTerm& term : candidate.terms) {
-      term.unit_effect = nullptr;
-    }
+const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
+  const Odds odds(candidates, noise, re_estimated.fit.score());
+  const auto oddsOf = [&](const FittedHypothesis& fitted) {
+    return odds.of(fitted.hypothesis.members, fitted.fit.score());
+  };
+  const FittedHypothesis* best = &re_estimated;
+  for (const FittedHypothesis* fitted : withEffects()) {
+    const bool likelier = best == &one || oddsOf(*fitted) > oddsOf(*best);
+    best = fitted != &one && fitted->hypothesis.competes() && likelier ? fitted : best;
   }
-  remakeHypotheses(search);
+  return *best;
 }
 
-void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads) {
-  fit::findUnitEffects(search.candidates, records, threads);
-  remakeHypotheses(search);
-}
-
-Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress) {
-  return Searcher(measured, criteria, threads, progress).run();
+Search search(const Measured& measured, int threads, const ProgressCallback& progress) {
+  return Searcher(measured, threads, progress).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,4 +1,4 @@
-// The search over candidate effects: all singles, all pairs, triples where a significant residual remains.
+// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no likelier.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "diagnosis/experiment/implant.h"
-#include "diagnosis/judge/criteria.h"
-#include "diagnosis/judge/evidence.h"
 #include "fit/excitation.h"
 #include "fit/hypothesis_fitter.h"
 
@@ -43,17 +41,15 @@ struct Search {
   std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for
   std::vector<bool> testable;         ///< per candidate: a typical size of it would show in these logs
 
-  /// A hypothesis by its index in the evidence.
+  /// A hypothesis by its place in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
 
   /// Singles, pairs and triples, in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
-};
 
-/// Let go of the unit effects of all candidates, most of what a search keeps, and find them again, the same to the last
-/// bit.
-void forgetUnitEffects(Search& search);
-void findUnitEffects(Search& search, const std::vector<log::Record>& records, int threads);
+  /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
+  const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
+};
 
 /// Called with the stage's name and the fraction done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
@@ -61,6 +57,6 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 class Measured;
 
 /// Fit all hypotheses about what was measured on `threads` threads.
-Search search(const Measured& measured, const Criteria& criteria, int threads, const ProgressCallback& progress = {});
+Search search(const Measured& measured, int threads, const ProgressCallback& progress = {});
 
 }  // namespace rubber_suspension::diagnosis

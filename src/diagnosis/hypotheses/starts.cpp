@@ -10,74 +10,118 @@ namespace {
 constexpr int kSingleIterations = 6;
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
+constexpr int kZeroIterations = 2;
 constexpr double kClearlyBetter = 0.99;  // of a score
 // A logarithm of a model parameter: far enough for a second start from the configured ones.
 constexpr double kFar = 0.2;
 
-void keepBetter(fit::Fit fit, FittedHypothesis& fitted) {
-  if (fitted.fit.blocks.empty() || fit.score() < fitted.fit.score()) {
-    fitted.fit = std::move(fit);
+void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
+  if (best.fit.blocks.empty() || fitted.fit.score() < best.fit.score()) {
+    best = std::move(fitted);
   }
+}
+
+// From a start, then once more with zeros of the displacement where what was found depends on them.
+void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& start, const fit::FitLimits& limits,
+             FittedHypothesis& best) {
+  FittedHypothesis fitted{best.hypothesis, fitter.fit(best.hypothesis, start, limits)};
+  if (fitted.fit.gap <= limits.reach) {
+    FittedHypothesis with_zeros = fitted;
+    fitter.freeZeros(fitted.fit.parameters, with_zeros.hypothesis);
+    if (with_zeros.hypothesis.free_in_log.zero) {
+      with_zeros.fit = fitter.fit(with_zeros.hypothesis, fitted.fit.parameters, {kZeroIterations, limits.reach});
+      keepBetter(std::move(with_zeros), fitted);
+    }
+  }
+  keepBetter(std::move(fitted), best);
+}
+
+// Terms that are additive, or at work already: others have to be simulated.
+std::vector<bool> atWork(const fit::Hypothesis& hypothesis, const fit::ParameterVector& start) {
+  std::vector<bool> active;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    active.push_back(hypothesis.terms[t].additive || start.scales[static_cast<Eigen::Index>(t)] != 0.0);
+  }
+  return active;
+}
+
+// The same model parameters and scales, for those members that are of both.
+fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
+                           const FittedHypothesis& from, const fit::Hypothesis& hypothesis) {
+  const std::vector<int>& fitted = from.hypothesis.members;
+  fit::ParameterVector start = fitter.configured(hypothesis);
+  start.model = from.fit.parameters.model;
+  Eigen::Index place = 0;
+  Eigen::Index place_from = 0;
+  for (const int member : hypothesis.members) {
+    const auto terms = static_cast<Eigen::Index>(candidates[static_cast<std::size_t>(member)].terms.size());
+    if (std::find(fitted.begin(), fitted.end(), member) != fitted.end()) {
+      start.scales.segment(place, terms) = from.fit.parameters.scales.segment(place_from, terms);
+      place_from += terms;
+    }
+    place += terms;
+  }
+  return start;
 }
 
 }  // namespace
 
-void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
-  const fit::Hypothesis& hypothesis = single.hypothesis;
+void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
+               const fit::ParameterVector& start, double reach, FittedHypothesis& single) {
+  const fit::Hypothesis hypothesis = single.hypothesis;
   if (hypothesis.terms.empty()) {
     single.fit = re_estimated.fit;
     return;
   }
+  const fit::FitLimits limits{kSingleIterations, reach};
   const fit::ParameterVector configured = fitter.configured(hypothesis);
-  fit::ParameterVector start = configured;
-  start.model = re_estimated.fit.parameters.model;
-  keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
-  const bool far = start.largestChange() > kFar;
+  fit::ParameterVector none = configured;
+  none.model = re_estimated.fit.parameters.model;
+  const bool promising = fitter.gapAt(hypothesis, start) < re_estimated.fit.gap;
+  fitFrom(fitter, promising ? start : none, limits, single);
+  const bool far = none.largestChange() > kFar;
   const bool additive = hypothesis.isAdditive();
+  if (single.fit.gap > reach || (!far && additive)) {
+    return;
+  }
+  const auto restart = [&](const fit::ParameterVector& from) {
+    FittedHypothesis again{hypothesis, {}};
+    fitFrom(fitter, from, limits, again);
+    keepBetter(std::move(again), single);
+  };
   if (far && !additive) {
-    keepBetter(fitter.fit(hypothesis, configured, kSingleIterations), single);
+    restart(configured);
   }
-  if (far || !additive) {
-    start = fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations);
-    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), single);
-  }
+  restart(fitter.scalesAlone(hypothesis, configured, additive ? 1 : kAloneIterations));
 }
 
-void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single) {
+void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
+              const fit::ParameterVector& start, double reach, FittedHypothesis& single) {
   FittedHypothesis common = single;
   common.hypothesis.free_in_log.gain = false;
-  fitSingle(fitter, re_estimated, common);
-  keepBetter(fitter.fit(single.hypothesis, common.fit.parameters, kSingleIterations), single);
-  keepBetter(fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), kSingleIterations), single);
+  fitSingle(fitter, re_estimated, start, reach, common);
+  const fit::FitLimits limits{kSingleIterations, reach};
+  single.fit = fitter.fit(single.hypothesis, common.fit.parameters, limits);
+  if (single.fit.gap <= reach) {
+    keepBetter({single.hypothesis, fitter.fit(single.hypothesis, fitter.configured(single.hypothesis), limits)}, single);
+  }
   if (single.fit.score() > kClearlyBetter * common.fit.score()) {
     single = std::move(common);
   }
 }
 
 void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                const FittedHypothesis& from, FittedHypothesis& further) {
-  const fit::Hypothesis& hypothesis = further.hypothesis;
-  const std::vector<int>& fitted = from.hypothesis.members;
-  fit::ParameterVector start = fitter.configured(hypothesis);
-  std::vector<bool> active(hypothesis.terms.size(), true);
-  start.model = from.fit.parameters.model;
-  std::size_t place = 0;
-  std::size_t place_from = 0;
-  for (const int member : hypothesis.members) {
-    const bool known = std::find(fitted.begin(), fitted.end(), member) != fitted.end();
-    for (const fit::BasisTerm& term : candidates[static_cast<std::size_t>(member)].terms) {
-      if (known) {
-        const double scale = from.fit.parameters.scales[static_cast<Eigen::Index>(place_from++)];
-        start.scales[static_cast<Eigen::Index>(place)] = scale;
-        active[place] = term.additive || scale != 0.0;
-      }
-      ++place;
-    }
-  }
-  keepBetter(fitter.fit(hypothesis, start, kFurtherIterations, active), further);
-  if (start.largestChange() > kFar && hypothesis.isAdditive()) {
-    start = fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1);
-    keepBetter(fitter.fit(hypothesis, start, kSingleIterations), further);
+                const FittedHypothesis& from, const fit::ParameterVector& start, double reach,
+                FittedHypothesis& further) {
+  const fit::Hypothesis hypothesis = further.hypothesis;
+  const fit::ParameterVector as_fitted = taken(fitter, candidates, from, hypothesis);
+  const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
+  const fit::ParameterVector& first = promising ? start : as_fitted;
+  fitFrom(fitter, first, {kFurtherIterations, reach, atWork(hypothesis, first)}, further);
+  if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
+    FittedHypothesis again{hypothesis, {}};
+    fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach}, again);
+    keepBetter(std::move(again), further);
   }
 }
 

@@ -8,15 +8,19 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A single effect, from where the model parameters alone arrived, and from where it gets with the configured ones kept
-/// if these are far from there or if it changes what the others do; in the latter case from no effect, too.
-void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single);
+/// A single effect, from where the normal equations promise its least error: `start`. From where it gets with the
+/// configured values kept, too, if the model parameters moved far or if it changes what the others do. Errors above
+/// `reach`, in units of the force's standard deviation, are not followed further.
+void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
+               const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
 /// Gains of each log from where one gain of all arrived, which is enough where they do no better.
-void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, FittedHypothesis& single);
+void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
+              const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
-/// Several effects, from where some of them arrived.
+/// Several effects, from where the normal equations about some of them promise the least error, or where these arrived.
 void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-                const FittedHypothesis& from, FittedHypothesis& further);
+                const FittedHypothesis& from, const fit::ParameterVector& start, double reach,
+                FittedHypothesis& further);
 
 }  // namespace rubber_suspension::diagnosis

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/results/augmented.h"
@@ -14,6 +16,24 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
+namespace {
+
+// The hypothesis with what zeros of the displacement do to these records.
+fit::Hypothesis withZerosOf(const fit::ModelParameters& model, const FittedHypothesis& fitted,
+                            const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  fit::Hypothesis hypothesis = fitted.hypothesis;
+  if (hypothesis.free_in_log.zero) {
+    const auto elements = *fit::elementsOf(model, hypothesis, fitted.fit.parameters);
+    std::vector<Eigen::VectorXd> columns;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
+    }
+    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
+  }
+  return hypothesis;
+}
+
+}  // namespace
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records) {
@@ -27,17 +47,12 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 }
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const NoiseLimit& limit) {
-  const gap::Forces predicted = predict(model, fitted, records);
-  UnseenErrors errors;
-  errors.parts = partErrorsOf(fitted.hypothesis, records, predicted);
-  for (gap::PartError& part : errors.parts) {  // a law that gives way under some motion explains none of it
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
+  UnseenErrors errors =
+      partErrorsOf(withZerosOf(model, fitted, records, zeros), records, predict(model, fitted, records));
+  for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
-  errors.gap = gap::gapOfParts(errors.parts);
-  errors.noise_floor = commonFloor(noiseFloors(augmentedDescription(model, fitted).allElements(),
-                                               freeOfNoise(fitted.hypothesis), predicted, records, limit),
-                                   records);
   return errors;
 }
 
@@ -48,7 +63,8 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, cons
   }
   std::vector<log::Record> freed;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r]));
+    freed.push_back(fit::withFreeInLog(hypothesis.free_in_log, records[r], simulated[r],
+                                       hypothesis.by_zero ? (*hypothesis.by_zero)[r] : Eigen::VectorXd()));
   }
   return gap::partErrors(freed, simulated);
 }

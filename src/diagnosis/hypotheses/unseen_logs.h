@@ -4,23 +4,28 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/evidence.h"
 #include "diagnosis/prepare/rig_noise.h"
+#include "fit/displacement_zero.h"
 #include "fit/free_in_log.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/log/record.h"
 
 namespace rubber_suspension::diagnosis {
+
+/// Errors of parts of logs that took no part in the fit, by what a fitted hypothesis predicts from the displacement
+/// smoothed as for the fits, since the noise of that sensor is the rig's.
+using UnseenErrors = std::vector<gap::PartError>;
 
 /// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement
 /// smoothed as for the fits: the noise of its sensor is the rig's.
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records);
 
-/// Gaps of a fitted hypothesis over records, each of them recorded on a new component.
+/// Of a fitted hypothesis over records, each of them recorded on a new component. `zeros`: of their displacement.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                          const std::vector<log::Record>& records, const NoiseLimit& limit);
+                          const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros);
 
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
 /// log, which is what such a hypothesis says of a log and no simulation predicts.

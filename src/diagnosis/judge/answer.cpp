@@ -8,23 +8,9 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr double kOfAllSets = 0.9;  // that the sets listed hold the right one
-constexpr double kMajority = 0.5;   // of all sets, that one has to have to stand for itself
-
-// The fewest sets that have this share of all, from the likeliest on.
-std::vector<std::vector<int>> likeliest(const SetPosterior& posterior) {
-  const double enough = kOfAllSets * posterior.ofSets();
-  std::vector<std::vector<int>> sets;
-  double sum = 0.0;
-  for (const SetProbability& set : posterior.sets) {
-    if (sum >= enough) {
-      break;
-    }
-    sets.push_back(set.members);
-    sum += set.sum();
-  }
-  return sets;
-}
+constexpr double kListed = 0.9;         // of all, that lists are to hold the right one with
+constexpr double kMajority = 0.5;       // of all sets, that one has to have to stand for itself
+constexpr double kWorthListing = 0.02;  // a set that holds a less probable effect is not listed
 
 std::vector<int> largestFirst(const SetProbability& set) {
   std::vector<std::size_t> order(set.members.size());
@@ -47,43 +33,99 @@ std::vector<double> ofEffects(const SetPosterior& posterior, std::size_t effects
   return probabilities;
 }
 
-Verdict verdictOf(const SetProbability& likeliest, double all) {
-  if (likeliest.sum() < kMajority * all) {
-    return Verdict::confounded;
+class Answering {
+ public:
+  Answering(const SetPosterior& posterior, std::size_t effects) : posterior_(posterior), sets_(posterior.ofSets()) {
+    answer_.posterior = {posterior.none, posterior.parameter_error, sets_, posterior.unknown};
+    answer_.candidates = ofEffects(posterior, effects);
   }
-  return likeliest.beside > likeliest.alone ? Verdict::partly : Verdict::named;
-}
 
-void name(const SetPosterior& posterior, Answer& answer) {
-  const SetProbability& best = posterior.sets.front();
-  answer.verdict = verdictOf(best, posterior.ofSets());
-  answer.effects = largestFirst(best);
-  answer.model = best.hypothesis;
-  answer.probability = best.sum();
-  answer.confounded = likeliest(posterior);
-}
+  Answer run() {
+    std::vector<Explained> all = explanations();
+    const bool names = sets_ > std::max({posterior_.none, posterior_.parameter_error, posterior_.unknown});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Explained& a, const Explained& b) { return a.probability > b.probability; });
+    const auto said =
+        std::find_if(all.begin(), all.end(), [&](const Explained& e) { return e.effects.empty() != names; });
+    say(*said);
+    all.erase(said);
+    listAlternatives(all);
+    return std::move(answer_);
+  }
+
+ private:
+  std::vector<Explained> explanations() const {
+    std::vector<Explained> all = {{Verdict::none, {}, Evidence::kAsConfigured, posterior_.none},
+                                  {Verdict::parameter_error, {}, Evidence::kReEstimated, posterior_.parameter_error},
+                                  {Verdict::unknown, {}, Evidence::kReEstimated, posterior_.unknown}};
+    for (const SetProbability& set : posterior_.sets) {
+      all.push_back({Verdict::named, largestFirst(set), set.hypothesis, set.sum()});
+    }
+    return all;
+  }
+
+  void say(const Explained& said) {
+    answer_.verdict = said.effects.empty() ? said.verdict : ofLikeliestSet();
+    answer_.effects = said.effects;
+    answer_.model = said.model;
+    answer_.probability = said.probability;
+    if (!said.effects.empty()) {
+      answer_.beside = posterior_.sets.front().beside / said.probability;
+      listSets();
+    }
+  }
+
+  Verdict ofLikeliestSet() const {
+    const SetProbability& likeliest = posterior_.sets.front();
+    if (likeliest.sum() < kMajority * sets_) {
+      return Verdict::confounded;
+    }
+    return likeliest.beside > likeliest.alone ? Verdict::partly : Verdict::named;
+  }
+
+  bool isWorthListing(const std::vector<int>& members) const {
+    return std::all_of(members.begin(), members.end(), [&](int member) {
+      return answer_.candidates[static_cast<std::size_t>(member)] >= kWorthListing;
+    });
+  }
+
+  void listSets() {
+    double sum = 0.0;
+    for (const SetProbability& set : posterior_.sets) {
+      if (sum >= kListed * sets_) {
+        return;
+      }
+      if (answer_.confounded.empty() || isWorthListing(set.members)) {
+        answer_.confounded.push_back(set.members);
+      }
+      sum += set.sum();
+    }
+  }
+
+  void listAlternatives(const std::vector<Explained>& others) {
+    double sum = answer_.probability;
+    for (const Explained& other : others) {
+      if (sum >= kListed) {
+        return;
+      }
+      if (isWorthListing(other.effects)) {
+        answer_.alternatives.push_back(other);
+      }
+      sum += other.probability;
+    }
+  }
+
+  const SetPosterior& posterior_;
+  double sets_;  // probability of all sets
+  Answer answer_;
+};
 
 }  // namespace
 
-Answer answer(const SetPosterior& posterior, std::size_t effects) {
-  Answer answer;
-  const double sets = posterior.ofSets();
-  answer.posterior = {posterior.none, posterior.parameter_error, sets, posterior.unknown};
-  answer.candidates = ofEffects(posterior, effects);
-  answer.probability = std::max({posterior.none, posterior.parameter_error, posterior.unknown});
-  if (sets > answer.probability) {
-    name(posterior, answer);
-  } else if (answer.probability == posterior.none) {
-    answer.verdict = Verdict::none;
-    answer.model = Evidence::kAsConfigured;
-  } else {
-    answer.verdict = answer.probability == posterior.unknown ? Verdict::unknown : Verdict::parameter_error;
-  }
-  return answer;
-}
+Answer answer(const SetPosterior& posterior, std::size_t effects) { return Answering(posterior, effects).run(); }
 
-Answer answer(const NamedEvidence& named, const JudgeNumbers& numbers) {
-  return answer(setPosterior(scoreTable(named), numbers), named.effects.size());
+Answer answer(const Evidence& evidence, const JudgeNumbers& numbers) {
+  return answer(setPosterior(scoreTable(evidence), numbers), evidence.effects.size());
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -37,12 +37,9 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
     const LogEvidence& log = evidence.logs[static_cast<std::size_t>(l)];
     table.floor[l] = log.floor * log.floor;
     table.weight[l] = log.weight;
+    table.blocks += static_cast<double>(log.blocks);
   }
   table.weight /= table.weight.sum();
-  table.blocks = static_cast<double>(evidence.reEstimated().block_errors.size());
-  if (evidence.reEstimated().unseen) {
-    table.blocks += static_cast<double>(evidence.reEstimated().unseen->parts.size());
-  }
 }
 
 void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
@@ -51,7 +48,7 @@ void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& tab
   table.moved[row] = hypothesis.penalty * hypothesis.penalty;
 }
 
-void fillMembers(const NamedEvidence& named, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
+void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   const auto logs = static_cast<double>(table.weight.size());
   table.numbers[row] = static_cast<double>(hypothesis.terms);
   table.trends[row] = hypothesis.free_trends ? logs : 0.0;
@@ -59,20 +56,10 @@ void fillMembers(const NamedEvidence& named, const HypothesisEvidence& hypothesi
   table.sizes.emplace_back();
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
-    const bool on_rig = named.on_rig[static_cast<std::size_t>(hypothesis.members[m])];
+    const bool on_rig = evidence.on_rig[static_cast<std::size_t>(hypothesis.members[m])];
     (on_rig ? table.added_rig : table.added).row(row) += squares.transpose();
     table.sizes.back().push_back(0.5 * std::log(std::max((squares * table.weight).sum(), kLeastSquare)));
   }
-}
-
-// Expected squares of each hypothesis in each log.
-ArrayXXd expected(const ScoreTable& table, const JudgeNumbers& numbers) {
-  const double form = numbers.form_error * numbers.form_error;
-  const double form_on_rig = numbers.form_error_on_rig * numbers.form_error_on_rig;
-  ArrayXXd squares = form * table.added + form_on_rig * table.added_rig;
-  const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
-  squares.rowwise() += others.transpose();
-  return squares;
 }
 
 // Of a set: its effects, and what it frees.
@@ -122,11 +109,10 @@ void refuseInfinite(ArrayXd& weights) {
 
 }  // namespace
 
-ScoreTable scoreTable(const NamedEvidence& named) {
-  const Evidence& evidence = named.evidence;
+ScoreTable scoreTable(const Evidence& evidence) {
   requireLogs(evidence);
   ScoreTable table;
-  table.effects = named.effects;
+  table.effects = evidence.effects;
   fillLogs(evidence, table);
   const auto rows = static_cast<Index>(evidence.hypotheses.size());
   table.left = table.added = table.added_rig = ArrayXXd::Zero(rows, table.weight.size());
@@ -135,16 +121,33 @@ ScoreTable scoreTable(const NamedEvidence& named) {
     const HypothesisEvidence& hypothesis = evidence.hypotheses[static_cast<std::size_t>(row)];
     table.members.push_back(hypothesis.members);
     fillErrors(hypothesis, row, table);
-    fillMembers(named, hypothesis, row, table);
+    fillMembers(evidence, hypothesis, row, table);
   }
   return table;
 }
 
+ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers) {
+  const double form = numbers.form_error * numbers.form_error;
+  const double form_on_rig = numbers.form_error_on_rig * numbers.form_error_on_rig;
+  ArrayXXd squares = form * table.added + form_on_rig * table.added_rig;
+  const ArrayXd others = numbers.floor_known * numbers.floor_known * table.floor + numbers.accepted * numbers.accepted;
+  squares.rowwise() += others.transpose();
+  return squares;
+}
+
+double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers) {
+  return numbers.sharpness * std::pow(table.blocks / kTypicalBlocks, numbers.growth);
+}
+
+double lossOf(double left, double expected, const JudgeNumbers& numbers) {
+  return std::log(expected) + (numbers.tails + 1.0) * std::log1p(left / (numbers.tails * expected));
+}
+
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
-  const double sharpness = numbers.sharpness * std::pow(table.blocks / kTypicalBlocks, numbers.growth);
-  const ArrayXXd s2 = expected(table, numbers);
+  const double sharpness = sharpnessOf(table, numbers);
+  const ArrayXXd s2 = expectedSquares(table, numbers);
   const ArrayXXd& r2 = table.left;
-  const ArrayXXd student = s2.log() + (numbers.tails + 1.0) * (r2 / (numbers.tails * s2)).log1p();
+  const ArrayXXd student = r2.binaryExpr(s2, [&](double left, double s) { return lossOf(left, s, numbers); });
   const auto sumOverLogs = [&](const ArrayXXd& values) -> ArrayXd {
     return -0.5 * sharpness * (values.matrix() * table.weight.matrix()).array();
   };

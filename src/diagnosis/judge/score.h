@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/judge/evidence_json.h"
+#include "diagnosis/judge/evidence.h"
 #include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis {
@@ -29,7 +29,16 @@ struct ScoreTable {
 };
 
 /// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
-ScoreTable scoreTable(const NamedEvidence& named);
+ScoreTable scoreTable(const Evidence& evidence);
+
+/// What each hypothesis is expected to leave of each log beyond its noise, s^2 below.
+Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers);
+
+/// The sharpness kappa for this many blocks.
+double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
+
+/// What squares left cost where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
+double lossOf(double left, double expected, const JudgeNumbers& numbers);
 
 /// Logarithm of the weight of each hypothesis: alone, and beside a rest that no listed effect causes.
 struct LogWeights {

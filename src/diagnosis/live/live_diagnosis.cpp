@@ -273,7 +273,7 @@ std::unique_ptr<LiveDiagnosis::Model> LiveDiagnosis::warmedUp(const io::Componen
 
 void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
   findings_.gap = diagnosis.gap;
-  findings_.where = diagnosis.verdict == "none" ? "" : placeOf(diagnosis.where);
+  findings_.where = diagnosis.verdict == Verdict::none ? "" : placeOf(diagnosis.where);
   findings_.sentence = diagnosis.sentence;
   findings_.rig_findings.clear();
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
@@ -283,7 +283,10 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
   for (const std::string& effect : diagnosis.effects) {
     findings_.probabilities.push_back(probabilityOf(effect, diagnosis));
   }
-  findings_.confounded = diagnosis.confounded.empty() ? std::vector<std::string>() : diagnosis.confounded.front();
+  findings_.confounded.clear();
+  for (const std::vector<std::string>& set : diagnosis.confounded) {
+    findings_.confounded.push_back(fmt::format("{}", fmt::join(set, " + ")));
+  }
   const bool has_effect = !diagnosis.effects.empty();
   if (block_) {
     block_->whole = false;  // the look has seen its begin
@@ -291,7 +294,7 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
   re_estimated_model_ = has_effect ? warmedUp(diagnosis.re_estimated) : nullptr;
   augmented_model_ = has_effect ? warmedUp(diagnosis.augmented) : nullptr;
   candidate_.reset();
-  if (has_effect || diagnosis.verdict == "parameter_error") {
+  if (has_effect || diagnosis.verdict == Verdict::parameter_error) {
     candidate_ = diagnosis.augmented;
   }
 }
@@ -299,7 +302,7 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
 LiveFindings LiveDiagnosis::findings() const {
   LiveFindings findings = findings_;
   findings.now = judgement_.now();
-  if (findings.now.verdict == "watching" && augmented_model_) {
+  if (!findings.now.verdict && augmented_model_) {
     findings.sentence = fmt::format("Not confirmed on new samples yet (evidence {:.2g}, {:.2g} needed): {}",
                                     findings.now.evidence, findings.now.threshold, findings_.sentence);
   }
@@ -308,7 +311,7 @@ LiveFindings LiveDiagnosis::findings() const {
 
 std::optional<io::ComponentDescription> LiveDiagnosis::found() const {
   const LiveVerdict now = judgement_.now();
-  const bool closes = !now.effects.empty() || now.verdict == "parameter_error";
+  const bool closes = !now.effects.empty() || now.verdict == Verdict::parameter_error;
   return closes ? candidate_ : std::nullopt;
 }
 

@@ -36,7 +36,7 @@ struct LiveSettings {
 struct LiveFindings {
   LiveVerdict now;
   std::vector<double> probabilities;    ///< of the effects said, in their order
-  std::vector<std::string> confounded;  ///< that cannot be told from the first of them
+  std::vector<std::string> confounded;  ///< sets that cannot be told apart, as "friction + creep"
   Gap gap;                              ///< over the window; augmented: with what the look would add
   std::vector<std::string> rig_findings;
   std::string where;        ///< place of the gap in words; empty: there is none

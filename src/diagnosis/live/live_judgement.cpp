@@ -16,6 +16,8 @@ constexpr double kLeastRise = 0.1;         // in the logarithm: 10 % more error
 
 }  // namespace
 
+std::string toString(const LiveVerdict& verdict) { return verdict.verdict ? toString(*verdict.verdict) : "watching"; }
+
 LiveJudgement::LiveJudgement(const LiveCriteria& criteria) : criteria_(criteria), evidence_(criteria.threshold()) {}
 
 bool LiveJudgement::moves(const BlockErrors& block) {
@@ -47,15 +49,15 @@ void LiveJudgement::addLook(const Look& look) {
   if (!look.effects.empty()) {
     claim_ = look;
     agreeing_ = 0;
-    last_verdict_.clear();
+    last_verdict_.reset();
     if (!named_) {
-      said_ = "watching";
+      said_.reset();
     }
     return;
   }
   agreeing_ = look.verdict == last_verdict_ ? agreeing_ + 1 : 1;
   last_verdict_ = look.verdict;
-  if (agreeing_ >= kAgreeing || (look.verdict == "none" && !named_)) {
+  if (agreeing_ >= kAgreeing || (look.verdict == Verdict::none && !named_)) {
     said_ = look.verdict;
     claim_.reset();
     named_ = false;
@@ -85,8 +87,7 @@ LiveVerdict LiveJudgement::now() const {
     verdict.verdict = claim_->verdict;
     verdict.effects = claim_->effects;
   }
-  const bool gap = verdict.verdict != "watching" && verdict.verdict != "none";
-  const auto change = gap ? lastChange(logErrors()) : std::nullopt;
+  const auto change = verdict.isGap() ? lastChange(logErrors()) : std::nullopt;
   if (change && change->after > change->before + kLeastRise) {
     verdict.since = points_[change->first].begin;
   }

@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "diagnosis/live/sequential_evidence.h"
+#include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::diagnosis {
 
 /// What a diagnosis of one window says.
 struct Look {
-  std::string verdict;               ///< as Diagnosis::verdict
-  std::vector<std::string> effects;  ///< likewise
+  Verdict verdict = Verdict::none;
+  std::vector<std::string> effects;  ///< named
 };
 
 /// Errors on a block that no look has seen, each the RMS of measured less simulated force without its mean [N]. Not a
@@ -41,16 +42,22 @@ struct LiveCriteria {
 
 /// What may be said now.
 struct LiveVerdict {
-  std::string verdict = "watching";  ///< or one of Diagnosis::verdict
+  std::optional<Verdict> verdict;  ///< none while nothing can be said
   std::vector<std::string> effects;
   std::optional<std::int64_t> since;  ///< onset [ns]; nothing: from the first block on, or no gap is claimed
   double evidence = 1.0;              ///< of SequentialEvidence
   double threshold = 0.0;
+
+  /// True where a gap is claimed.
+  bool isGap() const { return verdict && *verdict != Verdict::none; }
 };
+
+/// The verdict, or "watching" while there is none.
+std::string toString(const LiveVerdict& verdict);
 
 /// Looks come again and again, and any of them may be wrong. What is said follows these rules:
 ///  - An effect is named once the blocks since the look are evidence for what it adds: see SequentialEvidence, whose
-///    guarantee holds whatever the looks do. Until then the verdict is `watching`.
+///    guarantee holds whatever the looks do. Until then there is no verdict.
 ///  - It stays, as the newest look with an effect has it, until kAgreeing looks in a row have none.
 ///  - `none` is said at once; the other verdicts without an effect once kAgreeing looks in a row have the same.
 ///  - The onset is where the level of the logarithmic block errors of the configured model last changed, if it rose
@@ -85,9 +92,9 @@ class LiveJudgement {
   double usual_force_ = 0.0;   // of the blocks so far [N]
   std::optional<Look> claim_;  // the newest look with an effect
   bool named_ = false;
-  std::string last_verdict_;  // of the looks without an effect
+  std::optional<Verdict> last_verdict_;  // of the looks without an effect
   int agreeing_ = 0;
-  std::string said_ = "watching";
+  std::optional<Verdict> said_;
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -27,7 +27,8 @@ class Measured {
   virtual fit::Excitation excitation() const = 0;
 
   /// The list of effects with their unit effects; those that such a measurement can never show have no terms.
-  virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, int threads) const = 0;
+  virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
+                                                 const FittedHypothesis& re_estimated, int threads) const = 0;
 
   /// What the time steps of the simulation make of a model, as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;

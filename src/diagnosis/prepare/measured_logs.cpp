@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
 #include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/prepare/rig_noise.h"
@@ -58,9 +59,11 @@ std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element:
 
 fit::Excitation MeasuredLogs::excitation() const { return fit::summarise(fitter_.records()); }
 
-std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& excitation, int threads) const {
+std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& excitation,
+                                                     const FittedHypothesis& re_estimated, int threads) const {
   std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
-  fit::findUnitEffects(all, fitter_.records(), threads);
+  settleShapes(fitter_, re_estimated, fitter_.records(), threads, all);
+  fitter_.prepare(all, threads);
   return all;
 }
 

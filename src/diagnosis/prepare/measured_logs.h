@@ -16,18 +16,19 @@ std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element:
 /// The fitters have to outlive it.
 class MeasuredLogs final : public Measured {
  public:
-  MeasuredLogs(const fit::Fitter& fitter, const fit::Fitter& element_fitter)
+  MeasuredLogs(fit::Fitter& fitter, const fit::Fitter& element_fitter)
       : fitter_(fitter), element_fitter_(element_fitter) {}
 
   const fit::HypothesisFitter& fitter() const override { return fitter_; }
   const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
   fit::Excitation excitation() const override;
-  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, int threads) const override;
+  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
+                                         int threads) const override;
   double discretisationError(const FittedHypothesis& model) const override;
   void estimateNoise(const FittedHypothesis& best, Search& result) const override;
 
  private:
-  const fit::Fitter& fitter_;
+  fit::Fitter& fitter_;
   const fit::Fitter& element_fitter_;
 };
 

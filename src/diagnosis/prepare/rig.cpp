@@ -5,13 +5,15 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <limits>
 
 #include "diagnosis/prepare/friction_noise.h"
 #include "diagnosis/prepare/rig_noise.h"
 #include "fit/fitter.h"
 #include "gap/simulate.h"
-#include "rubber_suspension/gap/gap.h"
+#include "numerics/least_squares.h"
+#include "numerics/symmetric.h"
+#include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/measurement/noise_floor.h"
 #include "rubber_suspension/measurement/prepared_log.h"
 #include "rubber_suspension/measurement/rig_model.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr int kIterations = 8;              // of the fit by which a start in motion is told
 constexpr double kChanceOfNewZeros = 1e-3;  // that zeros which are new in each log look common
+constexpr std::size_t kFewestLogs = 3;      // that tell how zeros scatter
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
   std::vector<measurement::Mask> masks;
@@ -37,51 +40,74 @@ gap::Forces simulateAt(const std::vector<element::ElementDescription>& elements,
   return gap::simulate(elements, moved);
 }
 
+// The same values by a model that may err by what is accepted: then the logs tell no more of them than a few errors of
+// that size would, however many samples they have.
+void allowError(const log::Record& record, double one_deviation, measurement::RigFit& fit) {
+  const double unit = one_deviation * record.force_deviation * std::sqrt(record.counted());
+  Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
+  Eigen::VectorXd residual = (record.force - fit.rig.base) / unit;
+  if (record.counts.size() > 0) {
+    columns.array().colwise() *= record.counts.array();
+    residual.array() *= record.counts.array();
+  }
+  const Eigen::Index count = columns.cols();
+  const numerics::Cholesky factor(columns.transpose() * columns + Eigen::MatrixXd::Identity(count, count));
+  fit.values = fit.rig.priors.cwiseProduct(factor.solve(Eigen::VectorXd(columns.transpose() * residual)));
+  fit.covariance = fit.rig.priors.asDiagonal() * factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) *
+                   fit.rig.priors.asDiagonal();
+}
+
 // The rig's part in each record about a model.
 std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
-                                        const std::vector<element::ElementDescription>& elements) {
-  return rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
+                                        const std::vector<element::ElementDescription>& elements,
+                                        const std::vector<fit::DisplacementZero>& zeros) {
+  auto fits = rig.fitAll(gap::simulate(elements, rig.records()), [&](const std::vector<Eigen::VectorXd>& displacements) {
     return simulateAt(elements, rig.records(), displacements);
+  });
+  for (std::size_t r = 0; r < fits.size(); ++r) {
+    allowError(rig.records()[r], zeros[r].one_deviation, fits[r]);
+  }
+  return fits;
+}
+
+// Parts of an initial state may be beyond chance where their sum, which is told, is not.
+bool isBeyondChance(const measurement::RigFinding& finding) {
+  return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
+}
+
+// Whether another model finds a value of the same within the interval.
+bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
+    return other.finding == finding.finding && other.value >= finding.interval_95[0] &&
+           other.value <= finding.interval_95[1];
   });
 }
 
-// What remains of each log's force on average [N].
-std::vector<double> meansLeft(const std::vector<log::Record>& records, const gap::Forces& forces) {
-  std::vector<double> means;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd left = records[r].force - forces[r];
-    means.push_back(records[r].counts.size() == 0 ? left.mean()
-                                                  : left.dot(records[r].counts) / records[r].counts.sum());
+// Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not (Student's t). So
+// many times their scatter, the mean of which is two of these where it is beyond chance, are the standard deviation.
+double deviationBy(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  if (values.size() < kFewestLogs) {
+    return HUGE_VAL;
   }
-  return means;
-}
-
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-// Of zeros with a cause, what is new in each log is the rig's.
-void takeOutZeros(const std::vector<double>& zeros, double common, std::vector<log::Record>& records) {
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    records[r].force.array() -= zeros[r] - common;
-  }
-}
-
-// Zeros and delays that are new in each log scatter as much as they are large; those of a cause do not (Student's t).
-bool areCommon(const std::vector<double>& zeros) {
-  const auto count = static_cast<double>(zeros.size());
-  if (zeros.size() < 3) {
-    return false;
-  }
-  const Eigen::Map<const Eigen::VectorXd> values(zeros.data(), static_cast<Eigen::Index>(zeros.size()));
-  const double variance = (values.array() - values.mean()).square().sum() / (count - 1.0);
-  if (variance == 0.0) {
-    return values.mean() != 0.0;
-  }
+  const Eigen::Map<const Eigen::VectorXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double scatter = std::sqrt((all.array() - all.mean()).square().sum() / (count - 1.0));
   const boost::math::students_t distribution(count - 1.0);
-  const double statistic = std::abs(values.mean()) / std::sqrt(variance / count);
-  return 2.0 * boost::math::cdf(boost::math::complement(distribution, statistic)) < kChanceOfNewZeros;
+  const double beyond = boost::math::quantile(boost::math::complement(distribution, 0.5 * kChanceOfNewZeros));
+  return scatter * std::max(1.0, beyond / std::sqrt(count) / io::kTolerated);
 }
+
+// How far zeros [N] and lags [s] may go by what they are in all logs.
+struct Limits {
+  double zero = HUGE_VAL;
+  double lag = HUGE_VAL;
+
+  double of(measurement::Nuisance nuisance) const {
+    return nuisance == measurement::Nuisance::force_zero ? zero
+           : nuisance == measurement::Nuisance::delay    ? lag
+                                                         : HUGE_VAL;
+  }
+};
 
 // Force at which Berg's friction of a model slides [N]; 0 without.
 double bergForce(const std::vector<element::ElementDescription>& elements) {
@@ -92,41 +118,96 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
   return force;
 }
 
+// Pieces of one recording have one zero: only whole logs tell how zeros scatter.
+void addValues(const io::RigTolerances& tolerances, const std::vector<log::Record>& records,
+               const gap::Forces& simulated, std::vector<double>& zeros, std::vector<double>& lags) {
+  const measurement::RigModel rig(records, masksOf(records), tolerances);
+  const auto columns = rig.columns(simulated, {});
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    if (records[r].lead_in.size() > 0) {
+      continue;
+    }
+    const measurement::RigFit fit = rig.fit(r, columns[r], 0);
+    const auto value = [&](measurement::Nuisance nuisance) {
+      const Eigen::Index column = fit.column(nuisance);
+      return column >= 0 ? fit.values[column] : 0.0;
+    };
+    zeros.push_back(value(measurement::Nuisance::force_zero));
+    lags.push_back(value(measurement::Nuisance::delay));
+  }
+}
+
 // Berg's friction that a motion before the log left in another state is a zero of up to its own force.
-bool areBeyondTolerance(const std::vector<double>& zeros, const std::vector<log::Record>& records,
-                        const io::RigTolerance& tolerance, double friction) {
-  for (std::size_t r = 0; r < zeros.size(); ++r) {
-    const double range = records[r].force.maxCoeff() - records[r].force.minCoeff();
-    if (std::abs(zeros[r]) <= io::kTolerated * tolerance.of(range) + friction) {
-      return false;
-    }
-  }
-  return true;
+Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
+                const std::vector<log::Record>& training, const std::vector<log::Record>& held_out) {
+  std::vector<double> zeros;
+  std::vector<double> lags;
+  addValues(tolerances, training, gap::simulate(elements, training), zeros, lags);
+  addValues(tolerances, held_out, gap::simulateEach(elements, held_out), zeros, lags);
+  return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 
-// What is new of further columns, among the nuisances of a record: orthonormal (Gram and Schmidt).
-void addNuisances(const Eigen::MatrixXd& columns, log::Record& record) {
-  constexpr double kMatters = 1e-3;  // of the force: less is no nuisance
-  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    const Eigen::VectorXd column = record.withoutRig(columns.col(j));
-    const double norm = column.norm();
-    if (norm > kMatters * record.force_deviation * std::sqrt(record.counted())) {
-      record.nuisances.conservativeResize(column.size(), record.nuisances.cols() + 1);
-      record.nuisances.rightCols<1>() = column / norm;
-    }
+// A random walk over the log, its mean taken out, by the first of the half cosines that it is made of; the mean square
+// of all of them is that of the noise.
+Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
+  constexpr Eigen::Index kCosines = 8;
+  const double samples = static_cast<double>(record.size());
+  Eigen::MatrixXd columns(record.size(), kCosines);
+  double squares = 0.0;
+  for (Eigen::Index k = 0; k < kCosines; ++k) {
+    const double order = static_cast<double>(k + 1);
+    columns.col(k) = (Eigen::ArrayXd::LinSpaced(record.size(), 0.5, samples - 0.5) * (element::kPi * order / samples))
+                         .cos() /
+                     order;
+    squares += 0.5 / (order * order);
   }
+  return columns * (deviation / std::sqrt(squares));
 }
 
-void setNuisances(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-                  bool zero_counts, std::vector<log::Record>& records) {
-  const auto nuisances = measurement::freeNuisances(
-      records, tolerances, zero_counts, gap::simulate(elements, records),
-      [&](const std::vector<Eigen::VectorXd>& displacements) { return simulateAt(elements, records, displacements); });
+// One standard deviation of anything that the rig does counts as an error of this size in one of `logs` logs, in units
+// of the force's standard deviation: the judgement takes it for as improbable as any number at its deviation.
+double oneDeviation(double floor, std::size_t logs) {
+  constexpr double kAccepted = 0.005;   // of the force, that a model may err by
+  constexpr double kFloorKnown = 0.5;   // of the floor, that it may be off by
+  constexpr double kSharpness = 9.0;    // independent errors that all logs are worth
+  return std::hypot(kAccepted, kFloorKnown * floor) * std::sqrt(static_cast<double>(logs) / kSharpness);
+}
+
+// Everything that the rig may have added, each column of one standard deviation [N]. Zeros of the displacement are left
+// out: what they do depends on the law that is supposed.
+Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const Eigen::MatrixXd& starts,
+                             const Eigen::MatrixXd& slow) {
+  Eigen::MatrixXd columns(slow.rows(), rig.columns.cols() + starts.cols() + slow.cols());
+  Eigen::Index used = 0;
+  for (Eigen::Index j = 0; j < rig.columns.cols(); ++j) {
+    const measurement::Nuisance nuisance = rig.nuisances[static_cast<std::size_t>(j)];
+    if (nuisance != measurement::Nuisance::displacement_zero) {
+      columns.col(used++) = rig.columns.col(j) * std::min(rig.priors[j], limits.of(nuisance));
+    }
+  }
+  columns.middleCols(used, starts.cols()) = starts;
+  columns.middleCols(used + starts.cols(), slow.cols()) = slow;
+  return columns.leftCols(used + starts.cols() + slow.cols());
+}
+
+void setNuisances(const std::vector<element::ElementDescription>& elements, const gap::Forces& simulated,
+                  const io::RigTolerances& tolerances, const Limits& limits, const std::vector<double>& one_deviation,
+                  std::vector<log::Record>& records) {
+  const auto rig = measurement::RigModel(records, {}, tolerances)
+                       .columns(simulated, [&](const std::vector<Eigen::VectorXd>& displacements) {
+                         return simulateAt(elements, records, displacements);
+                       });
   const auto starts = frictionStarts(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    records[r].nuisances = nuisances[r];
-    addNuisances(starts[r], records[r]);
-    records[r].slow_noise = io::kTolerated * tolerances.slow_noise.of(records[r].force_deviation);
+    log::Record& record = records[r];
+    const double slow = tolerances.slow_noise.of(record.force_deviation);
+    Eigen::MatrixXd columns = deviationsOf(rig[r], limits, starts[r], slowNoise(record, slow));
+    columns /= one_deviation[r] * record.force_deviation * std::sqrt(record.counted());
+    if (record.counts.size() > 0) {
+      columns.array().colwise() *= record.counts.array();
+    }
+    record.nuisances = numerics::whiteningColumns(columns);
+    record.slow_noise = io::kTolerated * slow;
   }
 }
 
@@ -139,143 +220,84 @@ std::vector<double> noiseBeside(const gap::Forces& forces, const std::vector<log
 }
 
 // Of the noise beside a model, no more than that of one rig can be.
-void letNoisyLogsCountLess(const std::vector<element::ElementDescription>& elements, std::vector<log::Record>& training,
-                           std::vector<log::Record>& held_out) {
-  const std::vector<double> noise = noiseBeside(gap::simulate(elements, training), training);
-  const NoiseLimit limit = noiseLimit(noise, training);
-  const auto weigh = [&](std::vector<double> left, std::vector<log::Record>& records) {
+struct Noise {
+  std::vector<double> training;
+  std::vector<double> held_out;
+};
+
+Noise noiseOf(const std::vector<element::ElementDescription>& elements, const std::vector<log::Record>& training,
+              const std::vector<log::Record>& held_out) {
+  Noise noise{noiseBeside(gap::simulate(elements, training), training),
+              noiseBeside(gap::simulateEach(elements, held_out), held_out)};
+  const NoiseLimit limit = noiseLimit(noise.training, training);
+  const auto bound = [&](const std::vector<log::Record>& records, std::vector<double>& left) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       left[r] = std::min(left[r], limit.of(records[r]));
     }
-    weighByNoise(left, records);
   };
-  weigh(noise, training);
-  if (!held_out.empty()) {
-    weigh(noiseBeside(gap::simulateEach(elements, held_out), held_out), held_out);
+  bound(training, noise.training);
+  bound(held_out, noise.held_out);
+  return noise;
+}
+
+std::vector<double> oneDeviations(const std::vector<double>& floors, std::size_t logs) {
+  std::vector<double> result;
+  std::transform(floors.begin(), floors.end(), std::back_inserter(result),
+                 [&](double floor) { return oneDeviation(floor, logs); });
+  return result;
+}
+
+// An excerpt is of a log whose zero others of it have, too: there, none is free.
+std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& records, const io::RigTolerances& tolerances,
+                                           const std::vector<double>& one_deviation) {
+  std::vector<fit::DisplacementZero> zeros;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double range = records[r].displacement.maxCoeff() - records[r].displacement.minCoeff();
+    const bool whole = records[r].lead_in.size() == 0;
+    zeros.push_back({whole ? tolerances.displacement_zero.of(range) : 0.0, one_deviation[r]});
   }
+  return zeros;
 }
 
 }  // namespace
 
-void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                   std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
-  setNuisances(model.apply(Eigen::VectorXd::Zero(model.size())).allElements(), tolerances, false, training);
+ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                        std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
+  const std::size_t logs = training.size();
+  const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
+  setNuisances(configured, gap::simulate(configured, training), tolerances, {},
+               oneDeviations(std::vector<double>(logs, 0.0), logs), training);
   const fit::Fitter fitter(training, model);
   const fit::Hypothesis alone;
-  const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), kIterations).parameters;
+  const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
-  setNuisances(elements, tolerances, false, training);
-  setNuisances(elements, tolerances, false, held_out);
-  letNoisyLogsCountLess(elements, training, held_out);
-}
-
-std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
-                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training,
-                                    const std::vector<log::Record>& held_out) {
-  const std::vector<double> of_training = meansLeft(training, gap::simulate(elements, training));
-  const std::vector<double> of_held_out = meansLeft(held_out, gap::simulateEach(elements, held_out));
-  std::vector<double> zeros = of_training;
-  zeros.insert(zeros.end(), of_held_out.begin(), of_held_out.end());
-  const double common = meanOf(zeros);
-  double squares = 0.0;
-  for (const log::Record& record : training) {
-    squares += record.weight * std::pow(common / record.force_deviation, 2) / static_cast<double>(training.size());
+  const Noise noise = noiseOf(elements, training, held_out);
+  const Limits limits = limitsBy(elements, tolerances, training, held_out);
+  const std::vector<double> of_training = oneDeviations(noise.training, logs);
+  const std::vector<double> of_held_out = oneDeviations(noise.held_out, logs);
+  setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);
+  weighByNoise(noise.training, training);
+  if (!held_out.empty()) {
+    setNuisances(elements, gap::simulateEach(elements, held_out), tolerances, limits, of_held_out, held_out);
+    weighByNoise(noise.held_out, held_out);
   }
-  const double friction = bergForce(elements);
-  const bool cause = areCommon(zeros) || (areBeyondTolerance(of_training, training, tolerances.force_zero, friction) &&
-                                          areBeyondTolerance(of_held_out, held_out, tolerances.force_zero, friction));
-  return cause && std::sqrt(squares) > least ? std::optional(common) : std::nullopt;
+  return {zerosOf(training, tolerances, of_training), zerosOf(held_out, tolerances, of_held_out)};
 }
 
-void countZeros(const std::vector<element::ElementDescription>& elements, double common,
-                const io::RigTolerances& tolerances, std::vector<log::Record>& training,
-                std::vector<log::Record>& held_out) {
-  takeOutZeros(meansLeft(training, gap::simulate(elements, training)), common, training);
-  takeOutZeros(meansLeft(held_out, gap::simulateEach(elements, held_out)), common, held_out);
-  setNuisances(elements, tolerances, true, training);
-  setNuisances(elements, tolerances, true, held_out);
-}
-
-double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-                        const std::vector<log::Record>& records) {
-  constexpr double kShift = 0.01;  // of the displacement's range, for the derivative by its zero
-  const gap::Forces forces = gap::simulate(elements, records);
-  std::vector<Eigen::VectorXd> shifted;
-  std::vector<double> ranges;
-  for (const log::Record& record : records) {
-    ranges.push_back(record.displacement.maxCoeff() - record.displacement.minCoeff());
-    shifted.emplace_back(record.displacement.array() + kShift * ranges.back());
-  }
-  const gap::Forces moved = simulateAt(elements, records, shifted);
-  double sum = 0.0;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const log::Record& record = records[r];
-    const double tolerance = tolerances.displacement_zero.of(ranges[r]);
-    const Eigen::VectorXd left = record.withoutRig(record.force - forces[r]);
-    const Eigen::VectorXd column = record.withoutRig(moved[r] - forces[r]) / (kShift * ranges[r]);
-    // The zero of least squares, with the tolerance as prior against what is left.
-    const double prior = tolerance > 0.0 ? left.squaredNorm() / record.counted() / (tolerance * tolerance) : HUGE_VAL;
-    const double square = column.squaredNorm() + prior;
-    const double explained = square > 0.0 ? std::pow(column.dot(left), 2) / square : 0.0;
-    sum += record.weight * (left.squaredNorm() - explained) / record.counted() / std::pow(record.force_deviation, 2);
-  }
-  return std::sqrt(std::max(0.0, sum) / static_cast<double>(records.size()));
-}
-
-std::vector<RigPart> rigParts(const std::vector<element::ElementDescription>& elements,
-                              const io::RigTolerances& tolerances, const std::vector<log::Record>& records) {
-  const measurement::RigModel rig(records, masksOf(records), tolerances);
-  const std::vector<measurement::RigFit> fits = fitRig(rig, elements);
-  std::vector<RigPart> parts(records.size());
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::Index delay = fits[r].column(measurement::Nuisance::delay);
-    parts[r].delay = delay >= 0 ? fits[r].values[delay] : 0.0;
-    for (const measurement::RigFinding& finding : rig.findings(r, fits[r])) {
-      if (finding.finding == measurement::finding::kDisplacementZero) {
-        parts[r].displacement_zero = finding.value;
-        parts[r].findings.push_back(finding);
-      } else if (finding.finding == measurement::finding::kDelay && !finding.beyond_tolerance) {
-        parts[r].shows_delay = true;
-        parts[r].findings.push_back(finding);
-      }
-    }
-  }
-  return parts;
-}
-
-double commonDelay(const std::vector<RigPart>& parts) {
-  std::vector<double> delays(parts.size());
-  std::transform(parts.begin(), parts.end(), delays.begin(), [](const RigPart& part) { return part.delay; });
-  return areCommon(delays) ? meanOf(delays) : 0.0;
-}
-
-bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector<log::Record>& records) {
-  constexpr double kMatters = 0.05;  // samples: less than the noise of any log shows
-  bool any = false;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const double later = parts[r].shows_delay ? (parts[r].delay - common_delay) / records[r].dt : 0.0;
-    const bool late = std::abs(later) > kMatters;
-    any = any || late || parts[r].displacement_zero != 0.0;
-    records[r].lead_in.array() -= parts[r].displacement_zero;
-    for (Eigen::VectorXd* displacement : {&records[r].displacement, &records[r].raw_displacement}) {
-      displacement->array() -= parts[r].displacement_zero;
-      *displacement = late ? measurement::delayed(*displacement, later) : *displacement;
-    }
-  }
-  return any;
-}
-
-std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
+                                                 const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records) {
+                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<fit::DisplacementZero>& zeros) {
   const measurement::RigModel rig(records, masksOf(records), tolerances);
-  const std::vector<measurement::RigFit> fits = fitRig(rig, elements);
+  const std::vector<measurement::RigFit> fits = fitRig(rig, judged, zeros);
+  const std::vector<measurement::RigFit> by_rival = fitRig(rig, rival, zeros);
   std::vector<measurement::RigFinding> found;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const auto of_log = rig.findings(r, fits[r]);
-    // Parts of an initial state may be beyond chance where their sum, which is told, is not.
-    std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [](const measurement::RigFinding& finding) {
-      return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
+    const auto of_rival = rig.findings(r, by_rival[r]);
+    std::copy_if(of_log.begin(), of_log.end(), std::back_inserter(found), [&](const measurement::RigFinding& finding) {
+      return isBeyondChance(finding) && agrees(finding, of_rival);
     });
     if (const auto colour = measurement::colouredNoiseFinding(records[r].name, fits[r].noise)) {
       found.push_back(*colour);

@@ -1,9 +1,10 @@
-// The rig's part in the logs of a diagnosis: what is taken out before any effect is weighed, and what is told of it.
+// The rig's part in the logs of a diagnosis: what it may have added to each, as columns with a prior that every fit has,
+// and what is told of it.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "fit/displacement_zero.h"
 #include "fit/model_parameters.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/io/rig_tolerances.h"
@@ -12,48 +13,27 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Free the nuisances of each record (Record::nuisances), the zero of the force among them. The model is re-estimated
-/// for what a motion before a log left in the component, and for how much each log counts (weighByNoise()).
-void freeNuisances(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                   std::vector<log::Record>& training, std::vector<log::Record>& held_out);
-
-/// Mean of the zeros of the force that a model leaves [N], where they are a cause: beyond the rig's tolerance, and what
-/// Berg's friction may start with, in all logs, those held out among them, or common to them, which zeros that nobody
-/// set are not; and more than `least` as a gap.
-std::optional<double> zeroWithCause(const std::vector<element::ElementDescription>& elements, double least,
-                                    const io::RigTolerances& tolerances, const std::vector<log::Record>& training,
-                                    const std::vector<log::Record>& held_out);
-
-/// Let the zero of the force count: it is no nuisance any more. Of the zeros that a model leaves, what is not common to
-/// all logs is the rig's, and taken out.
-void countZeros(const std::vector<element::ElementDescription>& elements, double common,
-                const io::RigTolerances& tolerances, std::vector<log::Record>& training,
-                std::vector<log::Record>& held_out);
-
-/// What a model leaves of records once both zeros of each log are free, in units of the force's standard deviation.
-double leftWithoutZeros(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-                        const std::vector<log::Record>& records);
-
-/// What the rig did to the displacement of one record, by what a model leaves of its force.
-struct RigPart {
-  double displacement_zero = 0.0;  ///< by which it is too high, where that shows beyond chance [m]
-  double delay = 0.0;              ///< of the force behind it [s]
-  bool shows_delay = false;        ///< whether the delay is beyond chance, and within the rig's tolerance
-  std::vector<measurement::RigFinding> findings;
+/// Zeros of the displacement that records may have: those of the logs of the fit, and of unseen ones.
+struct ZeroPriors {
+  std::vector<fit::DisplacementZero> training;
+  std::vector<fit::DisplacementZero> held_out;
 };
 
-std::vector<RigPart> rigParts(const std::vector<element::ElementDescription>& elements,
-                              const io::RigTolerances& tolerances, const std::vector<log::Record>& records);
+/// Give each record what the rig may have added to it (Record::nuisances): zero, lag, clock, gain, what a motion before
+/// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
+/// deviation of any of them counts as much as an error that an engineer accepts. Zeros and lags that are much alike in
+/// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
+/// the effects. The model is re-estimated for that, and for how much each log counts (weighByNoise()).
+ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
+                        std::vector<log::Record>& training, std::vector<log::Record>& held_out);
 
-/// The delay that all logs have in common [s], 0 where they do not: it may be a cause, and is left to the effects.
-double commonDelay(const std::vector<RigPart>& parts);
-
-/// Take zeros, and what delays differ by from a common one, out of the displacements; true if there are any.
-bool takeOut(const std::vector<RigPart>& parts, double common_delay, std::vector<log::Record>& records);
-
-/// What the rig did to each record, by what a model leaves of it.
-std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& elements,
+/// What the rig did to each record by what `judged` leaves of it: the values that the priors and the accepted error
+/// allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely elements,
+/// gives a value outside of its interval. `zeros`: of the records.
+std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
+                                                 const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
-                                                 const std::vector<log::Record>& records);
+                                                 const std::vector<log::Record>& records,
+                                                 const std::vector<fit::DisplacementZero>& zeros);
 
 }  // namespace rubber_suspension::diagnosis

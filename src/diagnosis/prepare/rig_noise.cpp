@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/judge/criteria.h"
 #include "measurement/statistics.h"
 
 namespace rubber_suspension::diagnosis {
@@ -23,7 +22,8 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
 }
 
 void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records) {
-  const double accepted = std::max(Criteria().beyond_noise, *std::min_element(noise.begin(), noise.end()));
+  constexpr double kAccepted = 0.02;  // of the force, by an engineer
+  const double accepted = std::max(kAccepted, *std::min_element(noise.begin(), noise.end()));
   double sum = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     records[r].weight = std::pow(std::min(1.0, accepted / noise[r]), 2);

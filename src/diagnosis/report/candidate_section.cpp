@@ -56,13 +56,9 @@ std::string notTestable(const Diagnosis& d) {
                              ": not absent, but not testable here.";
 }
 
-// The figures are those of docs/accuracy.md.
 const char* const kProbability =
-    "A probability is the share of cases in which the answer would be right among cases with evidence like this one. "
-    "On "
-    "177 virtual rigs, most as benches are, answers stated at 44, 64, 86, 98 and more than 99 % were right in 64, 64, "
-    "84, "
-    "100 and 100 % of cases; on real benches it was not calibrated.";
+    "A probability is that of all sets of effects that hold this one. The numbers behind it were fitted to cases of "
+    "known cause; docs/accuracy.md says how often what is stated so is right.";
 
 }  // namespace
 
@@ -78,14 +74,14 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
                        wholePercent(c.visible_share));
   }
   if (c.interval[0] <= 0.0) {
-    return "closes nothing that further data would confirm: the interval holds 0";
+    return "may close nothing of further logs: the interval holds 0";
   }
   if (d.effects.empty()) {
     return fmt::format("leaves {} of the {} that re-estimation leaves", percent(c.gap), percent(d.gap.re_estimated));
   }
   return c.gap > d.gap.augmented
              ? fmt::format("leaves {}, where what is named leaves {}", percent(c.gap), percent(d.gap.augmented))
-             : "adds nothing beyond what is named";
+             : fmt::format("leaves {}, no more than what is named, and is less probable", percent(c.gap));
 }
 
 std::string candidateSection(const Diagnosis& d) {

@@ -2,6 +2,7 @@
 #include "diagnosis/report/first_screen.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +16,16 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-std::string meaningOf(const std::string& verdict) {
-  static const std::map<std::string, std::string> meanings = {
-      {"none", "no gap beyond the noise"},
-      {"parameter_error", "the model's own values are off; nothing is missing"},
-      {"named", "the model lacks what is named here"},
-      {"partly", "the model lacks what is named here, and something else"},
-      {"confounded", "the effects of a set cannot be told apart here"},
-      {"unknown", "no effect of the list explains the gap"},
-      {"check_bench", "a log cannot be what it says"}};
-  const auto found = meanings.find(verdict);
-  return found == meanings.end() ? "" : found->second;
+std::string meaningOf(Verdict verdict) {
+  static const std::map<Verdict, std::string> meanings = {
+      {Verdict::none, "no gap beyond the noise"},
+      {Verdict::parameter_error, "the model's own values are off; nothing is missing"},
+      {Verdict::named, "the model lacks what is named here"},
+      {Verdict::partly, "the model lacks what is named here, and something else"},
+      {Verdict::confounded, "several sets of effects cannot be told apart here"},
+      {Verdict::unknown, "no effect of the list explains the gap"},
+      {Verdict::check_bench, "a log cannot be what it says"}};
+  return meanings.at(verdict);
 }
 
 std::string fact(const std::string& title, const std::string& html) {
@@ -68,12 +68,12 @@ std::string sureHtml(const Diagnosis& d) {
   if (!d.workings) {
     return "";
   }
-  if (d.verdict == "unknown") {
+  if (d.verdict == Verdict::unknown) {
     return fmt::format("{} % that it is no effect of the list", chance(d.posterior.none_of_these));
   }
   if (d.effects.empty()) {
     const double above = d.gap.as_configured - d.gap.noise_floor;
-    return d.verdict != "parameter_error" || !(above > 0.0)
+    return d.verdict != Verdict::parameter_error || !(above > 0.0)
                ? ""
                : fmt::format("the values alone close {} % of the gap above the noise",
                              wholePercent(std::min(1.0, (d.gap.as_configured - d.gap.re_estimated) / above)));
@@ -82,14 +82,15 @@ std::string sureHtml(const Diagnosis& d) {
   for (const std::string& effect : d.effects) {
     const CandidateResult* const candidate = candidateOf(d, effect);
     if (candidate != nullptr && effect == d.effects.front()) {
-      html = fmt::format("{} % that {} is the most important effect", chance(candidate->probability),
-                         escape(spoken(effect)));
+      html = fmt::format("{} % that {} is at work", chance(candidate->probability), escape(spoken(effect)));
     }
   }
-  for (const auto& set : d.confounded) {
-    if (set.size() > 1) {
-      html += "<br>not to be told apart here: " + escape(enumerated(set));
+  if (d.confounded.size() > 1) {
+    std::vector<std::string> sets;
+    for (const auto& set : d.confounded) {
+      sets.push_back(fmt::format("{}", fmt::join(set, " + ")));
     }
+    html += "<br>not to be told apart here: " + escape(enumerated(sets));
   }
   return html;
 }
@@ -148,7 +149,7 @@ std::string howToPlay(const Diagnosis& d) {
 std::string firstScreen(const Diagnosis& d, const std::string& loop) {
   const std::string play = howToPlay(d);
   const std::string facts =
-      fact("Verdict", fmt::format("<b>{}</b>: {}", escape(d.verdict), meaningOf(d.verdict))) +
+      fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.verdict), meaningOf(d.verdict))) +
       fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
       fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) + fact("Where", whereHtml(d)) +
       fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));

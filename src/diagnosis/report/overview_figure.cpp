@@ -7,7 +7,7 @@ namespace rubber_suspension::diagnosis {
 
 io::Figure overviewFigure(const Diagnosis& diagnosis) {
   io::Figure overview;
-  overview.title = diagnosis.component + ": " + diagnosis.verdict;
+  overview.title = diagnosis.component + ": " + toString(diagnosis.verdict);
   for (std::size_t i = 0; i < diagnosis.effects.size(); ++i) {
     overview.title += (i == 0 ? ": " : ", ") + diagnosis.effects[i];
   }

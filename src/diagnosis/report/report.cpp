@@ -86,15 +86,8 @@ std::string experimentCsv(const ProposedExperiment& experiment) {
 }  // namespace
 
 std::string evidenceJson(const Diagnosis& diagnosis) {
-  if (!diagnosis.workings || !diagnosis.workings->evidence) {
-    return "";
-  }
-  NamedEvidence named{*diagnosis.workings->evidence, {}, {}};
-  for (const fit::Candidate& candidate : diagnosis.workings->search.candidates) {
-    named.effects.push_back(candidate.effect);
-    named.on_rig.push_back(candidate.on_rig);
-  }
-  return toJson(named);
+  const bool wanted = diagnosis.workings && diagnosis.workings->write_evidence;
+  return wanted ? toJson(diagnosis.workings->evidence) : "";
 }
 
 std::vector<std::string> reportFiles() {

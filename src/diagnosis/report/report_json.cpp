@@ -130,10 +130,15 @@ ordered_json parametersJson(const Diagnosis& diagnosis) {
   return {{"ratio_to_configured", ratiosJson(diagnosis.parameter_ratios)}, {"by_log", by_log}};
 }
 
+ordered_json alternativeJson(const Alternative& other) {
+  return {{"verdict", toString(other.verdict)}, {"effects", other.effects}, {"probability", number(other.probability)}};
+}
+
 ordered_json sizeJson(const SizedValue& size) {
   return {{"owner", size.owner},         {"name", size.name},
           {"unit", size.unit},           {"configured", number(size.configured)},
-          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)}};
+          {"value", number(size.value)}, {"interval_95", interval(size.interval_95)},
+          {"at_bound", size.at_bound}};
 }
 
 // What made the report; nothing where it was made by a program that says nothing of itself.
@@ -180,7 +185,8 @@ std::string toJson(const Diagnosis& diagnosis) {
   ordered_json report = {
       {"schema", "rubber_suspension/gap_report/1"},
       {"component", diagnosis.component},
-      {"verdict", diagnosis.verdict},
+      {"verdict", toString(diagnosis.verdict)},
+      {"probability", number(diagnosis.probability)},
       {"sentence", diagnosis.sentence},
       {"effects", diagnosis.effects},
       {"gap",
@@ -196,6 +202,7 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"rig_findings", list(diagnosis.rig_findings, findingJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
+      {"alternatives", list(diagnosis.alternatives, alternativeJson)},
       {"candidates", list(diagnosis.candidates, candidateJson)},
       {"probability_none_of_these", number(diagnosis.posterior.none_of_these)},
       {"posterior",

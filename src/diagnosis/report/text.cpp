@@ -96,7 +96,9 @@ std::string intervalText(const SizedValue& size) {
          text(size.interval_95[0], digits) == text(size.interval_95[1], digits)) {
     ++digits;
   }
-  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit);
+  const char* const ends[] = {"", ", the lower end is a bound", ", the upper end is a bound", ", both are bounds"};
+  return text(size.interval_95[0], digits) + " to " + text(size.interval_95[1], digits) + unitText(display, size.unit) +
+         ends[(size.at_bound[0] ? 1 : 0) + (size.at_bound[1] ? 2 : 0)];
 }
 
 std::string quantity(const SizedValue& size) {

@@ -10,14 +10,15 @@
 #include "diagnosis/experiment/confusion.h"
 #include "diagnosis/experiment/next_experiment.h"
 #include "diagnosis/hypotheses/unseen_logs.h"
-#include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/prepare/rig.h"
 #include "diagnosis/report/admission.h"
 #include "diagnosis/report/sentence.h"
 #include "diagnosis/report/temperature_note.h"
+#include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/characteristics.h"
 #include "diagnosis/results/model_parameters_by_log.h"
+#include "diagnosis/results/predictive.h"
 #include "diagnosis/results/recorded_gap.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/results/surrogate.h"
@@ -36,14 +37,13 @@ class Describer {
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
-        judgement_(workings_->judgement),
-        judged_(search_.at(judgement_.model)) {
+        answer_(workings_->answer),
+        judged_(search_.at(answer_.model)) {
     result_.rig_findings = std::move(findings);
   }
 
   Diagnosis run() {
     result_.component = prepared_.component.name;
-    result_.verdict = toString(judgement_.verdict);
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
     result_.augmented = augmentedDescription(prepared_.model, judged_);
@@ -56,7 +56,7 @@ class Describer {
     describeLogs();
     describeCandidates();
     describeParameters();
-    describeJudgement();
+    describeAnswer();
     describeSurrogate();
     measureRecorded();
     result_.workings = std::move(workings_);
@@ -95,7 +95,7 @@ class Describer {
 
   // Errors of a hypothesis of the evidence on the logs that took no part in the fit.
   const std::vector<gap::PartError>& unseenParts(int hypothesis) const {
-    return workings_->unseen[static_cast<std::size_t>(hypothesis)].parts;
+    return workings_->unseen[static_cast<std::size_t>(hypothesis)];
   }
 
   // Errors with each effect alone, on the data that the gap is of.
@@ -129,7 +129,7 @@ class Describer {
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
       before_ = unseenParts(Evidence::kReEstimated);
-      after_ = unseenParts(judgement_.model);
+      after_ = unseenParts(answer_.model);
       const std::vector<double> floors =
           noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
@@ -144,41 +144,15 @@ class Describer {
     }
     boundFloor();
     result_.closed = closed(result_.gap.augmented);
-    result_.closed_interval = judgement_.effects.empty() ? interval(after_) : intervalOnFurtherLogs();
+    result_.closed_interval = answer_.effects.empty() ? std::array{result_.closed, result_.closed}
+                                                      : holding(result_.closed, closingOf(answer_));
   }
 
-  // Of what is named; the logs that the gap is of are further logs, too.
-  std::array<double, 2> intervalOnFurtherLogs() const {
-    std::vector<LogErrors> logs;
-    addLogs(search_.re_estimated.fit.blocks, judged_.fit.blocks, 0, logs);
-    if (hasUnseenLogs()) {
-      addLogs(before_, after_, workings_->training, logs);
-    }
-    const std::array<double, 2> interval = closedOnFurtherLogs(logs, options_.resamplings, options_.seed);
-    return {std::min(interval[0], result_.closed), std::max(interval[1], result_.closed)};
-  }
-
-  // Errors of parts gathered log by log, the first of which is the record at that place.
-  void addLogs(const std::vector<gap::PartError>& before, const std::vector<gap::PartError>& after, std::size_t first,
-               std::vector<LogErrors>& logs) const {
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const std::size_t place = first + static_cast<std::size_t>(before[i].log);
-      if (place >= logs.size()) {
-        logs.resize(place + 1, {0.0, 0.0, 0.0, 0.0});
-      }
-      logs[place].before += before[i].weight * before[i].error;
-      logs[place].after += after[i].weight * after[i].error;
-      logs[place].weight += before[i].weight;
-    }
-    for (std::size_t r = first; r < logs.size(); ++r) {
-      if (logs[r].weight == 0.0) {
-        continue;  // no sample of it counts
-      }
-      logs[r].before /= logs[r].weight;
-      logs[r].after /= logs[r].weight;
-      logs[r].floor = noise_[r];
-      logs[r].weight = workings_->records[r].weight;
-    }
+  // Predicted of further logs; those that the gap is of are further logs, too.
+  std::array<double, 2> holding(double closed, const Closing& closing) const {
+    const std::array<double, 2> interval =
+        closedOnFurtherLogs(workings_->evidence, closing, options_.resamplings, options_.seed);
+    return {std::min(interval[0], closed), std::max(interval[1], closed)};
   }
 
   // What of the gap is due to the model's own values, and what to the effects: each alone. In sample where there are no
@@ -221,10 +195,6 @@ class Describer {
     return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
   }
 
-  std::array<double, 2> interval(const std::vector<gap::PartError>& after) const {
-    return closedInterval(before_, after, result_.gap.noise_floor, options_.resamplings, options_.seed);
-  }
-
   // Errors over frequency, amplitude and time, on the logs that the gap is of; where the configured model is wrong.
   void mapGap() {
     const Workings& w = *workings_;
@@ -244,12 +214,15 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the best model leaves of it.
+  // What the rig did to each log, by what the judged model and the next likely one leave of it.
   void describeRig() {
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
     const auto elements = result_.augmented.allElements();
-    for (const auto* records : {&prepared_.training, &prepared_.held_out}) {
-      const auto found = rigFindings(elements, tolerances, *records);
+    const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
+    for (const bool held_out : {false, true}) {
+      const auto found =
+          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
   }
@@ -278,12 +251,15 @@ class Describer {
     candidate.effect = search_.candidates[c].effect;
     candidate.documentation = search_.candidates[c].documentation;
     candidate.on_rig = search_.candidates[c].on_rig;
-    candidate.probability = judgement_.probabilities[c];
+    candidate.probability = answer_.candidates[c];
     candidate.gap = gap::gapOfParts(errors);
     candidate.closed = closed(candidate.gap);
-    candidate.interval = &single == &judged_ ? result_.closed_interval : interval(errors);
+    candidate.interval = &single == &judged_
+                             ? result_.closed_interval
+                             : holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
     candidate.visible_share = search_.visible_share[c];
-    candidate.testable = judgement_.testable[c];
+    candidate.testable =
+        search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;
     candidate.add = entriesOf(single);
     candidate.parameters = headlineOf(candidate.add);
     return candidate;
@@ -298,20 +274,13 @@ class Describer {
     result_.effect_sizes = std::move(sizes.effects);
   }
 
-  void describeJudgement() {
-    result_.posterior = judgement_.posterior;
-    result_.effects = names(judgement_.effects);
-    for (const auto& set : judgement_.confounded) {
-      result_.confounded.push_back(names(set));
-    }
-    if (judgement_.values_would_do) {
-      result_.confounded.front().push_back(toString(Verdict::parameter_error));
-    }
-    NextExperiment next = nextExperiment(prepared_.fitter, search_, judgement_, options_.limits, options_.threads);
+  void describeAnswer() {
+    addAnswer(answer_, workings_->evidence, result_);
+    NextExperiment next = nextExperiment(prepared_.fitter, *workings_, options_.limits, options_.threads);
     result_.next_experiment = std::move(next.text);
     result_.proposed = std::move(next.proposed);
-    result_.sentence = sentence(judgement_, result_);
-    result_.could_show = couldShow(search_, Criteria{});
+    result_.sentence = sentence(result_);
+    result_.could_show = couldShow(search_);
     if (const std::string note = temperatureNote(result_.effects, search_.excitation); !note.empty()) {
       result_.sentence += " " + note;
       result_.next_experiment += " Record temperature_degC with it.";
@@ -320,29 +289,17 @@ class Describer {
 
   // What no effect explains is closed all the same.
   void describeSurrogate() {
-    if (!needsSurrogate(judgement_.verdict)) {
+    if (!leavesRest(answer_.verdict)) {
       return;
     }
     Workings& w = *workings_;
-    if (!w.surrogate) {
-      const gap::Forces of_training(w.force_augmented.begin(),
-                                    w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
-      w.surrogate =
-          fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out}, options_.threads);
-    }
-    Surrogate surrogate = judgeSurrogate(std::move(*w.surrogate), result_.gap.noise_floor);
-    w.surrogate.reset();
+    const gap::Forces of_training(w.force_augmented.begin(),
+                                  w.force_augmented.begin() + static_cast<std::ptrdiff_t>(w.training));
+    Surrogate surrogate = fitSurrogate(result_.augmented, {prepared_.training, of_training, prepared_.held_out},
+                                       result_.gap.noise_floor, options_.threads);
     w.force_surrogate = simulate(surrogate.component);
     result_.sentence += " " + describeRest(surrogate);
     result_.surrogate = std::move(surrogate);
-  }
-
-  std::vector<std::string> names(const std::vector<int>& effects) const {
-    std::vector<std::string> result;
-    for (const int effect : effects) {
-      result.push_back(search_.candidates[static_cast<std::size_t>(effect)].effect);
-    }
-    return result;
   }
 
   const PreparedCase& prepared_;
@@ -350,7 +307,7 @@ class Describer {
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
-  const Judgement& judgement_;
+  const Answer& answer_;
   const FittedHypothesis& judged_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;

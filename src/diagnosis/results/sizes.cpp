@@ -142,7 +142,7 @@ class Resampling {
       if (const auto found = configured.find(value.key); found != configured.end()) {
         size.configured = found->second;
       }
-      size.interval_95 = interval(value, may_vanish);
+      predict(value, may_vanish, size);
       result.push_back(std::move(size));
     }
     return result;
@@ -157,10 +157,11 @@ class Resampling {
     return values;
   }
 
-  std::array<double, 2> interval(const Value& value, bool may_vanish) const {
+  void predict(const Value& value, bool may_vanish, SizedValue& size) const {
     const auto found = draws_.find(value.key);
     if (found == draws_.end()) {
-      return {value.value, value.value};
+      size.interval_95 = {value.value, value.value};
+      return;
     }
     std::vector<double> draws = found->second;
     if (may_vanish && value.is_scale) {
@@ -170,7 +171,10 @@ class Resampling {
     const auto at = [&](double share) {
       return draws[static_cast<std::size_t>(std::lround(share * static_cast<double>(draws.size() - 1)))];
     };
-    return {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    size.interval_95 = {std::min(value.value, at(0.025)), std::max(value.value, at(0.975))};
+    // A bound gathers all draws that would lie beyond it.
+    const bool spread = draws.front() < draws.back();
+    size.at_bound = {spread && size.interval_95[0] == draws.front(), spread && size.interval_95[1] == draws.back()};
   }
 
   const fit::HypothesisFitter& fitter_;

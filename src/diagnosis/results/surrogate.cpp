@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <numeric>
 #include <utility>
 
-#include "diagnosis/judge/paired_losses.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kChanceOfGain = 0.05;  // of a gain on unseen blocks without there being any
+constexpr double kEvenChance = 0.5;     // where there is nothing to tell it by
+constexpr double kLargerPart = 0.5;     // of the squared rest
 constexpr std::size_t kFewestLogs = 3;  // whose scatter from log to log can be told
 
 // Tenths of logs that took no part in any fit, as further logs.
@@ -30,24 +34,40 @@ void addHeldOut(const io::ComponentDescription& component, const io::ComponentDe
   }
 }
 
-Losses lossesOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs) {
-  Losses losses;
-  const auto count = static_cast<Eigen::Index>(unseen.size());
-  Eigen::MatrixXd errors(2, count);
-  losses.weight.resize(count);
-  for (Eigen::Index b = 0; b < count; ++b) {
-    const fit::UnseenBlock& block = unseen[static_cast<std::size_t>(b)];
-    errors.col(b) << block.after, block.before;
-    losses.weight[b] = block.weight;
-    losses.cluster.push_back(count_logs ? block.record : static_cast<int>(b));
+// Half the logarithm of the error after over that before: a block counts by the factor gained there, and what is noise
+// does not count.
+double gainOf(const fit::UnseenBlock& block, double noise_floor) {
+  const double noise = noise_floor * noise_floor;
+  return 0.5 * std::log((block.after + noise) / (block.before + noise));
+}
+
+// Probability of such a mean gain where there is none, by Student's t over logs, or over blocks where there are few
+// logs. The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human Resources 50, 2015,
+// Eq. 11): blocks of one log share what that log is.
+double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs) {
+  double weight = 0.0;
+  double mean = 0.0;
+  for (const fit::UnseenBlock& block : unseen) {
+    weight += block.weight;
+    mean += block.weight * gainOf(block, noise_floor);
   }
-  losses.loss = logarithmicLoss(errors, std::pow(noise_floor, 2));
-  return losses;
+  mean /= weight;
+  std::map<int, double> departs;  // by cluster: weighted sum of what departs from the mean
+  for (std::size_t b = 0; b < unseen.size(); ++b) {
+    departs[count_logs ? unseen[b].record : static_cast<int>(b)] +=
+        unseen[b].weight * (gainOf(unseen[b], noise_floor) - mean);
+  }
+  const auto clusters = static_cast<double>(departs.size());
+  const double squares = std::accumulate(departs.begin(), departs.end(), 0.0,
+                                         [](double sum, const auto& one) { return sum + one.second * one.second; });
+  if (clusters < 2.0 || !std::isfinite(squares)) {
+    return kEvenChance;
+  }
+  const double error = std::sqrt(clusters / (clusters - 1.0) * squares) / weight;
+  return error > 0.0 ? boost::math::cdf(boost::math::students_t(clusters - 1.0), mean / error) : mean < 0.0 ? 0.0 : 1.0;
 }
 
 }  // namespace
-
-bool needsSurrogate(Verdict verdict) { return verdict == Verdict::unknown || verdict == Verdict::partly; }
 
 void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs, Surrogate& surrogate) {
   double weight = 0.0;
@@ -65,40 +85,27 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   const double rest = gap::residualAboveFloor(surrogate.unseen_before, floor);
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
   surrogate.share = rest > 0.0 ? std::clamp(1.0 - std::pow(left / rest, 2), 0.0, 1.0) : 0.0;
-  surrogate.chance = compare(lossesOf(unseen, noise_floor, count_logs), 0, 1).pValueOfNoGain();
-  surrogate.function_of_the_motion = surrogate.chance < kChanceOfGain && surrogate.share > Criteria().larger_part;
+  surrogate.chance = chanceOf(unseen, noise_floor, count_logs);
+  surrogate.function_of_the_motion = surrogate.chance < kChanceOfGain && surrogate.share > kLargerPart;
 }
 
-FittedSurrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, int threads) {
+Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
+                       int threads) {
   const fit::SurrogateFit fit = fit::fitSurrogate(logs.training, logs.force, threads);
-  FittedSurrogate fitted;
-  fitted.component = component;
-  fitted.component.add.push_back(fit.element);
-  std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(fitted.of_logs),
+  Surrogate surrogate;
+  surrogate.component = component;
+  surrogate.component.add.push_back(fit.element);
+  std::vector<fit::UnseenBlock> unseen;
+  std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(unseen),
                [](const fit::UnseenBlock& block) { return block.weight > 0.0; });
   const double share = static_cast<double>(logs.training.size());
-  for (fit::UnseenBlock& block : fitted.of_logs) {  // each log counts 1, as those held out do
+  for (fit::UnseenBlock& block : unseen) {  // each log counts 1, as those held out do
     block.weight *= share;
     block.after = fit.predicts ? block.after : block.before;
   }
-  addHeldOut(component, fitted.component, logs.held_out, static_cast<int>(logs.training.size()), fitted.of_held_out);
-  fitted.count_logs = logs.training.size() + logs.held_out.size() >= kFewestLogs;
-  return fitted;
-}
-
-Surrogate judgeSurrogate(FittedSurrogate fitted, double noise_floor) {
-  std::vector<fit::UnseenBlock> unseen = std::move(fitted.of_logs);
-  unseen.insert(unseen.end(), fitted.of_held_out.begin(), fitted.of_held_out.end());
-  Surrogate surrogate;
-  surrogate.component = std::move(fitted.component);
-  judgeRest(unseen, noise_floor, fitted.count_logs, surrogate);
+  addHeldOut(component, surrogate.component, logs.held_out, static_cast<int>(logs.training.size()), unseen);
+  judgeRest(unseen, noise_floor, logs.training.size() + logs.held_out.size() >= kFewestLogs, surrogate);
   return surrogate;
-}
-
-double shareOfMotion(const FittedSurrogate& fitted, double noise_floor) {
-  Surrogate of_logs;
-  judgeRest(fitted.of_logs, noise_floor, fitted.count_logs, of_logs);
-  return std::max(of_logs.share, judgeSurrogate(fitted, noise_floor).share);
 }
 
 std::string describeRest(const Surrogate& surrogate) {
@@ -110,11 +117,10 @@ std::string describeRest(const Surrogate& surrogate) {
   }
   if (surrogate.chance < kChanceOfGain && surrogate.share > 0.0) {
     return "Only part of the rest is a function of the motion: " + prediction +
-           "; most of it the motion does not cause (hum, cross-talk, a connector), or it needs other logs to be "
-           "learned.";
+           "; the other part needs other logs to be learned, or the motion does not cause it (hum, cross-talk, a "
+           "connector).";
   }
-  return "The rest is not seen to be a function of the motion, since no surrogate predicts it where it was not fitted: "
-         "look for what the motion does not cause (hum, cross-talk, a connector).";
+  return "No surrogate predicts the rest where it was not fitted: these logs do not tell whether the motion causes it.";
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -3,12 +3,13 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/hypotheses/search.h"
-#include "diagnosis/judge/judge.h"
-#include "diagnosis/results/surrogate.h"
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/judge/answer.h"
+#include "diagnosis/prepare/rig.h"
 #include "fit/fitter.h"
 #include "fit/model_parameters.h"
 #include "gap/simulate.h"
@@ -20,7 +21,7 @@ namespace rubber_suspension::diagnosis {
 /// A component and its logs, ready for the fits.
 struct PreparedCase {
   PreparedCase(const io::ComponentDescription& configured, std::vector<log::Record> logs,
-               std::vector<log::Record> hold_out)
+               std::vector<log::Record> hold_out, ZeroPriors priors = {})
       : component(configured),
         records(std::make_shared<const std::vector<log::Record>>(std::move(logs))),
         training(*records),
@@ -28,7 +29,10 @@ struct PreparedCase {
         model(component, fit::Level::specification),
         element_model(component, fit::Level::elements),
         fitter(records, model),
-        element_fitter(records, element_model) {}
+        element_fitter(records, element_model),
+        zeros(std::move(priors)) {
+    fitter.setZeros(zeros.training);
+  }
   PreparedCase(const PreparedCase&) = delete;  // the fitters refer to the models
   PreparedCase& operator=(const PreparedCase&) = delete;
 
@@ -40,21 +44,22 @@ struct PreparedCase {
   fit::ModelParameters element_model;
   fit::Fitter fitter;
   fit::Fitter element_fitter;
+  ZeroPriors zeros;
 };
 
 /// What the report draws and lists besides the result.
 struct Workings {
   Search search;
-  Judgement judgement;
+  Evidence evidence;
+  bool write_evidence = false;  ///< the report is to have it, too
+  Answer answer;
   std::vector<log::Record> records;  ///< of the logs, then of the hold-outs
   std::size_t training = 0;          ///< how many of them took part in the fit
   gap::Forces force_configured;      ///< per record [N]
   gap::Forces force_re_estimated;
   gap::Forces force_augmented;
-  gap::Forces force_surrogate;               ///< empty without a surrogate
-  std::vector<UnseenErrors> unseen;          ///< of each hypothesis of the evidence; empty without hold-outs
-  std::optional<Evidence> evidence;          ///< where it was asked for
-  std::optional<FittedSurrogate> surrogate;  ///< over the judged model, where nothing is named
+  gap::Forces force_surrogate;       ///< empty without a surrogate
+  std::vector<UnseenErrors> unseen;  ///< of each hypothesis of the evidence; empty without hold-outs
 };
 
 }  // namespace rubber_suspension::diagnosis

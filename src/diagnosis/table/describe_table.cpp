@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "diagnosis/experiment/confusion.h"
-#include "diagnosis/judge/closed_interval.h"
 #include "diagnosis/report/sentence.h"
+#include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
+#include "diagnosis/results/predictive.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/table/next_row.h"
 #include "rubber_suspension/gap/gap.h"
@@ -41,12 +42,11 @@ class TableDescriber {
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
-        judgement_(workings_->judgement),
-        judged_(search_.at(judgement_.model)) {}
+        answer_(workings_->answer),
+        judged_(search_.at(answer_.model)) {}
 
   Diagnosis run() {
     result_.component = component_.name;
-    result_.verdict = toString(judgement_.verdict);
     result_.configured = component_;
     result_.re_estimated = measured_.model().apply(search_.re_estimated.fit.parameters.model);
     result_.augmented = augmentedDescription(measured_.model(), judged_);
@@ -55,7 +55,7 @@ class TableDescriber {
     mapGap();
     describeCandidates();
     describeParameters();
-    describeJudgement();
+    describeAnswer();
     result_.workings = std::move(workings_);
     return std::move(result_);
   }
@@ -89,11 +89,10 @@ class TableDescriber {
 
   // On rows that took no part in the fit. Noise is no more than what any model leaves.
   void measureGap() {
-    before_ = search_.re_estimated.fit.blocks;
-    const std::vector<gap::PartError>& after = judged_.fit.blocks;
     Gap& gap = result_.gap;
-    gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after), search_.noise};
-    if (judgement_.model == Evidence::kAsConfigured) {
+    gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
+           gap::gapOfParts(judged_.fit.blocks), search_.noise};
+    if (answer_.model == Evidence::kAsConfigured) {
       gap.augmented = gap.as_configured;
     }
     gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
@@ -102,7 +101,8 @@ class TableDescriber {
     }
     result_.noise_source = search_.noise_source;
     result_.closed = closed(gap.augmented);
-    result_.closed_interval = interval(after);
+    result_.closed_interval = answer_.effects.empty() ? std::array{result_.closed, result_.closed}
+                                                      : holding(result_.closed, closingOf(answer_));
     io::ComponentDescription values = result_.augmented;
     values.add = component_.add;
     io::ComponentDescription effects = component_;
@@ -115,8 +115,10 @@ class TableDescriber {
     return std::min(1.0, gap::closedFraction(result_.gap.re_estimated, gap, result_.gap.noise_floor));
   }
 
-  std::array<double, 2> interval(const std::vector<gap::PartError>& after) const {
-    return closedInterval(before_, after, result_.gap.noise_floor, options_.resamplings, options_.seed);
+  std::array<double, 2> holding(double closed, const Closing& closing) const {
+    const std::array<double, 2> interval =
+        closedOnFurtherLogs(workings_->evidence, closing, options_.resamplings, options_.seed);
+    return {std::min(interval[0], closed), std::max(interval[1], closed)};
   }
 
   // Where the configured model is wrong: two cells for each row.
@@ -158,12 +160,13 @@ class TableDescriber {
     candidate.effect = search_.candidates[c].effect;
     candidate.documentation = search_.candidates[c].documentation;
     candidate.on_rig = search_.candidates[c].on_rig;
-    candidate.probability = judgement_.probabilities[c];
+    candidate.probability = answer_.candidates[c];
     candidate.gap = gap::gapOfParts(single.fit.blocks);
     candidate.closed = closed(candidate.gap);
-    candidate.interval = interval(single.fit.blocks);
+    candidate.interval = holding(candidate.closed, {Evidence::kFirstSingle + static_cast<int>(c)});
     candidate.visible_share = search_.visible_share[c];
-    candidate.testable = judgement_.testable[c];
+    candidate.testable =
+        search_.testable[c] || std::count(answer_.effects.begin(), answer_.effects.end(), static_cast<int>(c)) > 0;
     candidate.add = entriesOf(single);
     candidate.parameters = headlineOf(candidate.add);
     return candidate;
@@ -176,26 +179,11 @@ class TableDescriber {
     result_.effect_sizes = std::move(sizes.effects);
   }
 
-  std::vector<std::string> names(const std::vector<int>& effects) const {
-    std::vector<std::string> result;
-    for (const int effect : effects) {
-      result.push_back(search_.candidates[static_cast<std::size_t>(effect)].effect);
-    }
-    return result;
-  }
-
-  void describeJudgement() {
-    result_.posterior = judgement_.posterior;
-    result_.effects = names(judgement_.effects);
-    for (const auto& set : judgement_.confounded) {
-      result_.confounded.push_back(names(set));
-    }
-    if (judgement_.values_would_do) {
-      result_.confounded.front().push_back(toString(Verdict::parameter_error));
-    }
-    result_.next_experiment = nextRow(measured_, search_, judgement_);
-    result_.sentence = sentence(judgement_, result_);
-    result_.could_show = couldShow(search_, Criteria{});
+  void describeAnswer() {
+    addAnswer(answer_, workings_->evidence, result_);
+    result_.next_experiment = nextRow(measured_, *workings_);
+    result_.sentence = sentence(result_);
+    result_.could_show = couldShow(search_);
   }
 
   const io::ComponentDescription& component_;
@@ -204,9 +192,8 @@ class TableDescriber {
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
-  const Judgement& judgement_;
+  const Answer& answer_;
   const FittedHypothesis& judged_;
-  std::vector<gap::PartError> before_;
   Diagnosis result_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/hypotheses/shapes.h"
 #include "diagnosis/prepare/measured_logs.h"
 
 namespace rubber_suspension::diagnosis {
@@ -27,7 +28,8 @@ MeasuredRows::MeasuredRows(const io::ComponentDescription& component, const std:
 
 fit::Excitation MeasuredRows::excitation() const { return fit::summarise(*loops_->records()); }
 
-std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation, int threads) const {
+std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& excitation,
+                                                     const FittedHypothesis& re_estimated, int threads) const {
   std::vector<fit::Candidate> all = diagnosis::candidates(excitation);
   const std::vector<std::string>& never = neverShownByTables();
   for (fit::Candidate& candidate : all) {
@@ -42,6 +44,7 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
     candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(), has_side),
                           candidate.terms.end());
   }
+  settleShapes(fitter_, re_estimated, *loops_->records(), threads, all);
   fit::findUnitEffects(all, *loops_->records(), threads);
   return all;
 }

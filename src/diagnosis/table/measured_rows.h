@@ -21,10 +21,11 @@ class MeasuredRows final : public Measured {
   const fit::ModelParameters& model() const { return model_; }
   const fit::TableLoops& loops() const { return *loops_; }
 
-  const fit::HypothesisFitter& fitter() const override { return fitter_; }
+  const fit::TableFitter& fitter() const override { return fitter_; }
   const fit::HypothesisFitter& elementFitter() const override { return element_fitter_; }
   fit::Excitation excitation() const override;
-  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, int threads) const override;
+  std::vector<fit::Candidate> candidates(const fit::Excitation& excitation, const FittedHypothesis& re_estimated,
+                                         int threads) const override;
   double discretisationError(const FittedHypothesis& model) const override;
   void estimateNoise(const FittedHypothesis& best, Search& result) const override;
 

@@ -102,14 +102,12 @@ std::string recordALog() {
 
 }  // namespace
 
-std::string nextRow(const MeasuredRows& measured, const Search& search, const Judgement& judgement) {
-  if (judgement.verdict == Verdict::none) {
+std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
+  const Search& search = workings.search;
+  if (workings.answer.verdict == Verdict::none) {
     return "None is needed for what a table can show. " + recordALog();
   }
-  if (judgement.values_would_do && search.at(judgement.model).hypothesis.like_parameters) {
-    return "No row tells a gain from wrong values: put a known weight on the load cell, and compare.";
-  }
-  const std::vector<Explanation> explanations = explanationsOf(search, judgement, Criteria{});
+  const std::vector<Explanation> explanations = explanationsOf(workings);
   if (explanations.size() < 2) {
     return recordALog();
   }

@@ -10,6 +10,7 @@
 #include "diagnosis/hypotheses/search_evidence.h"
 #include "diagnosis/refused.h"
 #include "diagnosis/table/describe_table.h"
+#include "diagnosis/table/row_table.h"
 #include "measurement/statistics.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/measurement/bench_check.h"
@@ -75,17 +76,12 @@ Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::Me
     result.table = DiagnosedTable{table.name, {}, neverShownByTables(), table.notes};
     return result;
   }
-  const Criteria criteria;
   auto workings = std::make_shared<Workings>();
-  workings->search = search(measured, criteria, options.threads, options.progress);
-  Evidence evidence = evidenceOf(workings->search);
-  evidence.resamplings = options.resamplings;
-  evidence.seed = options.seed;
-  markGainsWithinTolerance(component.rig.value_or(io::RigTolerances{}).gain, workings->search, criteria, evidence);
-  workings->judgement = judge(evidence, criteria);
-  if (options.evidence) {
-    workings->evidence = std::move(evidence);
-  }
+  workings->search = search(measured, options.threads, options.progress);
+  workings->evidence = evidenceOf(workings->search);
+  addRows(measured, workings->search, options.threads, workings->evidence);
+  workings->write_evidence = options.evidence;
+  workings->answer = answer(workings->evidence);
   return describeTable(component, table, measured, std::move(workings), options);
 }
 

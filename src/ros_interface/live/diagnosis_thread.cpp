@@ -30,7 +30,7 @@ std::unique_ptr<diagnosis::LiveDiagnosis> liveDiagnosis(const io::ComponentDescr
 Diagnosis diagnosisMessage(const diagnosis::LiveFindings& findings) {
   Diagnosis message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(findings.stamp));
-  message.verdict = findings.now.verdict;
+  message.verdict = toString(findings.now);
   message.effects = findings.now.effects;
   if (findings.now.effects.size() == findings.probabilities.size()) {
     message.probabilities = findings.probabilities;
@@ -131,8 +131,8 @@ void DiagnosisThread::tell(Watched& watched) {
   if (news) {
     watched.publisher.publish(diagnosisMessage(findings));
   }
-  if (other && findings.now.verdict != "watching") {
-    ROS_INFO("%s: %s: %s", watched.channel->name().c_str(), findings.now.verdict.c_str(), findings.sentence.c_str());
+  if (other && findings.now.verdict) {
+    ROS_INFO("%s: %s: %s", watched.channel->name().c_str(), toString(findings.now).c_str(), findings.sentence.c_str());
   }
 }
 
@@ -141,7 +141,7 @@ io::ComponentDescription DiagnosisThread::found(const std::string& component) co
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!watched.found) {
     throw std::invalid_argument(fmt::format("{}: nothing to promote: the live diagnosis says `{}`: {}", component,
-                                            watched.findings.now.verdict, watched.findings.sentence));
+                                            toString(watched.findings.now), watched.findings.sentence));
   }
   return *watched.found;
 }
@@ -152,10 +152,10 @@ void DiagnosisThread::fillStatus(const std::string& component,
   const std::lock_guard<std::mutex> lock(mutex_);
   const diagnosis::LiveFindings& findings = watched.findings;
   using diagnostic_msgs::DiagnosticStatus;
-  const std::string& verdict = findings.now.verdict;
-  const auto level = verdict == "check_bench"                     ? DiagnosticStatus::ERROR
-                     : verdict == "watching" || verdict == "none" ? DiagnosticStatus::OK
-                                                                  : DiagnosticStatus::WARN;
+  const std::string verdict = toString(findings.now);
+  const auto level = findings.now.verdict == diagnosis::Verdict::check_bench ? DiagnosticStatus::ERROR
+                     : findings.now.isGap()                                  ? DiagnosticStatus::WARN
+                                                                             : DiagnosticStatus::OK;
   status.summary(level, findings.now.effects.empty()
                             ? verdict
                             : fmt::format("{}: {}", verdict, fmt::join(findings.now.effects, ", ")));

@@ -17,7 +17,6 @@ fit::Candidate asymmetricStiffness(const fit::Excitation& excitation) {
   for (fit::BasisTerm& term : candidate.terms) {
     term.lower = -term.upper;
   }
-  candidate.contains = {"progressive_stiffness"};
   // One side that stiffens steeply, without a knee.
   for (const double share : {0.3, -0.3, 0.15, -0.15}) {
     const double scale = share * excitation.largest_displacement;

@@ -14,7 +14,6 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
                             {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}}));
     }
   }
-  candidate.contains = {"progressive_stiffness", "asymmetric_stiffness"};  // by many small knees
   return candidate;
 }
 

@@ -11,8 +11,6 @@ fit::Candidate forceDrift(const fit::Excitation& excitation) {
   fit::Candidate candidate{
       "force_drift", "drift of the load cell: open loops, whatever the displacement", true, {term}};
   candidate.free_in_log.trend = true;
-  candidate.contains = {"force_offset"};
-  candidate.sensor = true;
   return candidate;
 }
 

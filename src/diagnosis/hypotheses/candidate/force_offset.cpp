@@ -9,7 +9,6 @@ fit::Candidate forceOffset(const fit::Excitation& excitation) {
   term.lower = -term.upper;
   term.on_rig = true;
   fit::Candidate candidate{"force_offset", "zero of the load cell: error of the mean only", true, {term}};
-  candidate.sensor = true;
   return candidate;
 }
 

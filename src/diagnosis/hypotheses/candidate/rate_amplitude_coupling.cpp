@@ -58,8 +58,6 @@ fit::Candidate rateAmplitudeCoupling(const fit::Excitation& excitation) {
                            "so at higher frequency",
                            false,
                            {}};
-  candidate.last_resort = true;
-  candidate.contains = {"backlash"};  // after each reversal its force builds up as a damper's that has to close a gap
   addFlow(excitation, candidate.terms);
   addOverstress(excitation, candidate.terms);
   addThixotropy(excitation, candidate.terms);

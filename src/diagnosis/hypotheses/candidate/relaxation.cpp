@@ -22,7 +22,6 @@ fit::Candidate relaxation(const fit::Excitation& excitation) {
     add(frequency);
   }
   add(kBeyondMotion * excitation.highest_frequency);
-  candidate.contains = {"viscous_damping", "creep"};  // the fastest one, and a spectrum of slow ones
   return candidate;
 }
 

@@ -13,7 +13,6 @@ fit::Candidate selfHeating(const fit::Excitation& excitation) {
     term.additive = false;
     candidate.terms.push_back(term);
   }
-  candidate.history = true;
   return candidate;
 }
 

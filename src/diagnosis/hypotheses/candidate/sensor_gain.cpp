@@ -20,7 +20,6 @@ fit::Candidate sensorGain(const fit::Excitation& excitation) {
                            {term}};
   candidate.free_in_log.gain = excitation.whole_logs > 1;
   candidate.like_parameters = true;
-  candidate.sensor = true;
   return candidate;
 }
 

@@ -82,7 +82,6 @@ fit::Candidate stressSoftening(const fit::Excitation& excitation) {
   addByDisplacement(excitation.largest_displacement, candidate.terms);
   addOneSidedAndRecovering(excitation, candidate.terms);
   addFirstLoading(excitation.stiffness, candidate.terms);
-  candidate.history = true;
   return candidate;
 }
 

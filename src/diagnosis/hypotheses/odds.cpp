@@ -1,0 +1,53 @@
+// Weights of sets of effects over all logs.
+#include "diagnosis/hypotheses/odds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/judge/numbers.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+double square(double value) { return value * value; }
+
+double priorOfCount(std::size_t effects) {
+  const JudgeNumbers& numbers = fittedNumbers();
+  return static_cast<double>(effects) * numbers.effect + (effects > 1 ? numbers.second : 0.0) +
+         (effects > 2 ? numbers.third : 0.0);
+}
+
+}  // namespace
+
+double Odds::ofError(double error) const {
+  if (!std::isfinite(error)) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  const JudgeNumbers& numbers = fittedNumbers();
+  const double removed = std::max(0.0, square(without_) - square(error));
+  const double expected =
+      square(numbers.floor_known * floor_) + square(numbers.accepted) + square(numbers.form_error) * removed;
+  const double left = std::max(0.0, square(error) - square(floor_));
+  return -0.5 * numbers.sharpness *
+         (std::log(expected) + (numbers.tails + 1.0) * std::log1p(left / (numbers.tails * expected)));
+}
+
+double Odds::of(const std::vector<int>& members, double error) const {
+  const JudgeNumbers& numbers = fittedNumbers();
+  double prior = priorOfCount(members.size());
+  std::size_t terms = 0;
+  for (const int member : members) {
+    const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
+    prior += numbers.rateOf(candidate.effect);
+    terms += candidate.terms.size();
+  }
+  return ofError(error) + prior - numbers.per_number * std::log1p(static_cast<double>(terms));
+}
+
+double Odds::mostOf(std::size_t effects) const {
+  return ofError(floor_) + priorOfCount(effects) -
+         fittedNumbers().per_number * std::log1p(static_cast<double>(effects));
+}
+
+}  // namespace rubber_suspension::diagnosis

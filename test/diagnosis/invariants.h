@@ -1,0 +1,138 @@
+// What every report has to hold, whatever it found (docs/diagnosis.md lists it; test/blind_trial/invariants.py asks the
+// same of report.json).
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "diagnosis/report/candidate_section.h"
+#include "diagnosis/report/text.h"
+#include "diagnosis/results/model_values.h"
+#include "rubber_suspension/diagnosis/diagnosis.h"
+
+namespace rubber_suspension::test {
+
+constexpr double kRounding = 1e-9;
+constexpr double kWorthListing = 0.02;
+
+using diagnosis::CandidateResult;
+using diagnosis::Diagnosis;
+using diagnosis::SizedValue;
+
+inline double probabilityOf(const Diagnosis& d, const std::string& effect) {
+  const auto found = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                  [&](const CandidateResult& candidate) { return candidate.effect == effect; });
+  return found == d.candidates.end() ? 0.0 : found->probability;
+}
+
+/// Answers add up to 1, and the verdict's is the likeliest; what may be instead follows by probability.
+inline void checkAnswers(const Diagnosis& d) {
+  const diagnosis::Posterior& p = d.posterior;
+  EXPECT_NEAR(p.none + p.parameter_error + p.effects + p.none_of_these, 1.0, kRounding);
+  const double said = namesEffects(d.verdict)                            ? p.effects
+                      : d.verdict == diagnosis::Verdict::none            ? p.none
+                      : d.verdict == diagnosis::Verdict::parameter_error ? p.parameter_error
+                                                                         : p.none_of_these;
+  EXPECT_GE(said, std::max({p.none, p.parameter_error, p.effects, p.none_of_these}) - kRounding);
+  double sum = d.probability;
+  double last = 1.0;
+  for (const diagnosis::Alternative& other : d.alternatives) {
+    EXPECT_LE(other.probability, last);
+    last = other.probability;
+    sum += last;
+  }
+  EXPECT_LE(sum, 1.0 + kRounding);
+}
+
+/// Effects where the verdict names any, their set first of those that cannot be told apart; no other set holds an
+/// effect that the table gives below 2 %.
+inline void checkSets(const Diagnosis& d) {
+  EXPECT_EQ(!d.effects.empty(), namesEffects(d.verdict));
+  EXPECT_EQ(d.confounded.empty(), d.effects.empty());
+  double of_candidates = 0.0;
+  for (const CandidateResult& candidate : d.candidates) {
+    EXPECT_LE(candidate.probability, d.posterior.effects + kRounding) << candidate.effect;
+    of_candidates += candidate.probability;
+  }
+  EXPECT_GE(of_candidates, d.posterior.effects - kRounding);
+  for (std::size_t s = 0; s < d.confounded.size(); ++s) {
+    const std::vector<std::string>& set = d.confounded[s];
+    if (s == 0) {
+      EXPECT_TRUE(std::is_permutation(set.begin(), set.end(), d.effects.begin(), d.effects.end()));
+      continue;
+    }
+    for (const std::string& effect : set) {
+      EXPECT_GE(probabilityOf(d, effect), kWorthListing) << effect;
+    }
+  }
+}
+
+/// No gap is below the floor; what is closed is that of the gaps, and lies in its interval.
+inline void checkGaps(const Diagnosis& d) {
+  EXPECT_LE(d.gap.noise_floor, std::min({d.gap.as_configured, d.gap.re_estimated, d.gap.augmented}) + kRounding);
+  for (const CandidateResult& candidate : d.candidates) {
+    EXPECT_LE(d.gap.noise_floor, candidate.gap + kRounding) << candidate.effect;
+  }
+  if (d.effects.empty()) {
+    return;
+  }
+  EXPECT_LT(d.gap.augmented, d.gap.re_estimated);
+  const double fraction = (d.gap.re_estimated - d.gap.augmented) / (d.gap.re_estimated - d.gap.noise_floor);
+  EXPECT_NEAR(d.closed, std::min(1.0, fraction), kRounding);
+  EXPECT_LE(d.closed_interval[0], d.closed);
+  EXPECT_GE(d.closed_interval[1], d.closed);
+  EXPECT_GT(d.closed_interval[0], 0.0);
+}
+
+/// The headline has the largest change of a value; an interval that ends at a bound says so.
+inline void checkSizes(const Diagnosis& d) {
+  const std::vector<const SizedValue*> changed = diagnosis::changedValues(d);
+  const auto change = [](const SizedValue* size) { return std::abs(std::log(size->value / size->configured)); };
+  for (std::size_t i = 1; i < changed.size(); ++i) {
+    EXPECT_GE(change(changed.front()), change(changed[i])) << changed[i]->name;
+    EXPECT_EQ(d.sentence.find(diagnosis::offText(*changed[i])), std::string::npos) << changed[i]->name;
+  }
+  for (const auto* sizes : {&d.model_sizes, &d.effect_sizes}) {
+    for (const SizedValue& size : *sizes) {
+      const bool says = diagnosis::intervalText(size).find("bound") != std::string::npos;
+      EXPECT_EQ(says, size.at_bound[0] || size.at_bound[1]) << size.name;
+      EXPECT_TRUE(size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0]) << size.name << " may be 0";
+    }
+  }
+}
+
+/// Why a candidate is out agrees with its gap: what leaves less is never said to add nothing or to leave more.
+inline void checkCandidates(const Diagnosis& d) {
+  for (const CandidateResult& candidate : d.candidates) {
+    const std::string why = diagnosis::whyOut(d, candidate);
+    const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
+    EXPECT_TRUE(!says("where what is named leaves") || candidate.gap > d.gap.augmented) << candidate.effect;
+    EXPECT_TRUE(!says("no more than what is named") || candidate.gap <= d.gap.augmented) << candidate.effect;
+    EXPECT_FALSE(says("adds nothing")) << candidate.effect;
+  }
+}
+
+inline void checkInvariants(const Diagnosis& d) {
+  SCOPED_TRACE(d.sentence);
+  if (d.verdict == diagnosis::Verdict::check_bench) {
+    EXPECT_TRUE(d.effects.empty());
+    return;
+  }
+  checkAnswers(d);
+  checkSets(d);
+  checkGaps(d);
+  checkSizes(d);
+  checkCandidates(d);
+  const double where = std::accumulate(d.where.begin(), d.where.end(), 0.0,
+                                       [](double sum, const gap::GapCell& cell) { return sum + cell.share; });
+  EXPECT_TRUE(d.where.empty() || std::abs(where - 1.0) < kRounding) << where;
+  EXPECT_EQ(d.surrogate.has_value(), leavesRest(d.verdict) && !d.table);
+  EXPECT_FALSE(d.next_experiment.empty());
+}
+
+}  // namespace rubber_suspension::test
