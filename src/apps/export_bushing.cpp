@@ -79,7 +79,7 @@ int run(Options& options) {
     throw UsageError(fmt::format("--points: {} is even; accepted: an odd number, so that 0 is on the curve",
                                  options.bushing.points));
   }
-  const io::ComponentDescription description = options.component.read("export_bushing");
+  const io::ComponentDescription description = options.component.readAny("export_bushing");
   const command::Bushing bushing = bushingOf(description, options.axis);
   const auto has = [&](std::size_t first) {
     return std::any_of(&bushing.directions[first], &bushing.directions[first] + 3,

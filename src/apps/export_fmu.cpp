@@ -23,7 +23,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const io::ComponentDescription description = options.component.read("export_fmu");
+  const io::ComponentDescription description = options.component.readAny("export_fmu");
   const fmi::Version version = options.fmi == 2 ? fmi::Version::fmi2 : fmi::Version::fmi3;
   const std::string fmu = fmi::makeFmu(description, version, fmi::installedParts());
   log::writeNewFile(options.output, fmu);
