@@ -70,7 +70,8 @@ std::string definition() {
 
 const std::vector<InterfaceEntry>& nodeInterface() {
   static const std::vector<InterfaceEntry> table = {
-      topic<Displacement>("COMPONENT/displacement", Kind::subscribed, "each accepted sample is answered by one force", 1),
+      topic<Displacement>("COMPONENT/displacement", Kind::subscribed, "each accepted sample is answered by one force",
+                          1),
       topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement", 1),
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
                            "optional: with the force of the real component the node watches the gap", 1),
@@ -84,19 +85,24 @@ const std::vector<InterfaceEntry>& nodeInterface() {
                      "latched: whether the configured or a promoted model gives the force, and its hash"),
       topic<Diagnosis>("COMPONENT/diagnosis", Kind::published,
                        "latched: where ~diagnose is true, which effect the model lacks, since when, and how sure that "
-                       "is", 1),
+                       "is",
+                       1),
       topic<geometry_msgs::PoseStamped>("COMPONENT/pose", Kind::subscribed,
                                         "of six directions, in place of displacement: body B in body A, whose frame is "
-                                        "that of the header; each accepted sample is answered by one wrench", 6),
+                                        "that of the header; each accepted sample is answered by one wrench",
+                                        6),
       topic<geometry_msgs::WrenchStamped>("COMPONENT/wrench", Kind::published,
                                           "the answer, with the header of the pose: what has to be applied to B, at "
-                                          "B's origin, to hold the pose, in A's axes", 6),
+                                          "B's origin, to hold the pose, in A's axes",
+                                          6),
       topic<geometry_msgs::WrenchStamped>("COMPONENT/measured_wrench", Kind::subscribed,
                                           "optional: with the wrench of the real component, likewise, the node watches "
-                                          "the gap of each direction", 6),
+                                          "the gap of each direction",
+                                          6),
       topic<Gap>("COMPONENT/DIRECTION/gap", Kind::published,
                  "of six directions: the gap of each that is not free, x to rz, along and about the axes of the "
-                 "component", 6),
+                 "component",
+                 6),
       topic<PoseArray>("poses", Kind::subscribed, "all components of six directions in one message"),
       topic<WrenchArray>("wrenches", Kind::published, "the answer to it"),
       topic<DisplacementArray>("displacements", Kind::subscribed, "all components of one direction in one message"),
@@ -114,10 +120,12 @@ const std::vector<InterfaceEntry>& nodeInterface() {
           "COMPONENT/promote",
           "where ~diagnose or ~promote_file is set: put the model of ~promote_file in the place "
           "of the configured one, or the one that the live diagnosis found: first in its shadow, "
-          "then by a cross-fade", 1),
+          "then by a cross-fade",
+          1),
       service<std_srvs::Trigger>("COMPONENT/rollback",
                                  "likewise, or where a state with a promoted model was loaded: back to the configured "
-                                 "model, by a cross-fade", 1),
+                                 "model, by a cross-fade",
+                                 1),
   };
   return table;
 }
