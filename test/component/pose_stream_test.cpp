@@ -20,7 +20,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr std::int64_t kMillisecond = 1000000;
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = element::kPi / 180.0;
 
 Quaterniond turn(double degrees, const Vector3d& axis = Vector3d::UnitY()) {
   return Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "rubber_suspension/element/constants.h"
+
 namespace rubber_suspension {
 namespace {
 
@@ -39,8 +41,8 @@ TEST_F(PoseLogTest, ReadsPosesAndWrenchesInTheirUnits) {
   ASSERT_EQ(log.size(), 2U);
   EXPECT_EQ(log.stamp[1], 1000000);
   EXPECT_EQ(log.coordinate[1][0], 0.002);
-  EXPECT_NEAR(log.coordinate[3][0], M_PI, 1e-15);
-  EXPECT_NEAR(log.coordinate[5][1], -M_PI / 2, 1e-15);
+  EXPECT_NEAR(log.coordinate[3][0], element::kPi, 1e-15);
+  EXPECT_NEAR(log.coordinate[5][1], -element::kPi / 2, 1e-15);
   EXPECT_EQ(log.wrench[1][0], 500.0);
   EXPECT_EQ(log.wrench[4][0], 250.0);
   EXPECT_EQ(log.wrench[5][1], 60.0);
