@@ -1,10 +1,7 @@
 // The command `benchmark`: how fast the library is against plain loops written by hand, with the error beside it.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "benchmark/cases.h"
-#include "benchmark/long_log.h"
-#include "benchmark/ratio_figure.h"
 #include "benchmark/single_work.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"
@@ -55,9 +52,12 @@ OptionTable Options::table() {
 
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
-  for (const auto part : {benchmark::stepCases, benchmark::sixDirectionCases, benchmark::fmuCases, benchmark::logCases,
-                          benchmark::bundleCases, benchmark::replayCases, benchmark::peerCases,
-                          benchmark::estimationCases, benchmark::diagnosisCases}) {
+  for (const auto part :
+       {benchmark::forceCases, benchmark::surrogateCases, benchmark::sixDirectionCases,
+#ifdef RUBBER_SUSPENSION_WITH_FMU
+        benchmark::fmuCases,
+#endif
+        benchmark::logCases, benchmark::bundleCases, benchmark::estimationCases, benchmark::diagnosisCases}) {
     for (benchmark::Case& work : part(size)) {
       all.push_back(std::move(work));
     }
@@ -96,7 +96,7 @@ int run(const Options& options) {
     }
     if (results.back().slow) {
       printError("benchmark", fmt::format("{}: {:.3g} times the time of {}; accepted: {:g} times", work.name,
-                                          results.back().lowest, work.baseline, work.most));
+                                          results.back().ratio.lower, work.baseline, work.most));
       accurate = false;
     }
   }

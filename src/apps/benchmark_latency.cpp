@@ -11,7 +11,6 @@
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/echo_node.h"
 #include "benchmark/latency/latency_benchmark.h"
-#include "benchmark/latency/latency_figures.h"
 #include "benchmark/latency/soak.h"
 #include "command_line/command.h"
 #include "command_line/plot_option.h"

@@ -1,6 +1,8 @@
 // The baseline: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand for this alone.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "rubber_suspension/element/parameter.h"
@@ -25,8 +27,8 @@ std::vector<element::ElementDescription> elementsOf(const BareParameters& parame
 /// Memory of friction between steps: displacement and force of the last sample, reference point, direction of motion.
 struct BareFriction {
   double last_displacement = 0.0;
-  double last_force = 0.0;
   double reference_displacement = 0.0;
+  double last_force = 0.0;
   double reference_force = 0.0;
   double direction = 0.0;
 
@@ -53,35 +55,49 @@ struct BareFriction {
   }
 };
 
-/// Force [N] at every sample, at rest at the first one; dt [s] is the same throughout.
-void bareLoop(const BareParameters& parameters, double dt, const std::vector<double>& displacement,
-              std::vector<double>& force);
-
-/// The same with a step of its own before each sample but the first: step[i] [s] ends at sample i.
+/// Force [N] at every sample, at rest at the first one. One step [s] holds throughout; of several, step[i] ends at
+/// sample i.
 void bareLoop(const BareParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 
-/// Many components with five Maxwell elements each, one after the other at every tick.
-class BareMany {
- public:
-  BareMany(const std::vector<BareParameters>& parameters, double dt);
+/// Steps of a Maxwell element: F' = decay F + gain (z' - z).
+template <int n>
+struct BareSteps {
+  std::array<double, n> decay;
+  std::array<double, n> gain;
 
-  /// Bring all components to a displacement [m]; the forces [N] go to `force`, one per component.
-  void tick(double displacement, std::vector<double>& force);
+  /// For a step [s], from stiffness [N/m] and relaxation time [s] of each.
+  void set(const std::array<double, n>& stiffness, const std::array<double, n>& relaxation_time, double dt) {
+    for (int i = 0; i < n; ++i) {
+      const double ratio = dt / relaxation_time[i];
+      const double released = -std::expm1(-ratio);
+      decay[i] = 1.0 - released;
+      gain[i] = stiffness[i] * released / ratio;
+    }
+  }
+};
+
+/// A component with five Maxwell elements among many: a tick brings it to a displacement [m] and returns its force [N].
+class BareMember {
+ public:
+  BareMember(const BareParameters& parameters, double dt);
+
+  double tick(double displacement, double increment) {
+    double sum = spring_ * displacement;
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      force_[i] = steps_.decay[i] * force_[i] + steps_.gain[i] * increment;
+      sum += force_[i];
+    }
+    return sum + friction_.advance(displacement, maximum_force_, friction_displacement_);
+  }
 
  private:
-  static constexpr int kElements = 5;
-  struct Member {
-    double spring;
-    double maximum_force;
-    double friction_displacement;
-    double decay[kElements];
-    double gain[kElements];
-    double maxwell_force[kElements];
-    BareFriction friction;
-  };
-  std::vector<Member> members_;
-  double last_displacement_ = 0.0;
+  double spring_;
+  double maximum_force_;
+  double friction_displacement_;
+  BareSteps<5> steps_{};
+  std::array<double, 5> force_{};
+  BareFriction friction_;
 };
 
 }  // namespace rubber_suspension::benchmark

@@ -15,9 +15,12 @@ struct BenchmarkSize {
   int frequencies = 200;         ///< of the table of stiffness and loss angle
 };
 
-/// One component sample by sample: constant and varying steps, by Component and by SampleStream; growth with the number
-/// of Maxwell elements; a surrogate.
-std::vector<Case> stepCases(const BenchmarkSize& size);
+/// One component sample by sample, with constant and varying steps, by Component and by SampleStream; growth with the
+/// number of Maxwell elements; a log offline; many components at each tick; general solvers of differential equations.
+std::vector<Case> forceCases(const BenchmarkSize& size);
+
+/// A surrogate sample by sample.
+std::vector<Case> surrogateCases(const BenchmarkSize& size);
 
 /// A component of six directions against six components of one, alone and a thousand at each tick; its tangent.
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
@@ -28,19 +31,13 @@ std::vector<Case> estimationCases(const BenchmarkSize& size);
 /// Reading a log from text, in the form that this package writes and in another dialect.
 std::vector<Case> logCases(const BenchmarkSize& size);
 
-/// A component through its FMU, where the command `export_fmu` is built; none where not.
+/// A component through its FMU, where the command `export_fmu` is built.
 std::vector<Case> fmuCases(const BenchmarkSize& size);
 
 /// Bundles of the node under the lock that makes a saved state one instant, against bundles without it; a save.
 std::vector<Case> bundleCases(const BenchmarkSize& size);
 
-/// A log offline; many components at each tick.
-std::vector<Case> replayCases(const BenchmarkSize& size);
-
-/// Fit and diagnosis of logs; growth with their number and with threads.
+/// Fit and diagnosis of logs; growth with their number, their length and with threads.
 std::vector<Case> diagnosisCases(const BenchmarkSize& size);
-
-/// General solvers of differential equations on a log: Boost.odeint, and GSL and SUNDIALS where they are installed.
-std::vector<Case> peerCases(const BenchmarkSize& size);
 
 }  // namespace rubber_suspension::benchmark

@@ -1,21 +1,72 @@
-// Fit and diagnosis of six logs of a component that hides friction, against single passes of the plain loop over them,
-// half as many logs, and one thread.
+// Fit and diagnosis of logs of a component that hides friction: six logs against single passes of the plain loop over
+// them, half as many and one thread; and one log of any length.
 #include <fmt/format.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <random>
 
 #include "benchmark/bare_loop.h"
 #include "benchmark/cases.h"
-#include "benchmark/measured_log.h"
+#include "benchmark/single_work.h"
 #include "benchmark/test_signal.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/log/log_source.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
 
+io::ComponentDescription describedComponent() {
+  return {"benchmark",
+          {{"spring", {{"stiffness", {3.0e6}}}}, {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}}};
+}
+
+// The test piece has friction on top, which has memory, as rubber's: minor loops close.
+component::Component testPiece() {
+  std::vector<element::ElementDescription> elements = describedComponent().elements();
+  elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
+  return component::Component(elements);
+}
+
+// The test piece with noise of the force, the same with every compiler.
+class MeasuringRig {
+ public:
+  explicit MeasuringRig(unsigned seed) : test_piece_(testPiece()), state_(test_piece_.makeState()), random_(seed) {}
+
+  // The force measured at the next displacement [m], a step later [N].
+  double force(double displacement) {
+    constexpr double kNoise = 50.0;  // standard deviation [N]
+    double noise = 0.0;              // twelve uniform numbers make a normal one
+    for (int i = 0; i < 12; ++i) {
+      noise += static_cast<double>(random_() >> 11) * 0x1p-53;
+    }
+    return test_piece_.step(state_, kStep, displacement).total + kNoise * (noise - 6.0);
+  }
+
+ private:
+  component::Component test_piece_;
+  component::ComponentState state_;
+  std::mt19937_64 random_;
+};
+
+log::Log measuredLog(const std::string& name, std::size_t samples, double scale, unsigned seed) {
+  MeasuringRig rig(seed);
+  log::Log log;
+  log.name = name;
+  log.stamp = evenStamps(samples);
+  log.displacement = benchmarkDisplacement(samples);
+  for (double& z : log.displacement) {
+    z *= scale;
+    log.force.push_back(rig.force(z));
+  }
+  return log;
+}
+
 // Logs of several amplitudes, and what became of diagnosing them.
 struct DiagnosisBench {
-  io::ComponentDescription component = describedComponent();
   std::vector<log::Log> logs;
   diagnosis::Diagnosis diagnosis;
 
@@ -31,13 +82,18 @@ struct DiagnosisBench {
   void run(int threads) {
     diagnosis::DiagnosisOptions options;
     options.threads = threads;
-    diagnosis = diagnosis::diagnose(component, logs, {}, options);
+    diagnosis = diagnosis::diagnose(describedComponent(), logs, {}, options);
   }
 };
 
 // A diagnosis against whatever else; the error is that of the diagnosis.
-Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench) {
+Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench, const std::string& name, const std::string& baseline,
+                   double baseline_count, const std::function<void()>& bare) {
   Case result;
+  result.name = "fit and diagnosis of " + name + " at 1 kHz, 2 threads";
+  result.baseline = baseline;
+  result.baseline_count = baseline_count;
+  result.bare = bare;
   result.unit = "sample";
   result.count = bench->samples();
   result.library = [bench] { bench->run(2); };
@@ -50,55 +106,80 @@ Case diagnosisCase(const std::shared_ptr<DiagnosisBench>& bench) {
   return result;
 }
 
+// The benchmark's motion again and again, with an amplitude that changes over minutes.
+class LongLog : public log::LogSource {
+ public:
+  explicit LongLog(std::size_t samples) : samples_(samples) {}
+
+  std::string name() const override { return "long log"; }
+
+  std::vector<std::string> read(const Take& take) const override {
+    constexpr std::size_t kPeriod = 10000;  // of 1.3, 4 and 17 Hz together
+    constexpr double kSlowly = 2.0 * element::kPi / 900e3;
+    const std::vector<double> motion = benchmarkDisplacement(kPeriod);
+    MeasuringRig rig(1);
+    bool more = true;
+    for (std::size_t first = 0; more && first < samples_; first += log::kLogBlock) {
+      log::Log block;
+      block.name = name();
+      for (std::size_t i = first; i < std::min(first + log::kLogBlock, samples_); ++i) {
+        const double scale = 0.55 + 0.45 * std::sin(kSlowly * static_cast<double>(i));
+        block.stamp.push_back(static_cast<std::int64_t>(i) * 1000000);
+        block.displacement.push_back(scale * motion[i % kPeriod]);
+        block.force.push_back(rig.force(block.displacement.back()));
+      }
+      more = take(block, first);
+    }
+    return {};
+  }
+
+ private:
+  std::size_t samples_;
+};
+
 }  // namespace
 
 std::vector<Case> diagnosisCases(const BenchmarkSize& size) {
   constexpr int kPasses = 100;  // so that one run is long against what interrupts it
   const auto samples = static_cast<std::size_t>(size.log_duration / kStep);
   const auto six = std::make_shared<DiagnosisBench>(samples, 6);
-  const std::string name =
-      fmt::format("fit and diagnosis of six logs of {:g} s at 1 kHz, 2 threads", size.log_duration);
-
-  Case against_loop = diagnosisCase(six);
-  against_loop.name = name;
-  against_loop.baseline = "one pass of the plain loop, 1 Maxwell";
-  against_loop.baseline_count = kPasses * six->samples();
-  const auto force = std::make_shared<std::vector<double>>(samples);
-  against_loop.bare = [six, force] {
-    for (int i = 0; i < kPasses; ++i) {
-      for (const log::Log& log : six->logs) {
-        bareLoop(bareParameters(1), kStep, log.displacement, *force);
-      }
-    }
-  };
-
-  Case against_half = diagnosisCase(six);
-  against_half.name = name;
-  against_half.baseline = "the same of three of them";
   const auto three = std::make_shared<DiagnosisBench>(samples, 3);
-  against_half.baseline_count = three->samples();
-  against_half.bare = [three] { three->run(2); };
-
-  Case against_one_thread = diagnosisCase(six);
-  against_one_thread.name = name;
-  against_one_thread.baseline = "the same in 1 thread";
-  against_one_thread.baseline_count = six->samples();
-  against_one_thread.bare = [six] { six->run(1); };
-
+  const auto force = std::make_shared<std::vector<double>>(samples);
+  const std::string six_logs = fmt::format("six logs of {:g} s", size.log_duration);
   // An hour and its first five minutes: of the hour the search takes excerpts, so that what grows is the reading.
   constexpr std::size_t kHour = 180;
   constexpr std::size_t kFiveMinutes = 15;
   const auto hour = std::make_shared<DiagnosisBench>(kHour * samples, 1);
-  Case against_minutes = diagnosisCase(hour);
-  against_minutes.name = fmt::format("fit and diagnosis of one log of {:g} s at 1 kHz, 2 threads",
-                                     static_cast<double>(kHour) * size.log_duration);
-  against_minutes.baseline = fmt::format("the same of {:g} s", static_cast<double>(kFiveMinutes) * size.log_duration);
+  const auto minutes = std::make_shared<DiagnosisBench>(kFiveMinutes * samples, 1);
+  Case against_minutes =
+      diagnosisCase(hour, fmt::format("one log of {:g} s", static_cast<double>(kHour) * size.log_duration),
+                    fmt::format("the same of {:g} s", static_cast<double>(kFiveMinutes) * size.log_duration), 1.0,
+                    [minutes] { minutes->run(2); });
   against_minutes.unit = "diagnosis";
   against_minutes.count = 1.0;
-  against_minutes.baseline_count = 1.0;
-  const auto minutes = std::make_shared<DiagnosisBench>(kFiveMinutes * samples, 1);
-  against_minutes.bare = [minutes] { minutes->run(2); };
-  return {against_loop, against_half, against_one_thread, against_minutes};
+  return {diagnosisCase(six, six_logs, "one pass of the plain loop, 1 Maxwell", kPasses * six->samples(),
+                        [six, force] {
+                          for (int i = 0; i < kPasses; ++i) {
+                            for (const log::Log& log : six->logs) {
+                              bareLoop(bareParameters(1), {kStep}, log.displacement, *force);
+                            }
+                          }
+                        }),
+          diagnosisCase(six, six_logs, "the same of three of them", three->samples(), [three] { three->run(2); }),
+          diagnosisCase(six, six_logs, "the same in 1 thread", six->samples(), [six] { six->run(1); }),
+          against_minutes};
+}
+
+std::string diagnoseLongLog(double duration) {
+  const auto samples = static_cast<std::size_t>(duration / kStep);
+  const double start = now(Clock::wall);
+  const diagnosis::Diagnosis diagnosis =
+      diagnosis::diagnose(describedComponent(), log::LogSources{std::make_shared<LongLog>(samples)}, {});
+  const double seconds = now(Clock::wall) - start;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format("{{\"samples\": {}, \"seconds\": {:.3g}, \"peak_bytes\": {}, \"verdict\": \"{}\"}}", samples,
+                     seconds, static_cast<long long>(usage.ru_maxrss) * 1024, toString(diagnosis.verdict));
 }
 
 }  // namespace rubber_suspension::benchmark

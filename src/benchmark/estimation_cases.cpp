@@ -24,7 +24,7 @@ constexpr double kDynamicStiffness = 4.2e6;  // [N/m]
 constexpr double kNominalFrequency = 4.0;    // [Hz]
 constexpr double kMaximumStiffness = 4.9e6;  // [N/m]
 constexpr double kHighFrequency = 25.0;      // [Hz]
-constexpr double kNominalAmplitude = 2e-3;   // [m]
+constexpr double kAmplitude = 2e-3;          // of the table [m]
 constexpr int kElements = 5;
 
 struct FiveInputs {
@@ -114,77 +114,37 @@ Case estimationCase() {
   return result;
 }
 
-// Berg's model with the numbers that the library estimated.
-struct BergNumbers {
-  double spring = 0.0;
-  double maxwell = 0.0;
-  double break_frequency = 0.0;
-  double maximum_force = 0.0;
-  double friction_displacement = 0.0;
-};
-
-std::vector<element::ElementDescription> bergElements() {
-  estimation::Specification specification;
-  specification.set("static_stiffness", kStaticStiffness);
-  specification.set("dynamic_stiffness", kDynamicStiffness);
-  specification.set("nominal_frequency", kNominalFrequency);
-  specification.set("nominal_amplitude", kNominalAmplitude);
-  specification.set("relative_damping", 0.05);
-  specification.set("break_frequency", 1.45);
-  return estimation::estimate(estimation::Model::berg, specification);
-}
-
-BergNumbers numbersOf(const std::vector<element::ElementDescription>& elements) {
-  BergNumbers numbers;
-  for (const element::ElementDescription& element : elements) {
-    if (element.type == "spring") {
-      numbers.spring = element.value("stiffness");
-    } else if (element.type == "maxwell") {
-      numbers.maxwell = element.value("stiffness");
-      numbers.break_frequency = element.value("break_frequency");
-    } else if (element.type == "friction") {
-      numbers.maximum_force = element.value("maximum_force");
-      numbers.friction_displacement = element.value("displacement");
-    }
-  }
-  return numbers;
-}
-
 // Peak force and loss of the settled loop of friction in closed form (Berg, VSD 30 (1998) 197-212).
-double settledFriction(const BergNumbers& numbers, double amplitude) {
-  const double z2 = numbers.friction_displacement;
-  return numbers.maximum_force / (2.0 * z2) *
+double settledFriction(const BareParameters& berg, double amplitude) {
+  const double z2 = berg.friction_displacement;
+  return berg.maximum_force / (2.0 * z2) *
          (std::sqrt(z2 * z2 + amplitude * amplitude + 6.0 * z2 * amplitude) - z2 - amplitude);
 }
 
-double frictionLoss(const BergNumbers& numbers, double amplitude) {
-  const double reach =
-      numbers.friction_displacement * (1.0 + settledFriction(numbers, amplitude) / numbers.maximum_force);
-  return 2.0 * numbers.maximum_force *
-         (2.0 * amplitude -
-          reach * reach / numbers.friction_displacement * std::log((reach + 2.0 * amplitude) / reach));
+double frictionLoss(const BareParameters& berg, double amplitude) {
+  const double reach = berg.friction_displacement * (1.0 + settledFriction(berg, amplitude) / berg.maximum_force);
+  return 2.0 * berg.maximum_force *
+         (2.0 * amplitude - reach * reach / berg.friction_displacement * std::log((reach + 2.0 * amplitude) / reach));
 }
 
 // Half a loop is enough by symmetry: the peak of its samples, and the loss in closed form.
-response::Characteristics characteristicsByHand(const BergNumbers& numbers, double frequency, double amplitude) {
+response::Characteristics characteristicsByHand(const BareParameters& berg, double frequency, double amplitude) {
   constexpr int kHalf = 360;  // as many samples per cycle as the library takes
-  const std::complex<double> ratio(0.0, frequency / numbers.break_frequency);
-  const std::complex<double> linear = numbers.spring + numbers.maxwell * ratio / (1.0 + ratio);
-  BareFriction friction;
-  friction.last_displacement = friction.reference_displacement = -amplitude;
-  friction.last_force = friction.reference_force = -settledFriction(numbers, amplitude);
-  friction.direction = 1.0;
+  const std::complex<double> ratio(0.0, frequency / berg.break_frequency[0]);
+  const std::complex<double> linear = berg.spring + berg.stiffness[0] * ratio / (1.0 + ratio);
+  const double settled = settledFriction(berg, amplitude);
+  BareFriction friction{-amplitude, -amplitude, -settled, -settled, 1.0};
   double peak = 0.0;
   for (int i = 0; i <= kHalf; ++i) {
     const double phase = element::kPi * i / kHalf;
     const double z = -amplitude * std::cos(phase);
     const double force = linear.real() * z + linear.imag() * amplitude * std::sin(phase) +
-                         friction.advance(z, numbers.maximum_force, numbers.friction_displacement);
+                         friction.advance(z, berg.maximum_force, berg.friction_displacement);
     peak = std::max(peak, force);
   }
   response::Characteristics result;
   result.stiffness = peak / amplitude;
-  result.loss = element::kPi * amplitude * amplitude * linear.imag() + frictionLoss(numbers, amplitude);
+  result.loss = element::kPi * amplitude * amplitude * linear.imag() + frictionLoss(berg, amplitude);
   result.loss_angle = std::asin(result.loss / (element::kPi * peak * amplitude));
   return result;
 }
@@ -202,9 +162,8 @@ double tableError(const std::vector<response::Characteristics>& bare,
 
 Case tableCase(const BenchmarkSize& size) {
   struct Bench {
-    std::vector<element::ElementDescription> elements = bergElements();
-    BergNumbers numbers = numbersOf(elements);
-    component::Component component{elements};
+    BareParameters berg = bareParameters(1);
+    component::Component component{elementsOf(berg)};
     std::vector<double> frequencies;
     std::vector<response::Characteristics> bare;
     std::vector<response::SweepPoint> library;
@@ -218,11 +177,11 @@ Case tableCase(const BenchmarkSize& size) {
   result.bare = [bench] {
     bench->bare.clear();
     for (const double frequency : bench->frequencies) {
-      bench->bare.push_back(characteristicsByHand(bench->numbers, frequency, kNominalAmplitude));
+      bench->bare.push_back(characteristicsByHand(bench->berg, frequency, kAmplitude));
     }
   };
   result.library = [bench] {
-    bench->library = response::sweepFrequency(bench->component, bench->frequencies, kNominalAmplitude);
+    bench->library = response::sweepFrequency(bench->component, bench->frequencies, kAmplitude);
   };
   result.error = [bench] { return tableError(bench->bare, bench->library); };
   result.error_meaning = "of K or delta";

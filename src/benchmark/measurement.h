@@ -1,12 +1,13 @@
-// Pairs of runs in one process: a baseline and the library by turns, on Google Benchmark. The ratio of a pair is free
-// of what slows the whole machine.
+// Pairs of runs in one process: a baseline and the library by turns. The ratio of a pair is free of what slows the
+// whole machine.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "rubber_suspension/io/figure.h"
 
 namespace rubber_suspension::benchmark {
 
@@ -35,22 +36,22 @@ struct Case {
 struct Result {
   std::string name;
   std::string baseline;
-  std::string unit;
-  double bare = 0.0;     ///< time of one unit of work, median over the pairs [s]
-  double library = 0.0;  ///< [s]
-  double ratio = 0.0;    ///< of the two within a pair, median over the pairs
-  double lowest = 0.0;   ///< quartiles of that ratio
-  double highest = 0.0;
-  double error = 0.0;
-  std::string error_meaning;
+  std::string row;        ///< of the Markdown table
+  io::Spread ratio;       ///< of the two times within a pair, over the pairs
   bool accurate = false;  ///< the error is within the tolerance
   bool slow = false;      ///< the ratio is beyond the largest accepted
 };
+
+/// Time of the clock [s].
+double now(Clock clock);
 
 /// Run the case once unmeasured, then in that many pairs; which of the two runs first alternates.
 Result measure(const Case& work, int pairs);
 
 /// Result rows as a Markdown table.
 std::string markdown(const std::vector<Result>& results);
+
+/// The ratio of library to baseline with its quartiles, one row per result.
+io::Figure ratioFigure(const std::vector<Result>& results);
 
 }  // namespace rubber_suspension::benchmark

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <ctime>
-#include <vector>
-
+#include "benchmark/measurement.h"
+#include "benchmark/spread.h"
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -14,37 +12,30 @@
 namespace rubber_suspension::benchmark {
 namespace {
 
-template <class Work>
-double medianSeconds(Work work, int runs) {
+double medianSeconds(const std::function<void()>& work) {
+  constexpr int kRuns = 5;
   std::vector<double> seconds;
-  for (int i = 0; i < runs; ++i) {
-    timespec start{};
-    timespec end{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &start);
+  for (int i = 0; i < kRuns; ++i) {
+    const double start = now(Clock::thread);
     work();
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-    seconds.push_back(static_cast<double>(end.tv_sec - start.tv_sec) +
-                      1e-9 * static_cast<double>(end.tv_nsec - start.tv_nsec));
+    seconds.push_back(now(Clock::thread) - start);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + runs / 2, seconds.end());
-  return seconds[static_cast<std::size_t>(runs / 2)];
+  return spreadOf(seconds).median;
 }
 
 }  // namespace
 
 std::string singleWork(const std::string& work, const std::string& component_file, const std::string& log_file) {
-  constexpr int kRuns = 5;
   const io::ComponentDescription description = io::selectComponent(io::loadComponentFile(component_file), "");
   const log::Log log = log::readLog(log_file);
   if (work == "simulate") {
     const component::Component component = description.makeComponent();
-    const double seconds = medianSeconds([&] { gap::simulateLog(component, log); }, kRuns);
-    return fmt::format("{{\"seconds\": {:.9g}}}", seconds);
+    return fmt::format("{{\"seconds\": {:.9g}}}", medianSeconds([&] { gap::simulateLog(component, log); }));
   }
   fit::IdentificationOptions options;
   options.starts = 1;
   fit::Identification fit;
-  const double seconds = medianSeconds([&] { fit = fit::identify(description.allElements(), {log}, options); }, kRuns);
+  const double seconds = medianSeconds([&] { fit = fit::identify(description.allElements(), {log}, options); });
   const double cost = fit.residual * fit.residual * static_cast<double>(log.size());
   return fmt::format("{{\"seconds\": {:.9g}, \"cost\": {:.12g}}}", seconds, cost);
 }

@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fmi/archive.h"
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/saved_state.h"
 #include "rubber_suspension/element/catalogue.h"
@@ -126,14 +125,19 @@ ComponentData dataOf(const io::ComponentDescription& description) {
   return data;
 }
 
-std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts) {
+std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version,
+                                   const FmuParts& parts) {
   const ComponentData data = dataOf(description);
-  std::vector<ArchiveEntry> entries = {
+  std::vector<ArchiveEntry> files = {
       {"modelDescription.xml", modelDescription(data, version, kTool)},
       {"binaries/" + binaryFolder(version) + "/" + data.name + ".so", binaryWith(toJson(data), parts.binary)},
       {"resources/component.yaml", io::toYaml({description})}};
-  addSources(entries, data, parts.sources);
-  return toZip(entries);
+  addSources(files, data, parts.sources);
+  return files;
+}
+
+std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts) {
+  return toZip(fmuFiles(description, version, parts));
 }
 
 }  // namespace rubber_suspension::fmi

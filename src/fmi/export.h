@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "fmi/archive.h"
 #include "fmi/model_description.h"
 #include "rubber_suspension/io/component_file.h"
 
@@ -21,8 +22,11 @@ FmuParts installedParts();
 /// package.
 ComponentData dataOf(const io::ComponentDescription& description);
 
-/// The bytes of the FMU, the same for the same component. Throws std::runtime_error that names the file where a part is
+/// The files in the FMU, the same for the same component. Throws std::runtime_error that names the file where a part is
 /// missing or is no such part, and where the component is too large for it.
+std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version, const FmuParts& parts);
+
+/// The bytes of the FMU: an archive of these files. Throws as fmuFiles().
 std::string makeFmu(const io::ComponentDescription& description, Version version, const FmuParts& parts);
 
 }  // namespace rubber_suspension::fmi

@@ -1,14 +1,13 @@
 // Units of UDUNITS spelling in the base units that FMI knows.
 #pragma once
 
+#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace rubber_suspension::fmi {
 
 /// Exponents of kg, m, s, A, K, rad, mol; those that are 0 are left out.
-using BaseUnit = std::vector<std::pair<std::string, int>>;
+using BaseUnit = std::map<std::string, int>;
 
 /// The base units of a unit such as "N s/m" or "N/m^3". Factors are not needed: all units inside are SI, but
 /// for degC. Throws std::invalid_argument on a symbol that it does not know.

@@ -145,6 +145,15 @@ TEST(Archive, HoldsWhatTheStandardWants) {
   EXPECT_EQ(second.substr(0, 4), "PK\x03\x04");
   EXPECT_FALSE(contentOf(second, "binaries/linux64/bush.so").empty());
   EXPECT_FALSE(contentOf(third, "binaries/x86_64-linux/bush.so").empty());
+  for (const Version version : {Version::fmi2, Version::fmi3}) {
+    const std::vector<ArchiveEntry> packed = fromZip(version == Version::fmi2 ? second : third, "FMU");
+    const std::vector<ArchiveEntry> files = fmuFiles(bush, version, parts());
+    ASSERT_EQ(packed.size(), files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      EXPECT_EQ(packed[i].path, files[i].path);
+      EXPECT_TRUE(packed[i].content == files[i].content) << files[i].path;
+    }
+  }
   EXPECT_THAT(brokenRules(contentOf(second, "modelDescription.xml"), Version::fmi2), IsEmpty());
   EXPECT_THAT(brokenRules(contentOf(third, "modelDescription.xml"), Version::fmi3), IsEmpty());
   const auto read = io::parseComponentFile(contentOf(second, "resources/component.yaml"), "component.yaml");

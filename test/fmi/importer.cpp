@@ -10,9 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "fmi/archive.h"
-#include "fmi/runtime/fmi2.h"
-#include "fmi/runtime/fmi3.h"
+#include "fmi/runtime/fmi.h"
 
 namespace rubber_suspension::fmi::test {
 namespace {
@@ -50,8 +48,8 @@ void* load(const ArchiveEntry& binary) {
   return library;
 }
 
-void keepMessage(fmi2ComponentEnvironment environment, fmi2String /*instance*/, fmi2Status status, fmi2String category,
-                 fmi2String message, ...) {
+void keepMessage(void* environment, fmiString /*instance*/, fmi2Status status, fmiString category, fmiString message,
+                 ...) {
   static_cast<Importer*>(environment)->messages.push_back({status, category, message});
 }
 
@@ -66,8 +64,9 @@ class Importer2 : public Importer {
   ~Importer2() override { call<decltype(fmi2FreeInstance)>("fmi2FreeInstance")(instance_); }
 
   bool valid() const override { return instance_ != nullptr; }
-  int enterInitialisation(double start) override {
-    const int status = call<decltype(fmi2SetupExperiment)>("fmi2SetupExperiment")(instance_, 0, 0.0, start, 0, 0.0);
+  int enterInitialisation(double start, std::optional<double> stop) override {
+    const int status = call<decltype(fmi2SetupExperiment)>("fmi2SetupExperiment")(instance_, 0, 0.0, start,
+                                                                                  stop ? 1 : 0, stop.value_or(0.0));
     return status != kOk ? status
                          : call<decltype(fmi2EnterInitializationMode)>("fmi2EnterInitializationMode")(instance_);
   }
@@ -108,7 +107,7 @@ class Importer2 : public Importer {
 
   const LoadedFmu& fmu_;
   fmi2CallbackFunctions callbacks_{};
-  fmi2Component instance_;
+  void* instance_;
   decltype(fmi2SetReal)* set_ = call<decltype(fmi2SetReal)>("fmi2SetReal");
   decltype(fmi2GetReal)* get_ = call<decltype(fmi2GetReal)>("fmi2GetReal");
   decltype(fmi2DoStep)* step_ = call<decltype(fmi2DoStep)>("fmi2DoStep");
@@ -119,8 +118,7 @@ class Importer2 : public Importer {
 class Importer3 : public Importer {
  public:
   Importer3(const LoadedFmu& fmu, const std::string& token, bool logging) : fmu_(fmu) {
-    const auto log = [](fmi3InstanceEnvironment environment, fmi3Status status, fmi3String category,
-                        fmi3String message) {
+    const auto log = [](void* environment, fmi3Status status, fmiString category, fmiString message) {
       static_cast<Importer3*>(environment)->messages.push_back({status, category, message});
     };
     instance_ = call<decltype(fmi3InstantiateCoSimulation)>("fmi3InstantiateCoSimulation")(
@@ -129,9 +127,9 @@ class Importer3 : public Importer {
   ~Importer3() override { call<decltype(fmi3FreeInstance)>("fmi3FreeInstance")(instance_); }
 
   bool valid() const override { return instance_ != nullptr; }
-  int enterInitialisation(double start) override {
-    return call<decltype(fmi3EnterInitializationMode)>("fmi3EnterInitializationMode")(instance_, false, 0.0, start,
-                                                                                      false, 0.0);
+  int enterInitialisation(double start, std::optional<double> stop) override {
+    return call<decltype(fmi3EnterInitializationMode)>("fmi3EnterInitializationMode")(
+        instance_, false, 0.0, start, stop.has_value(), stop.value_or(0.0));
   }
   int exitInitialisation() override {
     return call<decltype(fmi3ExitInitializationMode)>("fmi3ExitInitializationMode")(instance_);
@@ -164,11 +162,11 @@ class Importer3 : public Importer {
   }
   int serialise(void* state, char* bytes, std::size_t size) override {
     return call<decltype(fmi3SerializeFMUState)>("fmi3SerializeFMUState")(instance_, state,
-                                                                          reinterpret_cast<fmi3Byte*>(bytes), size);
+                                                                          reinterpret_cast<std::uint8_t*>(bytes), size);
   }
   int deserialise(const char* bytes, std::size_t size, void** state) override {
     return call<decltype(fmi3DeserializeFMUState)>("fmi3DeserializeFMUState")(
-        instance_, reinterpret_cast<const fmi3Byte*>(bytes), size, state);
+        instance_, reinterpret_cast<const std::uint8_t*>(bytes), size, state);
   }
   int setLogging(bool on, const std::vector<const char*>& categories) override {
     return call<decltype(fmi3SetDebugLogging)>("fmi3SetDebugLogging")(instance_, on, categories.size(),
@@ -182,7 +180,7 @@ class Importer3 : public Importer {
   }
 
   const LoadedFmu& fmu_;
-  fmi3Instance instance_;
+  void* instance_;
   decltype(fmi3SetFloat64)* set_ = call<decltype(fmi3SetFloat64)>("fmi3SetFloat64");
   decltype(fmi3GetFloat64)* get_ = call<decltype(fmi3GetFloat64)>("fmi3GetFloat64");
   decltype(fmi3DoStep)* step_ = call<decltype(fmi3DoStep)>("fmi3DoStep");
@@ -194,8 +192,7 @@ class Importer3 : public Importer {
 
 LoadedFmu::LoadedFmu(const io::ComponentDescription& description, Version version)
     : version_(version), guid_(dataOf(description).guid) {
-  const std::string fmu = makeFmu(description, version, {FMU_BINARY, FMU_SOURCES});
-  for (const ArchiveEntry& entry : fromZip(fmu, "FMU")) {
+  for (const ArchiveEntry& entry : fmuFiles(description, version, {FMU_BINARY, FMU_SOURCES})) {
     if (entry.path == "modelDescription.xml") {
       references_ = referencesOf(entry.content);
     } else if (endsWith(entry.path, "/" + description.name + ".so")) {

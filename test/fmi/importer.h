@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ class Importer {
   virtual ~Importer() = default;
 
   virtual bool valid() const = 0;
-  virtual int enterInitialisation(double start) = 0;
+  virtual int enterInitialisation(double start, std::optional<double> stop = std::nullopt) = 0;
   virtual int exitInitialisation() = 0;
   virtual int terminate() = 0;
   virtual int reset() = 0;

@@ -7,8 +7,7 @@
 #include <limits>
 
 #include "fmi/importer.h"
-#include "fmi/runtime/fmi2.h"
-#include "fmi/runtime/fmi3.h"
+#include "fmi/runtime/fmi.h"
 #include "fmi/runtime/saved_state.h"
 
 namespace rubber_suspension::fmi::test {
@@ -26,6 +25,19 @@ io::ComponentDescription bush() {
           {{"spring", {{"stiffness", {3e6}}}},
            {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}},
            {"spring_table", {{"displacement", {-4e-3, 0.0, 3e-3}}, {"force", {-2e4, 0.0, 1e4}}}}}};
+}
+
+// The bytes of the state that an instance is in.
+std::vector<char> savedBytes(Importer& importer) {
+  void* state = nullptr;
+  std::size_t size = 0;
+  EXPECT_EQ(importer.save(&state), kOk);
+  EXPECT_EQ(importer.serialisedSize(state, &size), kOk);
+  std::vector<char> bytes(size);
+  EXPECT_EQ(importer.serialise(state, bytes.data(), size - 1), kError) << "too few";
+  EXPECT_EQ(importer.serialise(state, bytes.data(), size), kOk);
+  EXPECT_EQ(importer.free(&state), kOk);
+  return bytes;
 }
 
 // A few steps from a time on, and the forces.
@@ -115,6 +127,34 @@ TEST_P(Phases, StartTimesThatCannotBeAreErrors) {
   EXPECT_EQ(importer->value(reference::kTime), 12.5);
   EXPECT_EQ(importer->step(0.0, 1e-3), kError);
   EXPECT_EQ(importer->step(12.5, 1e-3), kOk);
+}
+
+// FMI 2.0.4, 2.1.6 and FMI 3.0, 2.3.3: what goes past a stop time that is defined is an error.
+TEST_P(Phases, AStepEndsAtTheStopTimeAtTheLatest) {
+  const LoadedFmu fmu(bush(), GetParam());
+  const auto importer = Importer::make(fmu, fmu.guid());
+  EXPECT_EQ(importer->enterInitialisation(2.0, 1.0), kError);
+  ASSERT_EQ(importer->enterInitialisation(0.0, 0.1), kOk);
+  ASSERT_EQ(importer->exitInitialisation(), kOk);
+  double time = 0.0;
+  someSteps(*importer, time, 99);
+  EXPECT_EQ(importer->step(time, 2e-3), kError);
+  EXPECT_THAT(importer->messages.back().text, HasSubstr("stop time, 0.1 s"));
+  const std::vector<char> bytes = savedBytes(*importer);
+  someSteps(*importer, time, 1);  // a hundred roundings of the sum of 1 ms are not past 0.1 s
+  EXPECT_EQ(importer->step(time, 1e-6), kError);
+
+  // The stop time goes with the state, and a reset forgets it.
+  const auto other = Importer::make(fmu, fmu.guid());
+  void* read = nullptr;
+  ASSERT_EQ(other->deserialise(bytes.data(), bytes.size(), &read), kOk);
+  ASSERT_EQ(other->restore(read), kOk);
+  EXPECT_EQ(other->step(99e-3, 2e-3), kError);
+  EXPECT_EQ(other->step(99e-3, 1e-3), kOk);
+  other->free(&read);
+  ASSERT_EQ(importer->reset(), kOk);
+  importer->start(0.0);
+  EXPECT_EQ(importer->step(0.0, 10.0), kOk);
 }
 
 TEST_P(Phases, ParametersOfTheSpecificationAreEstimatedAnew) {
@@ -230,15 +270,7 @@ TEST_P(Phases, ASerialisedStateGoesOnInAnotherInstance) {
   importer->start(0.0);
   double time = 0.0;
   someSteps(*importer, time, 40);
-  void* state = nullptr;
-  ASSERT_EQ(importer->save(&state), kOk);
-  std::size_t size = 0;
-  ASSERT_EQ(importer->serialisedSize(state, &size), kOk);
-  std::vector<char> bytes(size);
-  EXPECT_EQ(importer->serialise(state, bytes.data(), size - 1), kError);
-  ASSERT_EQ(importer->serialise(state, bytes.data(), size), kOk);
-  importer->free(&state);
-
+  const std::vector<char> bytes = savedBytes(*importer);
   const auto other = Importer::make(fmu, fmu.guid());
   void* read = nullptr;
   ASSERT_EQ(other->deserialise(bytes.data(), bytes.size(), &read), kOk);
@@ -254,15 +286,12 @@ TEST_P(Phases, BytesThatAreNoStateAreRefused) {
   const auto importer = Importer::make(fmu, fmu.guid());
   const auto other = Importer::make(fmu_of_other, fmu_of_other.guid());
   importer->start(0.0);
-  void* state = nullptr;
-  ASSERT_EQ(importer->save(&state), kOk);
-  std::size_t size = 0;
-  ASSERT_EQ(importer->serialisedSize(state, &size), kOk);
-  std::vector<char> bytes(size);
-  ASSERT_EQ(importer->serialise(state, bytes.data(), size), kOk);
-  EXPECT_EQ(other->restore(state), kError) << "of another FMU";
-  importer->free(&state);
+  std::vector<char> bytes = savedBytes(*importer);
+  const std::size_t size = bytes.size();
   void* read = nullptr;
+  ASSERT_EQ(other->deserialise(bytes.data(), size, &read), kOk);
+  EXPECT_EQ(other->restore(read), kError) << "of another FMU";
+  other->free(&read);
   for (std::size_t cut = 0; cut < size; ++cut) {
     EXPECT_EQ(importer->deserialise(bytes.data(), cut, &read), kError) << cut;
   }
@@ -286,17 +315,12 @@ TEST_P(Phases, AStateWithAPlaceBeyondAListIsRefused) {
   importer->start(0.0);
   double time = 0.0;
   someSteps(*importer, time, 40);
-  void* state = nullptr;
-  ASSERT_EQ(importer->save(&state), kOk);
-  std::size_t size = 0;
-  ASSERT_EQ(importer->serialisedSize(state, &size), kOk);
-  std::vector<char> bytes(size);
-  ASSERT_EQ(importer->serialise(state, bytes.data(), size), kOk);
-  importer->free(&state);
-  SavedState changed = deserialise(bytes.data(), size);
+  std::vector<char> bytes = savedBytes(*importer);
+  SavedState changed = deserialise(bytes.data(), bytes.size());
   changed.memory.at(1) = 2e9;
   serialise(changed, bytes.data());
-  ASSERT_EQ(importer->deserialise(bytes.data(), size, &state), kOk);
+  void* state = nullptr;
+  ASSERT_EQ(importer->deserialise(bytes.data(), bytes.size(), &state), kOk);
   EXPECT_EQ(importer->restore(state), kError);
   importer->free(&state);
   someSteps(*importer, time, 40);
@@ -339,13 +363,13 @@ TEST(Fmi2, DerivativesOfTheDisplacementCountForOneStep) {
   fmu.function<decltype(fmi2ExitInitializationMode)>("fmi2ExitInitializationMode")(instance);
   const component::Component component = bush().makeComponent();
   component::ComponentState state = component.makeState();
-  const fmi2ValueReference in = reference::kDisplacement;
-  const fmi2ValueReference out = reference::kForce;
-  const std::vector<fmi2ValueReference> both = {in, in};
-  const std::vector<fmi2Integer> orders = {1, 2};
-  const std::vector<fmi2Real> derivatives = {0.25, 8.0};
-  fmi2Real force = 0.0;
-  const fmi2Real start = 1e-3;
+  const Reference in = reference::kDisplacement;
+  const Reference out = reference::kForce;
+  const std::vector<Reference> both = {in, in};
+  const std::vector<int> orders = {1, 2};
+  const std::vector<double> derivatives = {0.25, 8.0};
+  double force = 0.0;
+  const double start = 1e-3;
   ASSERT_EQ(set(instance, &in, 1, &start), fmi2OK);
   ASSERT_EQ(derive(instance, both.data(), 2, orders.data(), derivatives.data()), fmi2OK);
   ASSERT_EQ(step(instance, 0.0, 0.5e-3, 1), fmi2OK);
@@ -356,11 +380,11 @@ TEST(Fmi2, DerivativesOfTheDisplacementCountForOneStep) {
   ASSERT_EQ(step(instance, 0.5e-3, 0.5e-3, 1), fmi2OK);
   ASSERT_EQ(get(instance, &out, 1, &force), fmi2OK);
   EXPECT_NEAR(force, component.step(state, 0.5e-3, 1e-3).total, 1e-9);
-  const fmi2Integer order = 4;
+  const int order = 4;
   EXPECT_EQ(derive(instance, &in, 1, &order, derivatives.data()), fmi2Error);
   EXPECT_EQ(derive(instance, &out, 1, orders.data(), derivatives.data()), fmi2Error);
   EXPECT_EQ(derive(instance, nullptr, 1, nullptr, nullptr), fmi2Error);
-  fmi2Real time = 0.0;
+  double time = 0.0;
   const auto real_status = fmu.function<decltype(fmi2GetRealStatus)>("fmi2GetRealStatus");
   EXPECT_EQ(real_status(instance, fmi2LastSuccessfulTime, &time), fmi2OK);
   EXPECT_EQ(time, 1e-3);
@@ -407,7 +431,7 @@ TEST(Fmi3, ValuesAreAsManyAsVariables) {
   const auto instance = fmu.function<decltype(fmi3InstantiateCoSimulation)>("fmi3InstantiateCoSimulation")(
       "test", fmu.guid().c_str(), nullptr, false, false, false, false, nullptr, 0, nullptr, nullptr, nullptr);
   ASSERT_NE(instance, nullptr);
-  const fmi3ValueReference in = reference::kDisplacement;
+  const Reference in = reference::kDisplacement;
   std::vector<double> values = {1e-3, 2e-3};
   EXPECT_EQ(fmu.function<decltype(fmi3SetFloat64)>("fmi3SetFloat64")(instance, &in, 1, values.data(), 2), fmi3Error);
   EXPECT_EQ(fmu.function<decltype(fmi3GetFloat64)>("fmi3GetFloat64")(instance, &in, 1, values.data(), 2), fmi3Error);

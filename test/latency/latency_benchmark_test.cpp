@@ -9,6 +9,7 @@
 
 #include "benchmark/latency/benchmark_node.h"
 #include "benchmark/latency/soak.h"
+#include "benchmark/spread.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension {
@@ -28,13 +29,13 @@ TEST(LatencyBenchmark, QuantilesOfRoundTrips) {
 }
 
 TEST(LatencyBenchmark, RatiosAreSummarisedByMedianAndQuartiles) {
-  const benchmark::Ratio odd = benchmark::summariseRatios({5.0, 1.0, 3.0, 2.0, 4.0});
+  const io::Spread odd = benchmark::spreadOf({5.0, 1.0, 3.0, 2.0, 4.0});
   EXPECT_EQ(odd.median, 3.0);
   EXPECT_EQ(odd.lower, 2.0);
   EXPECT_EQ(odd.upper, 4.0);
-  const benchmark::Ratio even = benchmark::summariseRatios({2.0, 1.0});
+  const io::Spread even = benchmark::spreadOf({2.0, 1.0});
   EXPECT_EQ(even.median, 1.5);
-  const benchmark::Ratio one = benchmark::summariseRatios({7.0});
+  const io::Spread one = benchmark::spreadOf({7.0});
   EXPECT_EQ(one.median, 7.0);
   EXPECT_EQ(one.lower, 7.0);
   EXPECT_EQ(one.upper, 7.0);

@@ -1,7 +1,8 @@
 // The figures of the latency benchmark show the numbers of its tables.
-#include "benchmark/latency/latency_figures.h"
-
 #include <gmock/gmock.h>
+
+#include "benchmark/latency/latency_benchmark.h"
+#include "benchmark/latency/soak.h"
 
 namespace rubber_suspension {
 namespace {

@@ -12,7 +12,6 @@ import xml.etree.ElementTree as ElementTree
 
 # rosdep key -> (how the sources name it: CMake package, header folder or Python module, its packages in Debian)
 KEYS = {
-    "benchmark": ({"benchmark"}, {"libbenchmark-dev"}),
     "boost": ({"Boost", "boost"}, {"libboost-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
     "cli11": ({"CLI11", "CLI"}, {"libcli11-dev"}),
@@ -70,13 +69,11 @@ IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys
            "Python3"}
 # Found where they are, done without where not: no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
-# The same: solvers that the benchmark compares with.
-OPTIONAL |= {"GSL_LIBRARY", "GSL_BLAS_LIBRARY", "gsl", "SUNDIALS", "cvode", "nvector", "sunlinsol", "sunmatrix",
-             "MUJOCO_LIBRARY", "MUJOCO_INCLUDE_DIR", "mujoco", "numba"}
+# The same: a compiled Python that scripts/benchmark_peers compares with.
+OPTIONAL |= {"numba"}
 # For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
-TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev", "libgsl-dev",
-         "libsundials-dev", "libmujoco-dev", "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld",
-         "slurmd"}
+TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
+         "python3-numba", "dpkg-dev", "file", "munge", "slurm-client", "slurmctld", "slurmd"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz")
 INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "python3-rostopic", "python3-roslaunch"}
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {

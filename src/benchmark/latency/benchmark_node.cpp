@@ -8,6 +8,22 @@
 #include <stdexcept>
 
 namespace rubber_suspension::benchmark {
+namespace {
+
+std::string spaceOf(NodeKind kind) {
+  return kind == NodeKind::echo ? "echo" : kind == NodeKind::plain ? "plain" : "diagnosing";
+}
+
+std::vector<std::string> commandOf(NodeKind kind, int components, const std::string& config) {
+  const std::string space = "__ns:=/" + spaceOf(kind);
+  if (kind == NodeKind::echo) {
+    return {ros_interface::siblingProgram("benchmark_latency"), "--echo", std::to_string(components), space};
+  }
+  return {ros_interface::siblingProgram("simulate"), space, "_config_file:=" + config,
+          fmt::format("_diagnose:={}", kind == NodeKind::diagnosing)};
+}
+
+}  // namespace
 
 std::vector<std::string> benchmarkNames(int count) {
   std::vector<std::string> names;
@@ -47,11 +63,10 @@ TemporaryFile::~TemporaryFile() {
   std::filesystem::remove(path_, ignored);
 }
 
-BenchmarkNode::BenchmarkNode(int components, bool bundled, const BenchmarkNodeOptions& options)
-    : file_(benchmarkComponents(components), "_" + options.name),
-      process_({ros_interface::siblingProgram("simulate"), "__ns:=/" + options.name, "_config_file:=" + file_.path(),
-                fmt::format("_diagnose:={}", options.diagnose)}),
-      meter_("/" + options.name, benchmarkNames(components), bundled, options.measured) {
+BenchmarkNode::BenchmarkNode(NodeKind kind, int components, bool bundled, bool measured)
+    : file_(benchmarkComponents(components), "_" + spaceOf(kind)),
+      process_(commandOf(kind, components, file_.path())),
+      meter_("/" + spaceOf(kind), benchmarkNames(components), bundled, measured) {
   meter_.connect();
 }
 

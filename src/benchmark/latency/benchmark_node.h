@@ -1,4 +1,4 @@
-// The node as a benchmark runs it: a process of its own, with components made for the purpose.
+// The nodes as a benchmark runs them: a process of its own, with components made for the purpose.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::vector<std::string> benchmarkNames(int count);
 /// written.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text, const std::string& mark = "");
+  TemporaryFile(const std::string& text, const std::string& mark);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -31,18 +31,15 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-/// How a node is run.
-struct BenchmarkNodeOptions {
-  std::string name = "node";  ///< of its namespace
-  bool measured = false;      ///< measured forces are sent
-  bool diagnose = false;      ///< with ~diagnose
-};
+/// What is run: an echo node, or `simulate` without or with ~diagnose.
+enum class NodeKind { echo, plain, diagnosing };
 
-/// `simulate` in a namespace of its own, and what drives it. Needs a master.
+/// A node in a namespace of its own, and what drives it. Needs a master.
 class BenchmarkNode {
  public:
-  /// Starts the program that lies beside the running one and waits until it serves. Throws std::runtime_error.
-  BenchmarkNode(int components, bool bundled, const BenchmarkNodeOptions& options = {});
+  /// Starts the program that lies beside the running one and waits until it serves, with measured forces where they are
+  /// `measured`. Throws std::runtime_error.
+  BenchmarkNode(NodeKind kind, int components, bool bundled = false, bool measured = false);
 
   RoundTripMeter& meter() { return meter_; }
   pid_t process() const { return process_.id(); }

@@ -20,11 +20,7 @@ ForceArray echo(const DisplacementArray& bundle) {
   ForceArray forces;
   forces.header = bundle.header;
   forces.components = bundle.components;
-  forces.displacement = bundle.displacement;
-  forces.force = bundle.displacement;
-  forces.elastic = bundle.displacement;
-  forces.viscous = bundle.displacement;
-  forces.friction = bundle.displacement;
+  forces.displacement = forces.force = forces.elastic = forces.viscous = forces.friction = bundle.displacement;
   return forces;
 }
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "benchmark/latency/benchmark_node.h"
+#include "benchmark/spread.h"
 
 namespace rubber_suspension::benchmark {
 namespace {
@@ -18,76 +18,46 @@ constexpr std::size_t kUnderWay = 100;           // samples of each component in
 constexpr std::uint64_t kMostInFlood = 2000000;  // more than any machine answers in some seconds
 constexpr double kWarmUp = 0.5;                  // [s], before the runs that count
 
-double medianOf(std::vector<double> values) { return summariseRatios(std::move(values)).median; }
+double medianOf(std::vector<double> values) { return spreadOf(std::move(values)).median; }
 
-// An echo node, and what drives it.
-class Echo {
- public:
-  Echo(int components, bool bundled)
-      : process_(
-            {ros_interface::siblingProgram("benchmark_latency"), "--echo", std::to_string(components), "__ns:=/echo"}),
-        meter_("/echo", benchmarkNames(components), bundled) {
-    meter_.connect();
+// A quantile of the round trips in runs of echo node, node and echo node again.
+struct Quantile {
+  double fraction;
+  std::vector<double> echo = {};
+  std::vector<double> node = {};   // over that of the echo node
+  std::vector<double> again = {};  // of the echo node over itself
+
+  void add(const RoundTrips& before, const RoundTrips& trips, const RoundTrips& after) {
+    echo.push_back(std::sqrt(before.quantile(fraction) * after.quantile(fraction)));
+    node.push_back(trips.quantile(fraction) / echo.back());
+    again.push_back(after.quantile(fraction) / before.quantile(fraction));
   }
-
-  RoundTripMeter& meter() { return meter_; }
-
- private:
-  ros_interface::ChildProcess process_;
-  RoundTripMeter meter_;
 };
 
-// Both nodes at once, each in its namespace; the one that has nothing to do sleeps. The baseline is an echo node, or,
-// of a node that diagnoses, one that does not.
-class Contest {
- public:
-  Contest(int components, bool bundled, bool diagnose)
-      : node_(components, bundled, {"node", diagnose, diagnose}),
-        plain_(diagnose
-                   ? std::make_unique<BenchmarkNode>(components, bundled, BenchmarkNodeOptions{"plain", true, false})
-                   : nullptr),
-        echo_(diagnose ? nullptr : std::make_unique<Echo>(components, bundled)) {}
-
-  RoundTripMeter& echo() { return plain_ ? plain_->meter() : echo_->meter(); }
-  RoundTripMeter& node() { return node_.meter(); }
-
- private:
-  BenchmarkNode node_;
-  std::unique_ptr<BenchmarkNode> plain_;
-  std::unique_ptr<Echo> echo_;
-};
-
-void measureLatency(Contest& contest, const BenchmarkOptions& options, LatencyRow& row) {
-  std::vector<double> echo_median;
-  std::vector<double> echo_99;
-  std::vector<double> median;
-  std::vector<double> percentile_99;
-  std::vector<double> again_median;
-  std::vector<double> again_99;
-  contest.echo().atRate(row.rate, kWarmUp);
-  contest.node().atRate(row.rate, kWarmUp);
+// Both nodes run at once, each in its namespace; the one that has nothing to do sleeps.
+void measureLatency(RoundTripMeter& echo, RoundTripMeter& node, const BenchmarkOptions& options, LatencyRow& row) {
+  Quantile median{0.5};
+  Quantile late{0.99};
+  echo.atRate(row.rate, kWarmUp);
+  node.atRate(row.rate, kWarmUp);
   for (int pair = 0; pair < options.pairs; ++pair) {
     // Before and after the node, so that a drift of the machine's speed favours neither.
-    const RoundTrips before = contest.echo().atRate(row.rate, options.duration);
-    const RoundTrips node = contest.node().atRate(row.rate, options.duration);
-    const RoundTrips after = contest.echo().atRate(row.rate, options.duration);
-    if (before.durations.empty() || node.durations.empty() || after.durations.empty()) {
+    const RoundTrips before = echo.atRate(row.rate, options.duration);
+    const RoundTrips trips = node.atRate(row.rate, options.duration);
+    const RoundTrips after = echo.atRate(row.rate, options.duration);
+    if (before.durations.empty() || trips.durations.empty() || after.durations.empty()) {
       throw std::runtime_error("no answers in a run");
     }
-    echo_median.push_back(std::sqrt(before.median() * after.median()));
-    echo_99.push_back(std::sqrt(before.quantile(0.99) * after.quantile(0.99)));
-    median.push_back(node.median() / echo_median.back());
-    percentile_99.push_back(node.quantile(0.99) / echo_99.back());
-    again_median.push_back(after.median() / before.median());
-    again_99.push_back(after.quantile(0.99) / before.quantile(0.99));
-    row.lost += before.lost() + node.lost() + after.lost();
+    median.add(before, trips, after);
+    late.add(before, trips, after);
+    row.lost += before.lost() + trips.lost() + after.lost();
   }
-  row.echo_median = medianOf(echo_median);
-  row.echo_99 = medianOf(echo_99);
-  row.median = summariseRatios(median);
-  row.percentile_99 = summariseRatios(percentile_99);
-  row.again_median = summariseRatios(again_median);
-  row.again_99 = summariseRatios(again_99);
+  row.echo_median = medianOf(median.echo);
+  row.echo_99 = medianOf(late.echo);
+  row.median = spreadOf(median.node);
+  row.percentile_99 = spreadOf(late.node);
+  row.again_median = spreadOf(median.again);
+  row.again_99 = spreadOf(late.again);
 }
 
 double highestRate(RoundTripMeter& meter, double duration, int per_answer, LatencyRow& row) {
@@ -97,42 +67,80 @@ double highestRate(RoundTripMeter& meter, double duration, int per_answer, Laten
   return static_cast<double>(trips.durations.size()) * per_answer / trips.elapsed;
 }
 
-void measureHighestRate(Contest& contest, const BenchmarkOptions& options, LatencyRow& row) {
-  const int per_answer = row.bundled ? row.components : 1;
-  std::vector<double> echo;
-  std::vector<double> node;
-  for (int i = 0; i < 3; ++i) {
-    echo.push_back(highestRate(contest.echo(), options.flood_duration, per_answer, row));
-    node.push_back(highestRate(contest.node(), options.flood_duration, per_answer, row));
-  }
-  row.echo_highest = medianOf(echo);
-  row.node_highest = medianOf(node);
-}
-
 LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& options) {
   LatencyRow row;
   row.components = components;
   row.bundled = bundled;
   row.diagnose = options.diagnose;
   row.rate = bundled ? options.rate : std::min(options.rate, options.total_rate / components);
-  Contest contest(components, bundled, options.diagnose);
-  measureLatency(contest, options, row);
-  measureHighestRate(contest, options, row);
+  // The baseline is an echo node or, of a node that diagnoses, one that does not.
+  BenchmarkNode node(row.diagnose ? NodeKind::diagnosing : NodeKind::plain, components, bundled, row.diagnose);
+  BenchmarkNode echo(row.diagnose ? NodeKind::plain : NodeKind::echo, components, bundled, row.diagnose);
+  measureLatency(echo.meter(), node.meter(), options, row);
+  const int per_answer = bundled ? components : 1;
+  std::vector<double> echo_highest;
+  std::vector<double> node_highest;
+  for (int i = 0; i < 3; ++i) {
+    echo_highest.push_back(highestRate(echo.meter(), options.flood_duration, per_answer, row));
+    node_highest.push_back(highestRate(node.meter(), options.flood_duration, per_answer, row));
+  }
+  row.echo_highest = medianOf(echo_highest);
+  row.node_highest = medianOf(node_highest);
   return row;
 }
 
-}  // namespace
+constexpr double kOffset = 0.14;  // of two values of one row, from its middle
+constexpr int kNode = 0;          // indices into the palette
+constexpr int kEcho = 1;
 
-Ratio summariseRatios(std::vector<double> ratios) {
-  std::sort(ratios.begin(), ratios.end());
-  const auto at = [&](double fraction) {  // linear between the ranks
-    const double rank = fraction * static_cast<double>(ratios.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    const std::size_t above = std::min(below + 1, ratios.size() - 1);
-    return ratios[below] + (rank - static_cast<double>(below)) * (ratios[above] - ratios[below]);
-  };
-  return {at(0.5), at(0.25), at(0.75)};
+io::Axes emptyAxes(const std::vector<LatencyRow>& rows, const std::string& x_label) {
+  io::Axes axes;
+  axes.x_label = x_label;
+  for (const LatencyRow& row : rows) {
+    axes.rows.push_back(fmt::format("{} component{}\n{:.0f} Hz{}", row.components, row.components == 1 ? "" : "s",
+                                    row.rate, row.bundled ? ", one message" : ""));
+  }
+  return axes;
 }
+
+io::Axes ratioAxes(const std::vector<LatencyRow>& rows, const std::string& of, io::Spread LatencyRow::*node,
+                   io::Spread LatencyRow::*again) {
+  io::Axes axes = emptyAxes(rows, "ratio of the " + of + " [-]");
+  std::vector<io::Spread> to_echo(rows.size());
+  std::vector<io::Spread> to_itself(rows.size());
+  std::transform(rows.begin(), rows.end(), to_echo.begin(), std::mem_fn(node));
+  std::transform(rows.begin(), rows.end(), to_itself.begin(), std::mem_fn(again));
+  axes.curves.push_back({"", {1.0, 1.0}, {-0.5, static_cast<double>(rows.size()) - 0.5}, ":", 7});
+  io::addSpreads(axes, "node / echo", to_echo, -kOffset, kNode);
+  io::addSpreads(axes, "echo / itself", to_itself, kOffset, kEcho);
+  return axes;
+}
+
+// Values without quartiles, one curve of markers.
+struct Markers {
+  std::string label;
+  double LatencyRow::*value;
+  double offset;
+  std::string style;
+  int colour;
+};
+
+io::Axes valueAxes(const std::vector<LatencyRow>& rows, const std::string& x_label, double factor,
+                   const std::vector<Markers>& all) {
+  io::Axes axes = emptyAxes(rows, x_label);
+  axes.log_x = true;
+  for (const Markers& markers : all) {
+    io::Curve curve{markers.label, {}, {}, markers.style, markers.colour};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      curve.x.push_back(factor * rows[i].*markers.value);
+      curve.y.push_back(static_cast<double>(i) + markers.offset);
+    }
+    axes.curves.push_back(std::move(curve));
+  }
+  return axes;
+}
+
+}  // namespace
 
 std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
                                          const std::function<void(const std::string&)>& progress) {
@@ -151,7 +159,7 @@ std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
 }
 
 void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out) {
-  const auto show = [](const Ratio& ratio, int digits) {
+  const auto show = [](const io::Spread& ratio, int digits) {
     return fmt::format("**{:.{}f}** ({:.{}f} to {:.{}f})", ratio.median, digits, ratio.lower, digits, ratio.upper,
                        digits);
   };
@@ -169,6 +177,19 @@ void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out) {
                        1e6 * row.echo_99, show(row.median, 3), show(row.again_median, 3), show(row.percentile_99, 2),
                        show(row.again_99, 2), row.lost, row.echo_highest, row.node_highest);
   }
+}
+
+io::Figure latencyFigure(const std::vector<LatencyRow>& rows) {
+  return {"Round trips through the node and an empty echo node",
+          {ratioAxes(rows, "medians", &LatencyRow::median, &LatencyRow::again_median),
+           ratioAxes(rows, "99th percentiles", &LatencyRow::percentile_99, &LatencyRow::again_99),
+           valueAxes(rows, "round trip through the echo node [ms]", 1e3,
+                     {{"median", &LatencyRow::echo_median, 0.0, "o", kEcho},
+                      {"99 %", &LatencyRow::echo_99, 0.0, "D", kEcho}}),
+           valueAxes(rows, "highest rate, all components [1000 samples/s]", 1e-3,
+                     {{"node", &LatencyRow::node_highest, -kOffset, "o", kNode},
+                      {"echo", &LatencyRow::echo_highest, kOffset, "o", kEcho}})},
+          2};
 }
 
 }  // namespace rubber_suspension::benchmark

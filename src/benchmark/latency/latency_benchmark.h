@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/io/figure.h"
+
 namespace rubber_suspension::benchmark {
 
 struct BenchmarkOptions {
@@ -18,13 +20,6 @@ struct BenchmarkOptions {
   bool diagnose = false;        ///< compare a node that diagnoses with one that does not, in the echo node's place
 };
 
-/// A ratio of two runs, over many such pairs.
-struct Ratio {
-  double median = 0.0;
-  double lower = 0.0;  ///< quartile
-  double upper = 0.0;  ///< quartile
-};
-
 /// One row of the table.
 struct LatencyRow {
   int components = 0;
@@ -33,17 +28,14 @@ struct LatencyRow {
   double rate = 0.0;          ///< of each component [Hz]
   double echo_median = 0.0;   ///< round trip, median over the runs [s]
   double echo_99 = 0.0;       ///< 99th percentile, median over the runs [s]
-  Ratio median;               ///< of the medians, node to echo node
-  Ratio percentile_99;        ///< of the 99th percentiles, node to echo node
-  Ratio again_median;         ///< of the medians, echo node to itself: what the machine does to such a ratio
-  Ratio again_99;             ///< of the 99th percentiles, echo node to itself
+  io::Spread median;          ///< of the medians, node to echo node
+  io::Spread percentile_99;   ///< of the 99th percentiles, node to echo node
+  io::Spread again_median;    ///< of the medians, echo node to itself: what the machine does to such a ratio
+  io::Spread again_99;        ///< of the 99th percentiles, echo node to itself
   std::size_t lost = 0;       ///< samples without answer, both nodes
   double echo_highest = 0.0;  ///< highest rate without loss, all components together [samples/s]
   double node_highest = 0.0;
 };
-
-/// The median of the values with their quartiles. The list must not be empty.
-Ratio summariseRatios(std::vector<double> ratios);
 
 /// Measure. Needs a master and starts nothing but the two nodes, which are this program's neighbours `simulate` and
 /// `benchmark_latency --echo`. `progress` is told what is being measured. Throws std::runtime_error.
@@ -52,5 +44,8 @@ std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
 
 /// The rows as a Markdown table.
 void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
+
+/// Round trips, the ratios of the node to the echo node and of the echo node to itself, and the highest rates.
+io::Figure latencyFigure(const std::vector<LatencyRow>& rows);
 
 }  // namespace rubber_suspension::benchmark

@@ -19,13 +19,6 @@ constexpr std::size_t kSamplesUnderWay = 100;  // samples of each component
 
 double mebibytes(long bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
-void add(const RoundTrips& trips, SoakResult& result) {
-  result.sent += trips.sent;
-  result.answered += trips.durations.size();
-  result.surplus += trips.surplus;
-  result.elapsed += trips.elapsed;
-}
-
 }  // namespace
 
 long residentMemory(int process) {
@@ -41,11 +34,15 @@ long SoakResult::highestMemory() const { return *std::max_element(memory.begin()
 SoakResult soak(const SoakOptions& options, const std::function<void(const std::string&)>& progress) {
   SoakResult result;
   result.components = options.components;
-  BenchmarkNode node(options.components, false);
+  BenchmarkNode node(NodeKind::plain, options.components);
   const auto per_piece =
       std::max<std::uint64_t>(1, options.samples / (kPieces * static_cast<std::uint64_t>(options.components)));
   for (int piece = 0; piece < kPieces; ++piece) {
-    add(node.meter().flood(std::numeric_limits<int>::max(), kSamplesUnderWay, per_piece), result);
+    const RoundTrips trips = node.meter().flood(std::numeric_limits<int>::max(), kSamplesUnderWay, per_piece);
+    result.sent += trips.sent;
+    result.answered += trips.durations.size();
+    result.surplus += trips.surplus;
+    result.elapsed += trips.elapsed;
     result.memory.push_back(residentMemory(node.process()));
     if (piece % 10 == 9) {
       progress(fmt::format("{} samples, {} forces, {:.1f} MiB", result.sent, result.answered,
@@ -57,13 +54,26 @@ SoakResult soak(const SoakOptions& options, const std::function<void(const std::
 
 void printMarkdown(const SoakResult& result, std::ostream& out) {
   out << "| components | samples | with one force | forces too many | samples/s | resident after 1 %, at the end, at "
-         "most "
-         "[MiB] |\n"
+         "most [MiB] |\n"
          "|---|---|---|---|---|---|\n"
       << fmt::format("| {} | {} | {} | {} | {:.0f} | {:.2f}, {:.2f}, {:.2f} |\n", result.components, result.sent,
                      result.answered, result.surplus, static_cast<double>(result.answered) / result.elapsed,
                      mebibytes(result.memory.front()), mebibytes(result.memory.back()),
                      mebibytes(result.highestMemory()));
+}
+
+io::Figure soakFigure(const SoakResult& result) {
+  io::Axes axes;
+  axes.x_label = "samples served [millions]";
+  axes.y_label = "resident memory of the node [MiB]";
+  io::Curve curve{"", {}, {}, "-", 0};
+  const double per_piece = 1e-6 * static_cast<double>(result.sent) / static_cast<double>(result.memory.size());
+  for (std::size_t i = 0; i < result.memory.size(); ++i) {
+    curve.x.push_back(per_piece * static_cast<double>(i + 1));
+    curve.y.push_back(mebibytes(result.memory[i]));
+  }
+  axes.curves.push_back(std::move(curve));
+  return {fmt::format("Memory over samples, {} components", result.components), {axes}, 1};
 }
 
 }  // namespace rubber_suspension::benchmark

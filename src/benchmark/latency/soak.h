@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/io/figure.h"
+
 namespace rubber_suspension::benchmark {
 
 struct SoakOptions {
@@ -32,6 +34,9 @@ SoakResult soak(const SoakOptions& options, const std::function<void(const std::
 
 /// The result as a Markdown table.
 void printMarkdown(const SoakResult& result, std::ostream& out);
+
+/// Resident memory over the samples served.
+io::Figure soakFigure(const SoakResult& result);
 
 /// Memory of a process that is resident [bytes]; 0 where there is no such process.
 long residentMemory(int process);

@@ -69,7 +69,10 @@ void simbodyMerson(const PeerWork& work, std::vector<double>& force) {
       integrator.stepTo(end, end);
     }
     const SimTK::Vector& dashpot = forces.getZ(integrator.getState());
-    force[i] = forceOfDashpots(work, work.displacement[i], &dashpot[0]);
+    force[i] = 0.0;
+    for (int k = 0; k < dashpot.size(); ++k) {
+      force[i] += work.stiffness[static_cast<std::size_t>(k)] * (work.displacement[i] - dashpot[k]);
+    }
   }
 }
 

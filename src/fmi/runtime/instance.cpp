@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -11,19 +12,8 @@ namespace rubber_suspension::fmi {
 namespace {
 
 const char* nameOf(Phase phase) {
-  switch (phase) {
-    case Phase::instantiated:
-      return "instantiated";
-    case Phase::initialising:
-      return "initialisation";
-    case Phase::stepping:
-      return "stepping";
-    case Phase::terminated:
-      return "terminated";
-    case Phase::failed:
-      return "failed";
-  }
-  return "unknown";
+  static const char* const names[] = {"instantiated", "initialisation", "stepping", "terminated", "failed"};
+  return names[static_cast<std::size_t>(phase)];
 }
 
 }  // namespace
@@ -49,11 +39,12 @@ Status Instance::refuseOrder(const std::string& what) {
   return error(fmt::format("{}: not in phase '{}'", what, nameOf(phase_)));
 }
 
-void Instance::enter(Phase phase) {
+Status Instance::enter(Phase phase) {
   phase_ = phase;
   if (log_events_) {
     log_(Status::ok, category::kEvents, fmt::format("phase '{}' at {:.9g} s", nameOf(phase), time_));
   }
+  return Status::ok;
 }
 
 Status Instance::setTimes(double start, bool stop_defined, double stop) {
@@ -65,6 +56,7 @@ Status Instance::setTimes(double start, bool stop_defined, double stop) {
                              start, stop_defined ? stop : start));
   }
   start_time_ = start;
+  stop_time_ = stop_defined ? std::min(stop, kNoStop) : kNoStop;
   return Status::ok;
 }
 
@@ -73,8 +65,7 @@ Status Instance::enterInitialisation() {
     return refuseOrder("enter initialisation");
   }
   time_ = start_time_;
-  enter(Phase::initialising);
-  return Status::ok;
+  return enter(Phase::initialising);
 }
 
 Status Instance::exitInitialisation() {
@@ -82,32 +73,23 @@ Status Instance::exitInitialisation() {
     return refuseOrder("exit initialisation");
   }
   settle();
-  enter(Phase::stepping);
-  return Status::ok;
+  return enter(Phase::stepping);
 }
 
-Status Instance::terminate() {
-  if (phase_ != Phase::stepping) {
-    return refuseOrder("terminate");
-  }
-  enter(Phase::terminated);
-  return Status::ok;
-}
+Status Instance::terminate() { return phase_ == Phase::stepping ? enter(Phase::terminated) : refuseOrder("terminate"); }
 
 Status Instance::reset() {
   parameters_ = table_.startValues();
   calculated_.clear();
   component_.reset();
   initialised_ = false;
-  start_time_ = 0.0;
-  time_ = 0.0;
-  displacement_ = 0.0;
+  start_time_ = time_ = displacement_ = 0.0;
+  stop_time_ = kNoStop;
   temperature_.reset();
   derivative_ = {};
   has_derivatives_ = false;
   force_ = {};
-  enter(Phase::instantiated);
-  return Status::ok;
+  return enter(Phase::instantiated);
 }
 
 Status Instance::setAll(const Reference* references, std::size_t count, const double* values) {
@@ -129,42 +111,22 @@ Status Instance::checkSet(Reference reference, double value) {
   if (reference >= table_.variables().size()) {
     return error(fmt::format("set: no variable has the reference {}", reference));
   }
-  if (phase_ > Phase::stepping) {
-    return refuseOrder("set");
-  }
   const Variable& variable = table_.variables()[reference];
-  if (variable.causality == Causality::parameter) {
-    return checkParameter(reference, value);
+  const bool parameter = variable.causality == Causality::parameter;
+  if (phase_ > (parameter ? Phase::initialising : Phase::stepping)) {
+    return refuseOrder("set of " + variable.name);
   }
-  if (reference == table_.temperature()) {
-    return checkTemperature(value);
-  }
-  if (variable.causality != Causality::input) {
+  if (!parameter && variable.causality != Causality::input) {
     return error(fmt::format("set: {} cannot be set", variable.name));
   }
-  return std::isfinite(value) ? Status::ok : discard(fmt::format("set: {}: {} is not finite", variable.name, value));
-}
-
-Status Instance::checkParameter(Reference reference, double value) {
-  const Variable& variable = table_.variables()[reference];
-  if (phase_ > Phase::initialising) {
-    return refuseOrder("set of the parameter " + variable.name);
-  }
-  if (std::isfinite(value) && variable.range.contains(value)) {
-    return Status::ok;
-  }
-  return discard(fmt::format("set: {}: {:g}{} is out of range; accepted: {}", variable.name, value,
-                             variable.unit == "1" ? "" : " " + variable.unit, element::describe(variable.range)));
-}
-
-// Until the component is built, the range is that of the parameters at the start.
-Status Instance::checkTemperature(double value) {
-  const element::Range range = component_ ? component_->temperatures() : table_.variables()[table_.temperature()].range;
+  // Until the component is built, the range of the temperature is that of the parameters at the start.
+  const bool shifted = reference == table_.temperature() && component_;
+  const element::Range range = shifted ? component_->temperatures() : variable.range;
   if (std::isfinite(value) && range.contains(value)) {
     return Status::ok;
   }
-  return discard(
-      fmt::format("set: temperature: {:g} degC is out of range; accepted: {}", value, element::describe(range)));
+  return discard(fmt::format("set: {}: {:g}{} is out of range; accepted: {}", variable.name, value,
+                             variable.unit == "1" ? "" : " " + variable.unit, element::describe(range)));
 }
 
 void Instance::assign(Reference reference, double value) {
@@ -204,21 +166,11 @@ Status Instance::getAll(const Reference* references, std::size_t count, double* 
 }
 
 double Instance::value(Reference reference) const {
-  switch (reference) {
-    case reference::kTime:
-      return time_;
-    case reference::kDisplacement:
-      return displacement_;
-    case reference::kForce:
-      return force_.total;
-    case reference::kElastic:
-      return force_.elastic;
-    case reference::kViscous:
-      return force_.viscous;
-    case reference::kFriction:
-      return force_.friction;
-    default:
-      break;
+  const double common[] = {time_,          displacement_,  force_.total,
+                           force_.elastic, force_.viscous, force_.friction};  // by their references
+  static_assert(std::size(common) == reference::kFirstParameter);
+  if (reference < reference::kFirstParameter) {
+    return common[reference];
   }
   if (reference == table_.temperature()) {
     return temperature_ ? *temperature_ : table_.variables()[reference].start.value();
@@ -262,7 +214,7 @@ void Instance::take(Build build) {
   state_ = std::move(build.state);
 }
 
-// The component at the temperature that was set.
+// To the temperature that was set.
 void Instance::shift() {
   if (temperature_) {
     component_->setTemperature(*state_, *temperature_);
@@ -288,9 +240,11 @@ void Instance::settle() {
 
 // Importers count time in sums of their own. The time of each step is taken from them, so one rounding of such a sum
 // lies between theirs and ours, 1e-16 of the time; 1e-9 of it and a millionth of the step leave them ample room, and
-// what is more is a step left out or done twice.
-bool Instance::isNow(double time, double size) const {
-  return std::abs(time - time_) <= 1e-6 * size + 1e-9 * std::abs(time_);
+// what is more is a step left out or done twice, or one beyond the stop time.
+double Instance::roomFor(double size) const { return 1e-6 * size + 1e-9 * std::abs(time_); }
+
+bool Instance::isInTime(double time, double size) const {
+  return std::abs(time - time_) <= roomFor(size) && time + size <= stop_time_ + roomFor(size);
 }
 
 // The displacement at the end of a step, which uses up the derivatives.
@@ -313,6 +267,10 @@ Status Instance::refuseStep(double time, double size) {
   if (!(size > 0.0) || !std::isfinite(size)) {
     return error(fmt::format("step of {:g} s; accepted: greater than 0", size));
   }
+  if (std::abs(time - time_) <= roomFor(size)) {
+    return error(
+        fmt::format("step to {:.9g} s; accepted: to the stop time, {:.9g} s, at most", time + size, stop_time_));
+  }
   return error(fmt::format("step from {:.9g} s; accepted: from {:.9g} s, where the last one ended", time, time_));
 }
 
@@ -329,6 +287,7 @@ Status Instance::save(SavedState& state) {
   state.fingerprint = fingerprint_;
   state.phase = phase_;
   state.time = phase_ == Phase::instantiated ? start_time_ : time_;
+  state.stop_time = stop_time_;
   state.displacement = displacement_;
   state.temperature = temperature_;
   state.derivative = derivative_;
@@ -365,6 +324,7 @@ Status Instance::restore(const SavedState& state) {
   parameters_ = state.parameters;
   initialised_ = state.settled;
   time_ = state.time;
+  stop_time_ = state.stop_time;
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
   displacement_ = state.displacement;
   temperature_ = state.temperature;

@@ -71,9 +71,9 @@ class Instance {
   /// Derivative of the displacement by time, of an order from 1 to kMostDerivatives; counts for the next step alone.
   Status setDerivative(Reference reference, int order, double value);
 
-  /// Advance by a step [s] that begins at a time [s]. Allocates nothing.
+  /// Advance by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
   Status step(double time, double size) {
-    if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isNow(time, size)) {
+    if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       return refuseStep(time, size);
     }
     force_ = component_->step(*state_, size, has_derivatives_ ? extrapolated(size) : displacement_);
@@ -98,8 +98,6 @@ class Instance {
   Status setAll(const Reference* references, std::size_t count, const double* values);
   Status getAll(const Reference* references, std::size_t count, double* values);
   Status checkSet(Reference reference, double value);
-  Status checkParameter(Reference reference, double value);
-  Status checkTemperature(double value);
   void assign(Reference reference, double value);
   double value(Reference reference) const;
 
@@ -114,12 +112,13 @@ class Instance {
   void take(Build build);
   void settle();
   void shift();
-  bool isNow(double time, double size) const;
+  double roomFor(double size) const;
+  bool isInTime(double time, double size) const;
   double extrapolated(double size);
   Status refuseStep(double time, double size);
   Status fail();
   Status refuseOrder(const std::string& what);
-  void enter(Phase phase);
+  Status enter(Phase phase);
 
   ComponentData data_;
   VariableTable table_;
@@ -130,6 +129,7 @@ class Instance {
   Phase phase_ = Phase::instantiated;
   double start_time_ = 0.0;  // [s]
   double time_ = 0.0;        // [s]
+  double stop_time_ = kNoStop;
   double displacement_ = 0.0;
   std::optional<double> temperature_;  // [degC]; before it was set, the component is as specified
   std::array<double, kMostDerivatives> derivative_ = {};

@@ -1,6 +1,8 @@
-// A saved state as a row of 8-byte words: a fixed head, then the parameters, then the memory of the component.
+// A saved state as a row of 8-byte words: a magic number, a checksum and the FMU, then numbers: a fixed head, the
+// parameters, the memory of the component.
 #include "fmi/runtime/saved_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -8,11 +10,11 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3230544154535352;  // "RSSTAT02", lowest byte first
-constexpr std::size_t kChecksumWord = 1;              // behind the magic number
-constexpr std::size_t kHeadWords = 12 + kMostDerivatives + 4;
+constexpr std::uint64_t kMagic = 0x3330544154535352;  // "RSSTAT03", lowest byte first
+constexpr std::size_t kWords = 3;                     // magic number, checksum, FMU
+constexpr std::size_t kHead = 13 + kMostDerivatives;  // numbers
 
-// FNV-1a over the bytes from a word on.
+// FNV-1a.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (std::size_t i = 0; i < size; ++i) {
@@ -22,141 +24,72 @@ std::uint64_t hashOf(const char* bytes, std::size_t size) {
 }
 
 // Of all that stands behind it.
-std::uint64_t checksumOf(const char* bytes, std::size_t size) {
-  constexpr std::size_t kBegin = 8 * (kChecksumWord + 1);
-  return hashOf(bytes + kBegin, size - kBegin);
-}
-
-class Writer {
- public:
-  explicit Writer(char* bytes) : bytes_(bytes) {}
-
-  template <class Word>
-  void put(Word word) {
-    static_assert(sizeof(Word) == 8, "a word has 8 bytes");
-    std::memcpy(bytes_, &word, sizeof(word));
-    bytes_ += sizeof(word);
-  }
-
- private:
-  char* bytes_;
-};
-
-class Reader {
- public:
-  Reader(const char* bytes, std::size_t size) : bytes_(bytes), words_left_(size / 8) {}
-
-  template <class Word>
-  Word get() {
-    static_assert(sizeof(Word) == 8, "a word has 8 bytes");
-    if (words_left_ == 0) {
-      throw std::invalid_argument("the serialised state ends too early");
-    }
-    Word word;
-    std::memcpy(&word, bytes_, sizeof(word));
-    bytes_ += sizeof(word);
-    --words_left_;
-    return word;
-  }
-
-  double finite() {
-    const auto value = get<double>();
-    if (!std::isfinite(value)) {
-      throw std::invalid_argument("the serialised state holds a number that is not finite");
-    }
-    return value;
-  }
-
-  std::vector<double> finiteList(std::uint64_t size) {
-    if (size > words_left_) {
-      throw std::invalid_argument("the serialised state ends too early");
-    }
-    std::vector<double> list(size);
-    for (double& value : list) {
-      value = finite();
-    }
-    return list;
-  }
-
- private:
-  const char* bytes_;
-  std::size_t words_left_;
-};
-
-Phase phaseOf(std::uint64_t word) {
-  if (word > static_cast<std::uint64_t>(Phase::terminated)) {
-    throw std::invalid_argument("the serialised state is in no phase that can be continued");
-  }
-  return static_cast<Phase>(word);
-}
+std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(bytes + 16, size - 16); }
 
 }  // namespace
 
 std::size_t serialisedSize(const SavedState& state) {
-  return 8 * (kHeadWords + state.parameters.size() + state.memory.size());
+  return 8 * (kWords + kHead + state.parameters.size() + state.memory.size());
 }
 
 void serialise(const SavedState& state, char* bytes) {
-  Writer out(bytes);
-  out.put(kMagic);
-  out.put(std::uint64_t{0});  // for the checksum
-  out.put(state.fingerprint);
-  out.put(static_cast<std::uint64_t>(state.phase));
-  out.put(static_cast<std::uint64_t>(state.settled ? 1 : 0));
-  out.put(static_cast<std::uint64_t>(state.parameters.size()));
-  out.put(static_cast<std::uint64_t>(state.memory.size()));
-  out.put(state.time);
-  out.put(state.displacement);
-  out.put(state.component_displacement);
-  out.put(state.temperature.value_or(0.0));
-  out.put(static_cast<std::uint64_t>(state.temperature ? 1 : 0));
-  for (const double derivative : state.derivative) {
-    out.put(derivative);
-  }
-  for (const double part : {state.force.total, state.force.elastic, state.force.viscous, state.force.friction}) {
-    out.put(part);
-  }
-  for (const std::vector<double>* list : {&state.parameters, &state.memory}) {
-    for (const double value : *list) {
-      out.put(value);
-    }
-  }
-  const std::uint64_t checksum = checksumOf(bytes, serialisedSize(state));
-  std::memcpy(bytes + 8 * kChecksumWord, &checksum, sizeof(checksum));
+  std::vector<double> numbers = {static_cast<double>(state.phase),
+                                 state.settled ? 1.0 : 0.0,
+                                 static_cast<double>(state.parameters.size()),
+                                 state.time,
+                                 state.stop_time,
+                                 state.displacement,
+                                 state.component_displacement,
+                                 state.temperature ? 1.0 : 0.0,
+                                 state.temperature.value_or(0.0),
+                                 state.force.total,
+                                 state.force.elastic,
+                                 state.force.viscous,
+                                 state.force.friction};
+  numbers.insert(numbers.end(), state.derivative.begin(), state.derivative.end());
+  numbers.insert(numbers.end(), state.parameters.begin(), state.parameters.end());
+  numbers.insert(numbers.end(), state.memory.begin(), state.memory.end());
+  std::uint64_t words[kWords] = {kMagic, 0, state.fingerprint};
+  std::memcpy(bytes, words, sizeof words);
+  std::memcpy(bytes + sizeof words, numbers.data(), 8 * numbers.size());
+  words[1] = checksumOf(bytes, serialisedSize(state));
+  std::memcpy(bytes, words, sizeof words);
 }
 
 SavedState deserialise(const char* bytes, std::size_t size) {
-  Reader in(bytes, size);
+  std::uint64_t words[kWords] = {};
+  std::vector<double> numbers(size / 8 < kWords ? 0 : size / 8 - kWords);
+  if (size % 8 == 0 && numbers.size() >= kHead) {
+    std::memcpy(words, bytes, sizeof words);
+    std::memcpy(numbers.data(), bytes + sizeof words, 8 * numbers.size());
+  }
   // The memory of a component holds places in lists, too, so nothing may be taken from bytes that were changed.
-  const bool whole = size >= 8 * kHeadWords && size % 8 == 0 && in.get<std::uint64_t>() == kMagic &&
-                     in.get<std::uint64_t>() == checksumOf(bytes, size);
-  if (!whole) {
+  if (words[0] != kMagic || words[1] != checksumOf(bytes, size)) {
     throw std::invalid_argument("the bytes are no serialised state, or were changed");
   }
+  const double phase = numbers[0];
+  const double parameters = numbers[2];
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }) ||
+      !(phase >= 0.0 && phase <= static_cast<double>(Phase::terminated)) ||
+      !(parameters >= 0.0 && parameters <= static_cast<double>(numbers.size() - kHead))) {
+    throw std::invalid_argument("the serialised state holds a number that none has");
+  }
   SavedState state;
-  state.fingerprint = in.get<std::uint64_t>();
-  state.phase = phaseOf(in.get<std::uint64_t>());
-  state.settled = in.get<std::uint64_t>() != 0;
-  const auto parameters = in.get<std::uint64_t>();
-  const auto memory = in.get<std::uint64_t>();
-  state.time = in.finite();
-  state.displacement = in.finite();
-  state.component_displacement = in.finite();
-  const double temperature = in.finite();
-  if (in.get<std::uint64_t>() != 0) {
-    state.temperature = temperature;
+  state.fingerprint = words[2];
+  state.phase = static_cast<Phase>(phase);
+  state.settled = numbers[1] != 0.0;
+  state.time = numbers[3];
+  state.stop_time = numbers[4];
+  state.displacement = numbers[5];
+  state.component_displacement = numbers[6];
+  if (numbers[7] != 0.0) {
+    state.temperature = numbers[8];
   }
-  for (double& derivative : state.derivative) {
-    derivative = in.finite();
-  }
-  for (double* part : {&state.force.total, &state.force.elastic, &state.force.viscous, &state.force.friction}) {
-    *part = in.finite();
-  }
-  state.parameters = in.finiteList(parameters);
-  state.memory = in.finiteList(memory);
-  if (serialisedSize(state) != size) {
-    throw std::invalid_argument("the serialised state has another size than it says");
-  }
+  state.force = {numbers[9], numbers[10], numbers[11], numbers[12]};
+  const auto head = numbers.begin() + kHead;
+  std::copy(head - kMostDerivatives, head, state.derivative.begin());
+  state.parameters.assign(head, head + static_cast<std::ptrdiff_t>(parameters));
+  state.memory.assign(head + static_cast<std::ptrdiff_t>(parameters), numbers.end());
   return state;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,14 @@ enum class Phase : std::uint32_t { instantiated, initialising, stepping, termina
 /// Highest derivative of the displacement by time that an importer may give for the next step.
 constexpr std::size_t kMostDerivatives = 3;
 
+/// The stop time of an experiment that defines none [s]: one that no step reaches.
+constexpr double kNoStop = std::numeric_limits<double>::max();
+
 struct SavedState {
   std::uint64_t fingerprint = 0;  ///< of the FMU
   Phase phase = Phase::instantiated;
   double time = 0.0;                                     ///< [s]
+  double stop_time = kNoStop;                            ///< [s]
   double displacement = 0.0;                             ///< the input [m]
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
   std::optional<double> temperature;                     ///< the input [degC], once it was set

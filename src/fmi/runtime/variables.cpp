@@ -13,17 +13,6 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-std::string groupOf(Place::List list) {
-  switch (list) {
-    case Place::List::add:
-      return "add";
-    case Place::List::temperature:
-      return "temperature";
-    default:
-      return "elements";
-  }
-}
-
 std::string describe(const element::ParameterInfo& parameter) {
   const element::Range& range = parameter.range;
   const bool open = range.open_lower || range.open_upper;
@@ -33,15 +22,6 @@ std::string describe(const element::ParameterInfo& parameter) {
 // The number of elements decides which variables there are, so it stays as it is.
 element::Range settableRange(const element::ParameterInfo& parameter, double value) {
   return parameter.name == "maxwell_elements" ? element::Range::closed(value, value) : parameter.range;
-}
-
-std::vector<element::ElementDescription>& entriesOf(ComponentData& data, Place::List list) {
-  return list == Place::List::add ? data.add : list == Place::List::temperature ? data.temperature : data.elements;
-}
-
-[[noreturn]] void refuseOtherElements() {
-  throw std::invalid_argument(
-      "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers alone");
 }
 
 }  // namespace
@@ -77,19 +57,15 @@ void VariableTable::addTemperature(const ComponentData& data) {
 }
 
 void VariableTable::addCommon(const ComponentData& data) {
-  variables_ = {
-      {"time", "s", "time", Causality::independent, std::nullopt, {}},
-      {"displacement",
-       "m",
-       "displacement of " + data.name + " at the end of the next step; positive gives a positive force",
-       Causality::input,
-       0.0,
-       {}},
-      {"force", "N", "force that has to be applied to hold the displacement", Causality::output, std::nullopt, {}},
-      {"force_elastic", "N", "elastic part of the force", Causality::output, std::nullopt, {}},
-      {"force_viscous", "N", "viscous part of the force", Causality::output, std::nullopt, {}},
-      {"force_friction", "N", "friction part of the force", Causality::output, std::nullopt, {}},
-  };
+  const std::string displacement =
+      "displacement of " + data.name + " at the end of the next step; positive gives a positive force";
+  variables_ = {{"time", "s", "time", Causality::independent, {}, {}},
+                {"displacement", "m", displacement, Causality::input, 0.0, {}},
+                {"force", "N", "force that has to be applied to hold the displacement", Causality::output, {}, {}}};
+  for (const char* part : {"elastic", "viscous", "friction"}) {
+    variables_.push_back(
+        {std::string("force_") + part, "N", std::string(part) + " part of the force", Causality::output, {}, {}});
+  }
 }
 
 void VariableTable::addSpecification(const ComponentData& data) {
@@ -104,6 +80,7 @@ void VariableTable::addSpecification(const ComponentData& data) {
 
 void VariableTable::addElements(const std::vector<element::ElementDescription>& elements, Place::List list,
                                 Causality causality) {
+  const char* group = list == Place::List::add ? "add" : list == Place::List::temperature ? "temperature" : "elements";
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const element::ElementType* type = element::findElementType(elements[i].type);
     if (type == nullptr) {
@@ -113,16 +90,10 @@ void VariableTable::addElements(const std::vector<element::ElementDescription>& 
       const std::vector<double>& values = elements[i].list(parameter.name);
       for (std::size_t k = 0; k < values.size(); ++k) {
         const std::string index = parameter.is_list ? fmt::format("[{}]", k + 1) : "";
-        Variable variable{fmt::format("{}[{}].{}.{}{}", groupOf(list), i + 1, type->name, parameter.name, index),
-                          parameter.unit,
-                          describe(parameter),
-                          causality,
-                          std::nullopt,
-                          parameter.range};
-        if (causality == Causality::parameter) {
-          variable.start = values[k];
-        }
-        addParameter(variable, {list, i, parameter.name, k});
+        const std::string name = fmt::format("{}[{}].{}.{}{}", group, i + 1, type->name, parameter.name, index);
+        const auto start = causality == Causality::parameter ? std::optional<double>(values[k]) : std::nullopt;
+        addParameter({name, parameter.unit, describe(parameter), causality, start, parameter.range},
+                     {list, i, parameter.name, k});
       }
     }
   }
@@ -146,14 +117,17 @@ std::vector<double> VariableTable::calculatedValues(
   std::vector<double> values;
   for (std::size_t i = free_count_; i < places_.size(); ++i) {
     const Place& place = places_[i];
-    if (place.entry >= model_elements.size()) {
-      refuseOtherElements();
+    const std::vector<double>* list = nullptr;
+    if (place.entry < model_elements.size()) {
+      const auto found = model_elements[place.entry].values.find(place.key);
+      list = found == model_elements[place.entry].values.end() ? nullptr : &found->second;
     }
-    const auto found = model_elements[place.entry].values.find(place.key);
-    if (found == model_elements[place.entry].values.end() || place.position >= found->second.size()) {
-      refuseOtherElements();
+    if (list == nullptr || place.position >= list->size()) {
+      throw std::invalid_argument(
+          "the specification leads to other elements than that of the FMU; accepted: one that changes their numbers "
+          "alone");
     }
-    values.push_back(found->second[place.position]);
+    values.push_back((*list)[place.position]);
   }
   return values;
 }
@@ -161,9 +135,12 @@ std::vector<double> VariableTable::calculatedValues(
 void setValue(ComponentData& data, const Place& place, double value) {
   if (place.list == Place::List::specification) {
     data.specification.set(place.key, value);
-  } else {
-    entriesOf(data, place.list).at(place.entry).values.at(place.key).at(place.position) = value;
+    return;
   }
+  auto& entries = place.list == Place::List::add           ? data.add
+                  : place.list == Place::List::temperature ? data.temperature
+                                                           : data.elements;
+  entries.at(place.entry).values.at(place.key).at(place.position) = value;
 }
 
 }  // namespace rubber_suspension::fmi

@@ -60,13 +60,10 @@ class VariableTable {
 
   const std::vector<Variable>& variables() const { return variables_; }
 
-  /// The number of parameters that can be set, and of all parameters. The first has the reference kFirstParameter.
-  std::size_t freeCount() const { return free_count_; }
-  std::size_t parameterCount() const { return places_.size(); }
-
   /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
   Reference temperature() const { return reference::kFirstParameter + static_cast<Reference>(places_.size()); }
 
+  /// Of the parameter with the reference kFirstParameter + parameter.
   const Place& place(std::size_t parameter) const { return places_[parameter]; }
 
   /// Values of the parameters that can be set, as the data has them.
@@ -85,7 +82,7 @@ class VariableTable {
 
   std::vector<Variable> variables_;
   std::vector<Place> places_;
-  std::size_t free_count_ = 0;
+  std::size_t free_count_ = 0;  // of the parameters, those that can be set
 };
 
 /// Put a value at its place. Only for places of parameters that can be set.

@@ -1,0 +1,142 @@
+// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation that act on an instance (chapters 2 and 4 of both standards),
+// one a row: status, name, parameters, and what `instance` does. fmi.h declares them by these rows, fmi.cpp defines
+// them. FMI_CALL is to be defined before. No include guard.
+
+#define FMI_BOTH(name, parameters, ...)                     \
+  FMI_CALL(fmi2Status, fmi2##name, parameters, __VA_ARGS__) \
+  FMI_CALL(fmi3Status, fmi3##name, parameters, __VA_ARGS__)
+FMI_BOTH(ExitInitializationMode, (void* c), instance.exitInitialisation())
+FMI_BOTH(Terminate, (void* c), instance.terminate())
+FMI_BOTH(Reset, (void* c), instance.reset())
+#undef FMI_BOTH
+
+FMI_CALL(fmi2Status, fmi2SetDebugLogging, (void* c, fmi2Boolean on, std::size_t count, const fmiString categories[]),
+         setLogging(instance, on != 0, count, categories))
+FMI_CALL(fmi3Status, fmi3SetDebugLogging, (void* c, bool on, std::size_t count, const fmiString categories[]),
+         setLogging(instance, on, count, categories))
+FMI_CALL(fmi2Status, fmi2SetupExperiment,
+         (void* c, fmi2Boolean, double, double start, fmi2Boolean stop_defined, double stop),
+         instance.setTimes(start, stop_defined != 0, stop))
+FMI_CALL(fmi2Status, fmi2EnterInitializationMode, (void* c), instance.enterInitialisation())
+FMI_CALL(fmi3Status, fmi3EnterInitializationMode, (void* c, bool, double, double start, bool stop_defined, double stop),
+         enterInitialisation(instance, start, stop_defined, stop))
+
+FMI_CALL(fmi2Status, fmi2GetReal, (void* c, const fmiReference vr[], std::size_t count, double value[]),
+         instance.get(vr, count, value))
+FMI_CALL(fmi2Status, fmi2SetReal, (void* c, const fmiReference vr[], std::size_t count, const double value[]),
+         instance.set(vr, count, value))
+FMI_CALL(fmi3Status, fmi3GetFloat64,
+         (void* c, const fmiReference vr[], std::size_t count, double value[], std::size_t values),
+         values == count ? instance.get(vr, count, value) : refuseCounts(instance))
+FMI_CALL(fmi3Status, fmi3SetFloat64,
+         (void* c, const fmiReference vr[], std::size_t count, const double value[], std::size_t values),
+         values == count ? instance.set(vr, count, value) : refuseCounts(instance))
+
+FMI_CALL(fmi2Status, fmi2DoStep, (void* c, double time, double size, fmi2Boolean), instance.step(time, size))
+FMI_CALL(fmi3Status, fmi3DoStep,
+         (void* c, double time, double size, bool, bool* event_needed, bool* terminate, bool* early_return,
+          double* last_successful_time),
+         step(instance, time, size, {event_needed, terminate, early_return}, last_successful_time))
+FMI_CALL(fmi2Status, fmi2SetRealInputDerivatives,
+         (void* c, const fmiReference vr[], std::size_t count, const int order[], const double value[]),
+         setDerivatives(instance, vr, count, order, value))
+
+#define FMI_STATES(V, State, Deserialize, Byte)                                                                       \
+  FMI_CALL(fmi##V##Status, fmi##V##Get##State, (void* c, void** state), saveTo(instance, state))                      \
+  FMI_CALL(fmi##V##Status, fmi##V##Set##State, (void* c, void* state), restoreFrom(instance, state))                  \
+  FMI_CALL(fmi##V##Status, fmi##V##Free##State, (void* c, void** state), freeState(instance, state))                  \
+  FMI_CALL(fmi##V##Status, fmi##V##Serialized##State##Size, (void* c, void* state, std::size_t* size),                \
+           sizeOfState(instance, state, size))                                                                        \
+  FMI_CALL(fmi##V##Status, fmi##V##Serialize##State, (void* c, void* state, Byte bytes[], std::size_t size),          \
+           writeState(instance, state, bytes, size))                                                                  \
+  FMI_CALL(fmi##V##Status, fmi##V##Deserialize##State, (void* c, const Byte bytes[], std::size_t size, void** state), \
+           readState(instance, bytes, size, state))
+FMI_STATES(2, FMUstate, DeSerialize, char)
+FMI_STATES(3, FMUState, Deserialize, std::uint8_t)
+#undef FMI_STATES
+
+// No step is ever under way when one of these is called.
+FMI_CALL(fmi2Status, fmi2GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
+         lastSuccessfulTime(instance, kind == fmi2LastSuccessfulTime, value))
+FMI_CALL(fmi2Status, fmi2GetBooleanStatus, (void* c, fmi2StatusKind kind, fmi2Boolean* value),
+         isTerminated(instance, kind == fmi2Terminated, value))
+#define FMI_NO_STATUS(name, Value) \
+  FMI_CALL(fmi2Status, name, (void* c, fmi2StatusKind, Value*), instance.discard("status: no step is under way"))
+FMI_NO_STATUS(fmi2GetStatus, fmi2Status)
+FMI_NO_STATUS(fmi2GetIntegerStatus, int)
+FMI_NO_STATUS(fmi2GetStringStatus, fmiString)
+#undef FMI_NO_STATUS
+
+// All variables are real numbers; the standards want the calls for all other types none the less.
+#define FMI_NO_TYPE(V, Type, get, set)                                                 \
+  FMI_CALL(fmi##V##Status, fmi##V##Get##Type, get, refuseType(instance, count, #Type)) \
+  FMI_CALL(fmi##V##Status, fmi##V##Set##Type, set, refuseType(instance, count, #Type))
+#define FMI_LIST void *c, const fmiReference[], std::size_t count
+#define FMI_NO_SIMPLE(V, Type, Value) FMI_NO_TYPE(V, Type, (FMI_LIST, Value[]), (FMI_LIST, const Value[]))
+#define FMI_NO_COUNTED(Type, Value) \
+  FMI_NO_TYPE(3, Type, (FMI_LIST, Value[], std::size_t), (FMI_LIST, const Value[], std::size_t))
+FMI_NO_SIMPLE(2, Integer, int)
+FMI_NO_SIMPLE(2, Boolean, fmi2Boolean)
+FMI_NO_SIMPLE(2, String, fmiString)
+FMI_NO_COUNTED(Float32, float)
+FMI_NO_COUNTED(Int8, std::int8_t)
+FMI_NO_COUNTED(UInt8, std::uint8_t)
+FMI_NO_COUNTED(Int16, std::int16_t)
+FMI_NO_COUNTED(UInt16, std::uint16_t)
+FMI_NO_COUNTED(Int32, std::int32_t)
+FMI_NO_COUNTED(UInt32, std::uint32_t)
+FMI_NO_COUNTED(Int64, std::int64_t)
+FMI_NO_COUNTED(UInt64, std::uint64_t)
+FMI_NO_COUNTED(Boolean, bool)
+FMI_NO_COUNTED(String, fmiString)
+FMI_NO_TYPE(3, Binary, (FMI_LIST, std::size_t[], fmi3Binary[], std::size_t),
+            (FMI_LIST, const std::size_t[], const fmi3Binary[], std::size_t))
+FMI_NO_SIMPLE(3, Clock, bool)
+#undef FMI_NO_COUNTED
+#undef FMI_NO_SIMPLE
+#undef FMI_LIST
+#undef FMI_NO_TYPE
+
+// What this package offers in neither version.
+#define FMI_REFUSED(V, name, what, parameters) \
+  FMI_CALL(fmi##V##Status, fmi##V##name, parameters, instance.error(what ": not supported by this FMU"))
+#define FMI_LIST void *c, const fmiReference[], std::size_t
+#define FMI_DERIVATIVE void *c, const fmiReference[], std::size_t, const fmiReference[], std::size_t, const double[]
+FMI_REFUSED(2, GetDirectionalDerivative, "directional derivatives", (FMI_DERIVATIVE, double[]))
+FMI_REFUSED(2, GetRealOutputDerivatives, "derivatives of outputs", (FMI_LIST, const int[], double[]))
+FMI_REFUSED(2, CancelStep, "a step that can be cancelled", (void* c))
+FMI_REFUSED(3, EnterStepMode, "step mode from event mode", (void* c))
+FMI_REFUSED(3, EnterEventMode, "event mode", (void* c))
+FMI_REFUSED(3, EnterConfigurationMode, "configuration mode", (void* c))
+FMI_REFUSED(3, ExitConfigurationMode, "configuration mode", (void* c))
+FMI_REFUSED(3, EvaluateDiscreteStates, "discrete states", (void* c))
+FMI_REFUSED(3, UpdateDiscreteStates, "discrete states", (void* c, bool*, bool*, bool*, bool*, bool*, double*))
+FMI_REFUSED(3, EnterContinuousTimeMode, "continuous time", (void* c))
+FMI_REFUSED(3, CompletedIntegratorStep, "model exchange", (void* c, bool, bool*, bool*))
+FMI_REFUSED(3, SetTime, "set of the time", (void* c, double))
+FMI_REFUSED(3, SetContinuousStates, "continuous states", (void* c, const double[], std::size_t))
+FMI_REFUSED(3, GetContinuousStates, "continuous states", (void* c, double[], std::size_t))
+FMI_REFUSED(3, GetContinuousStateDerivatives, "continuous states", (void* c, double[], std::size_t))
+FMI_REFUSED(3, GetNominalsOfContinuousStates, "continuous states", (void* c, double[], std::size_t))
+FMI_REFUSED(3, GetNumberOfContinuousStates, "continuous states", (void* c, std::size_t*))
+FMI_REFUSED(3, GetEventIndicators, "event indicators", (void* c, double[], std::size_t))
+FMI_REFUSED(3, GetNumberOfEventIndicators, "event indicators", (void* c, std::size_t*))
+FMI_REFUSED(3, GetNumberOfVariableDependencies, "dependencies of elements", (void* c, fmiReference, std::size_t*))
+FMI_REFUSED(3, GetVariableDependencies, "dependencies of elements",
+            (void* c, fmiReference, std::size_t[], fmiReference[], std::size_t[], fmi3Enum[], std::size_t))
+FMI_REFUSED(3, GetDirectionalDerivative, "directional derivatives",
+            (FMI_DERIVATIVE, std::size_t, double[], std::size_t))
+FMI_REFUSED(3, GetAdjointDerivative, "adjoint derivatives", (FMI_DERIVATIVE, std::size_t, double[], std::size_t))
+FMI_REFUSED(3, GetOutputDerivatives, "derivatives of outputs", (FMI_LIST, const std::int32_t[], double[], std::size_t))
+FMI_REFUSED(3, GetIntervalDecimal, "clocks", (FMI_LIST, double[], fmi3Enum[]))
+FMI_REFUSED(3, SetIntervalDecimal, "clocks", (FMI_LIST, const double[]))
+FMI_REFUSED(3, GetIntervalFraction, "clocks", (FMI_LIST, std::uint64_t[], std::uint64_t[], fmi3Enum[]))
+FMI_REFUSED(3, SetIntervalFraction, "clocks", (FMI_LIST, const std::uint64_t[], const std::uint64_t[]))
+FMI_REFUSED(3, GetShiftDecimal, "clocks", (FMI_LIST, double[]))
+FMI_REFUSED(3, SetShiftDecimal, "clocks", (FMI_LIST, const double[]))
+FMI_REFUSED(3, GetShiftFraction, "clocks", (FMI_LIST, std::uint64_t[], std::uint64_t[]))
+FMI_REFUSED(3, SetShiftFraction, "clocks", (FMI_LIST, const std::uint64_t[], const std::uint64_t[]))
+FMI_REFUSED(3, ActivateModelPartition, "scheduled execution", (void* c, fmiReference, double))
+#undef FMI_DERIVATIVE
+#undef FMI_LIST
+#undef FMI_REFUSED

@@ -1,0 +1,269 @@
+// FMI 2.0 and FMI 3.0 for co-simulation on an instance. No null pointer gets in, no exception gets out.
+#include "fmi/runtime/fmi.h"
+
+#include <exception>
+#include <initializer_list>
+#include <memory>
+#include <string>
+
+#include "fmi/runtime/embedded.h"
+#include "fmi/runtime/instance.h"
+
+namespace {
+
+using namespace rubber_suspension::fmi;
+
+static_assert(static_cast<int>(Status::discard) == fmi2Discard && static_cast<int>(Status::error) == fmi2Error);
+static_assert(static_cast<int>(Status::discard) == fmi3Discard && static_cast<int>(Status::error) == fmi3Error);
+
+// Call `body` with the instance behind a handle. What it throws becomes a message and Status::error.
+template <class Result, class Body>
+Result guarded(void* handle, Body body) noexcept {
+  if (handle == nullptr) {
+    return static_cast<Result>(Status::error);
+  }
+  auto& instance = *static_cast<Instance*>(handle);
+  try {
+    try {
+      return static_cast<Result>(body(instance));
+    } catch (const std::exception& error) {
+      return static_cast<Result>(instance.error(error.what()));
+    }
+  } catch (...) {  // where even the message fails, there is only the status left
+    return static_cast<Result>(Status::error);
+  }
+}
+
+// The logger of FMI 2.0 reads its message as a format of printf, and # as a reference to a variable.
+std::string escaped(const std::string& message) {
+  std::string result;
+  for (const char c : message) {
+    result += c;
+    if (c == '%' || c == '#') {
+      result += c;
+    }
+  }
+  return result;
+}
+
+Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
+  if (functions == nullptr || functions->logger == nullptr) {
+    return [](Status, const char*, const std::string&) {};
+  }
+  return [logger = functions->logger, environment = functions->componentEnvironment,
+          instance = std::string(name == nullptr ? "" : name)](Status status, const char* category,
+                                                               const std::string& message) {
+    logger(environment, instance.c_str(), static_cast<fmi2Status>(status), category, escaped(message).c_str());
+  };
+}
+
+Log logTo(void* environment, fmi3LogMessageCallback callback) {
+  if (callback == nullptr) {
+    return [](Status, const char*, const std::string&) {};
+  }
+  return [=](Status status, const char* category, const std::string& message) {
+    callback(environment, static_cast<fmi3Status>(status), category, message.c_str());
+  };
+}
+
+// An instance of the component in this binary, or nullptr with a message. `token` is what modelDescription.xml has as
+// GUID or instantiation token; `refused` is a kind of use that the importer asks for and does not get, or nullptr.
+template <class... Logger>
+void* instantiate(const char* token, bool logging_on, const char* refused, Logger... logger) noexcept {
+  try {
+    const Log log = logTo(logger...);
+    const auto refuse = [&log](const std::string& reason) {
+      log(Status::error, category::kError, reason);
+      return nullptr;
+    };
+    try {
+      if (refused != nullptr) {
+        return refuse(std::string(refused) + "; accepted: co-simulation without event mode");
+      }
+      ComponentData data = fromJson(embeddedText());
+      if (token == nullptr || data.guid != token) {
+        return refuse("the GUID is not that of this binary, " + data.guid);
+      }
+      auto instance = std::make_unique<Instance>(std::move(data), log);
+      instance->logEvents(logging_on);
+      return instance.release();
+    } catch (const std::exception& error) {
+      return refuse(std::string("no instance: ") + error.what());
+    }
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+// Switch debugging on or off, for all categories or for those listed.
+Status setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
+  if (count > 0 && categories == nullptr) {
+    return instance.error("debug logging: a null pointer");
+  }
+  bool events = count == 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = categories[i] == nullptr ? "" : categories[i];
+    if (name != category::kEvents && name != category::kError && name != category::kDiscard) {
+      return instance.error("debug logging: '" + name + "' is no category; accepted: logEvents, logStatusDiscard, " +
+                            "logStatusError");
+    }
+    events = events || name == category::kEvents;
+  }
+  if (events) {
+    instance.logEvents(on);
+  }
+  return Status::ok;
+}
+
+Status enterInitialisation(Instance& instance, double start, bool stop_defined, double stop) {
+  const Status status = instance.setTimes(start, stop_defined, stop);
+  return status == Status::ok ? instance.enterInitialisation() : status;
+}
+
+Status refuseCounts(Instance& instance) {
+  return instance.error("the number of values is not that of the variables; accepted: one value each");
+}
+
+// For variables of a type that no FMU of this package has: fine as long as none is asked for.
+Status refuseType(Instance& instance, std::size_t count, const char* type) {
+  return count == 0 ? Status::ok
+                    : instance.error(std::string("no variable is of the type ") + type + "; accepted: real numbers");
+}
+
+Status step(Instance& instance, double time, double size, std::initializer_list<bool*> flags, double* last_time) {
+  const Status status = instance.step(time, size);
+  for (bool* flag : flags) {
+    if (flag != nullptr) {
+      *flag = false;
+    }
+  }
+  if (last_time != nullptr) {
+    *last_time = instance.time();
+  }
+  return status;
+}
+
+Status setDerivatives(Instance& instance, const fmiReference* vr, std::size_t count, const int* order,
+                      const double* value) {
+  if (count > 0 && (vr == nullptr || order == nullptr || value == nullptr)) {
+    return instance.error("set of a derivative: a null pointer");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const Status status = instance.setDerivative(vr[i], order[i], value[i]); status != Status::ok) {
+      return status;
+    }
+  }
+  return Status::ok;
+}
+
+Status lastSuccessfulTime(Instance& instance, bool asked, double* value) {
+  if (!asked || value == nullptr) {
+    return instance.discard("status: not a real number; accepted: the last successful time");
+  }
+  *value = instance.time();
+  return Status::ok;
+}
+
+Status isTerminated(Instance& instance, bool asked, fmi2Boolean* value) {
+  if (!asked || value == nullptr) {
+    return instance.discard("status: not a boolean; accepted: terminated");
+  }
+  *value = 0;
+  return Status::ok;
+}
+
+// Save into the state that the importer holds, or into a new one where it holds none.
+Status saveTo(Instance& instance, void** held) {
+  if (held == nullptr) {
+    return instance.error("save of the state: a null pointer");
+  }
+  if (*held != nullptr) {
+    return instance.save(*static_cast<SavedState*>(*held));
+  }
+  auto state = std::make_unique<SavedState>();
+  const Status status = instance.save(*state);
+  if (status == Status::ok) {
+    *held = state.release();
+  }
+  return status;
+}
+
+Status restoreFrom(Instance& instance, const void* held) {
+  return held == nullptr ? instance.error("restore of a state: a null pointer")
+                         : instance.restore(*static_cast<const SavedState*>(held));
+}
+
+Status freeState(Instance& /*instance*/, void** held) {
+  if (held != nullptr) {
+    delete static_cast<SavedState*>(*held);
+    *held = nullptr;
+  }
+  return Status::ok;
+}
+
+Status sizeOfState(Instance& instance, const void* held, std::size_t* size) {
+  if (held == nullptr || size == nullptr) {
+    return instance.error("size of a state: a null pointer");
+  }
+  *size = serialisedSize(*static_cast<const SavedState*>(held));
+  return Status::ok;
+}
+
+Status writeState(Instance& instance, const void* held, void* bytes, std::size_t size) {
+  if (held == nullptr || bytes == nullptr) {
+    return instance.error("serialisation of a state: a null pointer");
+  }
+  const auto& state = *static_cast<const SavedState*>(held);
+  if (size < serialisedSize(state)) {
+    return instance.error("serialisation of a state: too few bytes");
+  }
+  serialise(state, static_cast<char*>(bytes));
+  return Status::ok;
+}
+
+Status readState(Instance& instance, const void* bytes, std::size_t size, void** held) {
+  if (bytes == nullptr || held == nullptr) {
+    return instance.error("deserialisation of a state: a null pointer");
+  }
+  auto state = std::make_unique<SavedState>(deserialise(static_cast<const char*>(bytes), size));
+  freeState(instance, held);
+  *held = state.release();
+  return Status::ok;
+}
+
+}  // namespace
+
+#define FMI_CALL(Result, name, parameters, ...)                                                  \
+  Result name parameters {                                                                       \
+    return guarded<Result>(c, [&]([[maybe_unused]] Instance& instance) { return __VA_ARGS__; }); \
+  }
+#include "fmi/runtime/calls.h"
+#undef FMI_CALL
+
+fmiString fmi2GetTypesPlatform() { return "default"; }
+fmiString fmi2GetVersion() { return "2.0"; }
+fmiString fmi3GetVersion() { return "3.0"; }
+void fmi2FreeInstance(void* c) { delete static_cast<Instance*>(c); }
+void fmi3FreeInstance(void* c) { delete static_cast<Instance*>(c); }
+
+void* fmi2Instantiate(fmiString name, fmi2Type type, fmiString guid, fmiString /*resources*/,
+                      const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/, fmi2Boolean logging_on) {
+  return instantiate(guid, logging_on != 0, type == fmi2CoSimulation ? nullptr : "model exchange", functions, name);
+}
+
+void* fmi3InstantiateModelExchange(fmiString, fmiString, fmiString, bool, bool, void* environment,
+                                   fmi3LogMessageCallback callback) {
+  return instantiate(nullptr, false, "model exchange", environment, callback);
+}
+
+void* fmi3InstantiateScheduledExecution(fmiString, fmiString, fmiString, bool, bool, void* environment,
+                                        fmi3LogMessageCallback callback, fmi3Callback, fmi3Callback, fmi3Callback) {
+  return instantiate(nullptr, false, "scheduled execution", environment, callback);
+}
+
+void* fmi3InstantiateCoSimulation(fmiString /*name*/, fmiString token, fmiString /*resources*/, bool /*visible*/,
+                                  bool logging_on, bool event_mode_used, bool /*early_return_allowed*/,
+                                  const fmiReference[], std::size_t, void* environment, fmi3LogMessageCallback callback,
+                                  fmi3Callback) {
+  return instantiate(token, logging_on, event_mode_used ? "event mode" : nullptr, environment, callback);
+}
