@@ -21,6 +21,8 @@
 #include "diagnosis/report/compare.h"
 #include "diagnosis/report/overview_figure.h"
 #include "diagnosis/report/run_record.h"
+#include "diagnosis/results/model_values.h"
+#include "diagnosis/results/taken_out.h"
 #include "fit/parallel.h"
 #include "io/folder_lock.h"
 #include "io/progress.h"
@@ -44,6 +46,7 @@ struct Options {
   std::string plot;
   std::string compare;
   bool evidence = false;
+  std::string law = "simplest";
   std::vector<std::string> rig;
   std::vector<std::string> limits;
   std::vector<std::string> plan;
@@ -143,6 +146,12 @@ OptionTable Options::table() {
       Option("--evidence", evidence,
              "also write evidence.json: what every hypothesis leaves, of which the judgement is made")
           .rare(),
+      Option(
+          "--law", law, "LAW",
+          "full: also write augmented_full.yaml, the laws with all numbers that were judged; simplest: augmented.yaml "
+          "alone, whose laws have few numbers and leave nearly as little")
+          .rare()
+          .oneOf({"simplest", "full"}),
       plotOption(plot, "loops, residuals and the gap").rare(),
       Option("--most-samples", most_samples, "COUNT",
              "samples that the search takes, of all logs together; of longer logs it takes excerpts of all their "
@@ -150,10 +159,12 @@ OptionTable Options::table() {
           .rare()
           .within(1000, 100000000),
       Option("--threads", threads, "COUNT", "number of threads").rare().within(1, 64),
+      log_options.acceptUnits(),
       log_options.table()};
   options.needs({"--effect-size", "--noise"}, {"--plan"});
-  options.excludes({"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples"},
-                   {"--plan"});
+  options.excludes(
+      {"--log", "--from-table", "--hold-out", "--limits", "--compare", "--plot", "--most-samples", "--accept-units"},
+      {"--plan"});
   options.needs({"--uncertainty"}, {"--from-table"});
   options.excludes({"--log", "--hold-out", "--limits", "--most-samples"}, {"--from-table"});
   return options.excludes(LogOptions::names(), {"--from-table"});
@@ -205,6 +216,11 @@ class RememberedLog : public log::LogSource {
     warnOfTemperature("diagnose", path, has_temperature_, component);
   }
 
+  bool hasTemperature() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return has_temperature_;
+  }
+
  private:
   std::shared_ptr<const log::LogSource> log_;
   mutable std::mutex mutex_;
@@ -236,10 +252,33 @@ class OpenedLogs {
     }
   }
 
+  /// File and whether it has a temperature, once the logs were read.
+  void addTemperatures(std::vector<std::pair<std::string, bool>>& having) const {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      having.emplace_back(paths_[i], logs_[i]->hasTemperature());
+    }
+  }
+
  private:
   std::vector<std::string> paths_;  // of each log
   std::vector<std::shared_ptr<RememberedLog>> logs_;
 };
+
+// One log without is enough that nothing can be said of heat.
+void warnOfSomeTemperatures(const OpenedLogs& logs, const OpenedLogs& hold_out) {
+  std::vector<std::pair<std::string, bool>> having;
+  logs.addTemperatures(having);
+  hold_out.addTemperatures(having);
+  const auto has = [](const auto& log) { return log.second; };
+  const auto one = std::find_if(having.begin(), having.end(), has);
+  const auto other = std::find_if_not(having.begin(), having.end(), has);
+  if (one != having.end() && other != having.end()) {
+    printWarning("diagnose",
+                 fmt::format("{} has no column temperature_degC, and {} has one: effects of temperature are "
+                             "told only where all logs have it",
+                             other->first, one->first));
+  }
+}
 
 void showStage(const std::string& stage, double fraction) {
   if (isatty(STDERR_FILENO) != 0) {
@@ -321,6 +360,11 @@ std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis) {
                            diagnosis.recorded_samples);
 }
 
+std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
+  const std::vector<std::string> phrases = diagnosis::describeTakenOut(diagnosis.taken_out);
+  return phrases.empty() ? "" : log::oneLine(fmt::format("taken out of the logs: {}", fmt::join(phrases, "; "))) + "\n";
+}
+
 std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
   return options.compare.empty() ? std::nullopt : std::optional<diagnosis::EarlierReport>(options.compare);
 }
@@ -329,6 +373,7 @@ std::optional<diagnosis::EarlierReport> earlierReport(const Options& options) {
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::EarlierReport>& earlier,
             const Options& options) {
   diagnosis.run = runRecord(options);
+  diagnosis.write_full_law = options.law == "full";
   if (earlier) {
     diagnosis.comparison = earlier->compare(diagnosis);
   }
@@ -340,8 +385,10 @@ int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::Earli
   if (isatty(STDERR_FILENO) != 0) {
     fmt::print(stderr, "\r\033[K");
   }
-  fmt::print("{}\n{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), excerptsTaken(diagnosis),
-             toText(diagnosis.comparison), options.output);
+  const std::string whole = diagnosis::wholeText(diagnosis);
+  fmt::print("{}\n{}{}{}{}report: {}/report.html\n", log::oneLine(diagnosis.sentence), whole.empty() ? "" : whole + "\n",
+             takenOut(diagnosis),
+             excerptsTaken(diagnosis), toText(diagnosis.comparison), options.output);
   return kSuccess;
 }
 
@@ -370,6 +417,7 @@ int runTable(const Options& options) {
   const std::optional<diagnosis::EarlierReport> earlier = earlierReport(options);
   fit::MeasuredTable table = command::readTable(options.table_path);
   table.uncertainty = uncertainty;
+  table.accept_units = options.log_options.acceptsUnits();
   for (const std::string& note : table.notes) {
     printWarning("diagnose", options.table_path + ": " + note);
   }
@@ -412,6 +460,7 @@ int run(const Options& options) {
     if (!told) {
       logs.tell(component);
       hold_out.tell(component);
+      warnOfSomeTemperatures(logs, hold_out);
     }
     told = true;
   };

@@ -19,6 +19,7 @@
 #include "gap/odd_motion.h"
 #include "io/progress.h"
 #include "log/new_file.h"
+#include "log/text.h"
 
 using namespace rubber_suspension;
 using namespace rubber_suspension::command_line;
@@ -47,8 +48,6 @@ struct Options {
   OptionTable table();
 };
 
-bool isMat(const std::string& path) { return path.size() > 4 && path.substr(path.size() - 4) == ".mat"; }
-
 // Each way to estimate takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
@@ -68,7 +67,8 @@ OptionTable Options::table() {
              "FILE.json or FILE.mat to write: A, B, C, D of the linear part, with the inputs z and dz/dt")
           .rare()
           .standsFor([this] {
-            const io::FileKind kind = isMat(state_space) ? io::FileKind::mat : io::FileKind::state_space_json;
+            const io::FileKind kind =
+                log::endsWith(state_space, ".mat") ? io::FileKind::mat : io::FileKind::state_space_json;
             return Files{{}, {{"--state-space", state_space, kind}}};
           }),
       Option(
@@ -76,7 +76,8 @@ OptionTable Options::table() {
           "models to compare, from the numbers of one specification: M1 to M6 or their names, or a number of Maxwell "
           "elements, such as M1 M2 5")
           .rare(),
-      Option("--sensitivity", Quantity{&sensitivity, "1", {0.0, 0.5, true, false}}, "SHARE",
+      Option("--sensitivity",
+             Quantity{&sensitivity, "1", {0.0, 0.5, true, false}, "a share up to 50 %, such as '5 %' or 0.05"}, "SHARE",
              "change each input by this much and show what it does to stiffness and loss angle, such as '5 %'")
           .rare(),
       Option("--frequencies", Quantity{&frequency_range, "Hz"}, "HZ",
@@ -109,12 +110,13 @@ OptionTable Options::table() {
       Option("--output", output, "FILE",
              "component file to write; with the parameters found by --from-log, --from-table or from --data-sheet")
           .writes(io::FileKind::component_file),
+      log_options.acceptUnits(),
       log_options.table()};
   options.oneOf({"--config", "--data-sheet"});
   options.excludes({"--component", "--json", "--from-log", "--from-table"}, {"--data-sheet"});
   options.excludes({"--csv", "--state-space", "--models", "--sensitivity"},
                    {"--data-sheet", "--from-log", "--from-table"});
-  options.needs({"--hold", "--starts"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
+  options.needs({"--hold", "--starts", "--accept-units"}, {"--from-log"}).needs(LogOptions::names(), {"--from-log"});
   options.excludes({"--frequencies", "--amplitudes", "--frequency", "--amplitude", "--product", "--points"},
                    {"--data-sheet", "--from-log", "--from-table"});
   options.excludes({"--from-log", "--json", "--plot"}, {"--from-table"});
@@ -259,6 +261,16 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
   }
 }
 
+// Before any file is written.
+void checkStateSpace(const std::string& path, std::size_t components) {
+  if (!path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1)) {
+    throw UsageError(
+        fmt::format("--state-space: {} for {} component{}; accepted: FILE.json, or FILE.mat for one "
+                    "(--component NAME, one of --models)",
+                    path, components, components == 1 ? "" : "s"));
+  }
+}
+
 int estimateComponents(const Options& options) {
   const command::SweepOptions sweeps = sweepOptions(options);
   std::vector<io::ComponentDescription> components = io::loadComponentFile(options.config);
@@ -268,6 +280,7 @@ int estimateComponents(const Options& options) {
   if (!options.models.empty()) {
     components = command::inModels(io::selectComponent(components, options.component, options.config), options.models);
   }
+  checkStateSpace(options.state_space, components.size());
   std::vector<command::EstimateReport> reports;
   for (const io::ComponentDescription& component : components) {
     warnOf("estimate", component);

@@ -28,10 +28,6 @@ constexpr const char* kDisplacement = "/displacement";
 constexpr const char* kMeasuredForce = "/measured_force";
 constexpr const char* kTemperature = "/temperature";
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 std::string stem(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
   return log::oneLine(file.substr(0, file.find_last_of('.')));
@@ -42,14 +38,12 @@ std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& 
   rosbag::View view(bag);
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
     // A leading slash makes "name/displacement" end in "/name/displacement" too.
-    if (endsWith("/" + connection->topic, end)) {
+    if (log::endsWith("/" + connection->topic, end)) {
       topics.insert(connection->topic);
     }
   }
   return topics;
 }
-
-std::string join(const std::set<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 // The only topic of displacements that fits. Its end without "displacement" is common to all topics of the component.
 std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, const std::string& component) {
@@ -57,11 +51,13 @@ std::string displacementTopic(const rosbag::Bag& bag, const std::string& path, c
   const std::set<std::string> topics = topicsEndingIn(bag, end);
   if (topics.empty()) {
     const std::set<std::string> others = topicsEndingIn(bag, kDisplacement);
-    throw log::LogError(fmt::format("{}: no topic ends in {}; the bag has {}", path, end,
-                                    others.empty() ? "no displacement at all" : join(others)));
+    throw log::LogError(
+        fmt::format("{}: no topic ends in {}; the bag has {}", path, end,
+                    others.empty() ? "no displacement at all" : fmt::format("{}", fmt::join(others, ", "))));
   }
   if (topics.size() > 1) {
-    throw log::LogError(fmt::format("{}: several topics end in {}: {}; name the component", path, end, join(topics)));
+    throw log::LogError(
+        fmt::format("{}: several topics end in {}: {}; name the component", path, end, fmt::join(topics, ", ")));
   }
   return *topics.begin();
 }
@@ -296,6 +292,17 @@ log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const 
   return log;
 }
 
+// Topics of this package are in SI units; a field of another message is in those of whoever made it.
+log::UnitsAre unitsOf(const log::LogFormat& format) {
+  const auto is_assumed = [&](log::Quantity quantity) {
+    const log::LogFormat::Channel& channel = format.of[static_cast<std::size_t>(quantity)];
+    return !channel.column.empty() && channel.unit.empty();
+  };
+  return format.accept_units                                                           ? log::UnitsAre::accepted
+         : is_assumed(log::Quantity::displacement) || is_assumed(log::Quantity::force) ? log::UnitsAre::assumed
+                                                                                       : log::UnitsAre::named;
+}
+
 bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
@@ -307,7 +314,9 @@ log::Log readBagLog(const std::string& path, const std::string& component, const
     checkBagStructure(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    return namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log::Log log = namesColumns(format) ? readNamedFields(bag, path, format) : readOpenBag(bag, path, component);
+    log.units = unitsOf(format);
+    return log;
   } catch (const log::LogError&) {
     throw;
   } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
@@ -316,7 +325,7 @@ log::Log readBagLog(const std::string& path, const std::string& component, const
 }
 
 bool isBagPath(const std::string& path) {
-  return endsWith(path, ".bag") || log::formatOfFile(path) == log::FileFormat::bag;
+  return log::endsWith(path, ".bag") || log::formatOfFile(path) == log::FileFormat::bag;
 }
 
 log::Log readAnyLog(const std::string& path, const std::string& component, const log::LogFormat& format) {

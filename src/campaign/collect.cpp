@@ -1,7 +1,6 @@
 // What is left of a campaign at its end.
 #include "campaign/collect.h"
 
-#include "campaign/fleet_json.h"
 #include "campaign/fleet_report.h"
 #include "campaign/record.h"
 #include "log/new_file.h"

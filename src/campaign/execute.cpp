@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "command/identify.h"
+#include "diagnosis/results/rounding.h"
 #include "io/sha256.h"
 #include "log/new_file.h"
 #include "log/text.h"
@@ -98,19 +99,9 @@ ordered_json diagnosisEvidence(const diagnosis::Diagnosis& d) {
   for (const diagnosis::ParameterByLog& row : d.by_log) {
     by_log.push_back(ratiosJson(row.ratios));
   }
-  ordered_json configured = ordered_json::object();
-  for (const diagnosis::SizedValue& size : d.model_sizes) {
-    if (size.owner == "specification") {
-      configured[size.name] = number(size.configured);
-    }
-  }
-  return {{"verdict", toString(d.verdict)},
-          {"effects", d.effects},
-          {"explanations", explanationsJson(d)},
-          {"probability_none_of_these", number(d.posterior.none_of_these)},
-          {"ratios", ratiosJson(d.parameter_ratios)},
-          {"ratios_by_log", by_log},
-          {"configured", configured}};
+  return {{"verdict", toString(d.verdict)},           {"effects", d.effects},
+          {"explanations", explanationsJson(d)},      {"probability_none_of_these", number(d.posterior.none_of_these)},
+          {"ratios", ratiosJson(d.parameter_ratios)}, {"ratios_by_log", by_log}};
 }
 
 ordered_json replayValues(const log::Log& log, const gap::Replay& replay) {
@@ -193,7 +184,7 @@ void Executor::diagnose(const Job& job, Record& record) {
     const std::string folder = makeReportFolder(job);
     log::writeNewFile(folder + "/report.json", diagnosis::toJson(result));
     if (result.workings) {
-      log::writeNewFile(folder + "/augmented.yaml", io::toYaml({result.augmented}));
+      log::writeNewFile(folder + "/augmented.yaml", diagnosis::augmentedYaml(result));
     }
     if (const std::string evidence = diagnosis::evidenceJson(result); !evidence.empty()) {
       log::writeNewFile(folder + "/evidence.json", evidence);
@@ -205,7 +196,7 @@ void Executor::estimate(const Job& job, Record& record) {
   const io::ComponentDescription description = componentOf(job);
   fit::IdentificationOptions settings;
   settings.held = job.options.hold;
-  settings.starts = job.options.starts.value_or(settings.starts);
+  settings.starts = job.options.starts > 0 ? job.options.starts : settings.starts;
   const fit::Identification result = command::identifyFromLogs(description, logs(job, job.logs), settings);
   record.values = {{"residual_n", number(result.residual)}, {"relative_residual", number(result.relative_residual)}};
   ordered_json parameters = ordered_json::array();

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <set>
 
-#include "campaign/manifest.h"
 #include "campaign/record.h"
 #include "log/text.h"
 
@@ -24,10 +23,11 @@ constexpr double kJeffreys = 0.5;                        // prior count of each 
 constexpr const char* kWrongValues = "parameter_error";  // among the effects of a set
 constexpr const char* kCompliance = "series_compliance";
 constexpr const char* kGain = "sensor_gain";
-constexpr const char* kCommonCompliance = "series_compliance of the rig";
 constexpr double kChance = 0.05;  // that a value right for the type is called wrong, over all parameters of a type
 
-const std::array kStiffnesses = {"static_stiffness", "dynamic_stiffness", "maximum_stiffness"};
+// Standard deviation of the logarithm of a rig's gain, which all components on it share: the usual tolerance of 0.5 %
+// (io::RigTolerances) as two of them.
+constexpr double kGainError = 0.0025;
 
 // Nothing for null, which stands for a value that is not finite, and for what has no logarithm.
 std::optional<double> logarithm(const ordered_json& value) {
@@ -49,9 +49,6 @@ ParameterChanges reEstimated(const ordered_json& evidence) {
     }
     ParameterChange change;
     change.logarithm = *value;
-    const ordered_json configured = evidence.value("configured", ordered_json::object());
-    change.configured =
-        configured.contains(name) && configured.at(name).is_number() ? configured.at(name).get<double>() : 0.0;
     double mean = 0.0;
     for (const ordered_json& log : evidence.at("ratios_by_log")) {
       const auto alone = log.contains(name) ? logarithm(log.at(name)) : std::nullopt;
@@ -77,7 +74,7 @@ ParameterChanges changesOfEstimate(const ordered_json& evidence) {
     const auto upper = logarithm(parameter.at("upper"));
     if (value && given && lower && upper && parameter.at("determined").get<bool>()) {
       changes[parameter.at("name").get<std::string>()] = {*value - *given, 0.0, 1,
-                                                          (*upper - *lower) / (2.0 * kHalfInterval), 0.0};
+                                                          (*upper - *lower) / (2.0 * kHalfInterval)};
     }
   }
   return changes;
@@ -124,9 +121,8 @@ void setParameters(FleetComponent& component, const ordered_json& evidence) {
       !leavesLikeValuesAlone(component)) {
     return;
   }
-  component.without_effects = reEstimated(evidence);
   if (component.effects.empty() || mayBe(component, kWrongValues)) {
-    component.parameters = component.without_effects;
+    component.parameters = reEstimated(evidence);
   }
 }
 
@@ -154,10 +150,7 @@ std::string percentOfLogarithm(double logarithm) { return fmt::format("{:.1f} %"
 
 class Analysis {
  public:
-  // `rigs` by name: those of which something can be said.
-  Analysis(const std::string& name, const std::vector<FleetComponent>& components,
-           const std::map<std::string, FleetRig>& rigs)
-      : rigs_(rigs) {
+  Analysis(const std::string& name, const std::vector<FleetComponent>& components) {
     type_.name = name;
     type_.components = components;
   }
@@ -168,54 +161,14 @@ class Analysis {
         ++type_.verdicts[toString(*component.verdict)];
       }
     }
-    giveBackCompliance();
     compareParameters();
     countEffects();
     decideConfounded();
-    explainCompliance();
     explainParameterErrors();
     return std::move(type_);
   }
 
  private:
-  bool isDecided(const FleetComponent& component, RigCause cause) const {
-    const auto rig = rigs_.find(component.test_rig);
-    return rig != rigs_.end() && rig->second.decided == cause;
-  }
-
-  bool isOnSoftRig(const FleetComponent& component) const { return isDecided(component, RigCause::compliance); }
-
-  // Whether all types on the rig are off by one factor, or not: either way a gain is no open question any more.
-  bool factorIsDecided(const FleetComponent& component) const {
-    const auto rig = rigs_.find(component.test_rig);
-    return rig != rigs_.end() && std::abs(rig->second.judgement.probability(RigCause::factor) - 0.5) >= kDecided - 0.5;
-  }
-
-  const RigJudgement& rigOf(const FleetComponent& component) const { return rigs_.at(component.test_rig).judgement; }
-
-  // Stiffnesses as they would be on a rig that does not give way. What else it bends, such as break frequencies,
-  // follows no formula as simple and is left out.
-  void giveBackCompliance() {
-    for (FleetComponent& component : type_.components) {
-      if (!isOnSoftRig(component) || component.without_effects.empty()) {
-        continue;
-      }
-      component.parameters.clear();
-      for (const char* name : kStiffnesses) {
-        const auto found = component.without_effects.find(name);
-        if (found == component.without_effects.end()) {
-          continue;
-        }
-        const auto alone =
-            withoutCompliance(found->second.logarithm, found->second.configured, rigOf(component).compliance);
-        if (alone) {
-          component.parameters[name] = found->second;
-          component.parameters[name].logarithm = *alone;
-        }
-      }
-    }
-  }
-
   void compareParameters() {
     std::set<std::string> names;
     for (const FleetComponent& component : type_.components) {
@@ -242,7 +195,7 @@ class Analysis {
         parameter.observations.push_back({found->second.logarithm, errorOf(found->second, deviation)});
       }
     }
-    parameter.model = fitRandomEffects(parameter.observations, commonError(parameter));
+    parameter.model = fitRandomEffects(parameter.observations, kGainError);
     for (std::size_t i = 0; parameter.model && i < parameter.components.size(); ++i) {
       const double distance = std::abs(parameter.observations[i].value - parameter.model->median);
       if (std::abs(parameter.model->robust_z[i]) > parameter.model->z_limit && distance > kWorthSaying) {
@@ -251,20 +204,6 @@ class Analysis {
       }
     }
     type_.parameters.push_back(std::move(parameter));
-  }
-
-  // Of gain and, where it was given back, compliance of the rig.
-  double commonError(const FleetParameter& parameter) const {
-    double of_compliance = 0.0;
-    for (const std::size_t place : parameter.components) {
-      const FleetComponent& component = type_.components[place];
-      if (isOnSoftRig(component)) {
-        const ParameterChange& change = component.parameters.at(parameter.name);
-        of_compliance += change.configured * std::exp(change.logarithm) * rigOf(component).compliance_error /
-                         static_cast<double>(parameter.components.size());
-      }
-    }
-    return std::hypot(kGainError, of_compliance);
   }
 
   void markWrongForAll() {
@@ -314,8 +253,7 @@ class Analysis {
   void decideConfounded() {
     for (std::size_t i = 0; i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
-      const bool open = component.explanations.size() > 1 && component.verdict != Verdict::unknown;
-      if (open && !(isOnSoftRig(component) && leavesLikeValuesAlone(component))) {
+      if (component.explanations.size() > 1 && component.verdict != Verdict::unknown) {
         decide(i, component.explanations);
       }
     }
@@ -325,7 +263,7 @@ class Analysis {
   void decide(std::size_t place, const std::vector<OwnExplanation>& set) {
     const FleetComponent& component = type_.components[place];
     if (mayBe(component, kWrongValues) && (mayBe(component, kCompliance) || mayBe(component, kGain))) {
-      return;  // re-estimation does the same: only other types on the same rig, or other pieces of the type, can tell
+      return;  // re-estimation does the same
     }
     std::vector<double> weights;
     double sum_alone = 0.0;
@@ -356,35 +294,6 @@ class Analysis {
                      100.0 * set[best].probability / sum_alone)});
   }
 
-  // On a rig that gives way: what its compliance explains.
-  void explainCompliance() {
-    for (std::size_t i = 0; i < type_.components.size(); ++i) {
-      const FleetComponent& component = type_.components[i];
-      const bool off = component.verdict == Verdict::parameter_error || !component.effects.empty();
-      if (!isOnSoftRig(component) || component.without_effects.empty() || !off) {
-        continue;
-      }
-      const RigJudgement& rig = rigOf(component);
-      std::string rest;
-      for (const FleetParameter& parameter : type_.parameters) {
-        if (parameter.wrong_for_all) {
-          rest +=
-              fmt::format("{}{} {}", rest.empty() ? "; beyond it the specification is off for all components: " : ", ",
-                          parameter.name, percentOfLogarithm(parameter.model->mean));
-        }
-      }
-      type_.changed.push_back(
-          {i, verdictOf(component),
-           standsOut(i) ? std::string(kCommonCompliance) + " and wrong values" : kCommonCompliance,
-           fmt::format(
-               "types of different stiffness on this rig are softer by one compliance, {:.3g} m/N (95 % interval "
-               "{:.3g} to {:.3g}): {:.0f} % against wrong values of each type, a factor common to all, and "
-               "nothing{}",
-               rig.compliance, rig.compliance_interval[0], rig.compliance_interval[1],
-               100.0 * rig.probability(RigCause::compliance), rest)});
-    }
-  }
-
   static std::string verdictOf(const FleetComponent& component) {
     std::vector<std::string> causes;
     std::transform(component.explanations.begin(), component.explanations.end(), std::back_inserter(causes),
@@ -403,7 +312,7 @@ class Analysis {
                        [&](const ChangedVerdict& one) { return one.component == component; });
   }
 
-  // A gain that one rig has would be the same for all on it: scatter speaks against it, and other types may.
+  // A gain that one rig has would be the same for all on it: scatter speaks against it.
   static bool hasGainBesideValues(const FleetComponent& component) {
     return component.explanations.size() == 2 && mayBe(component, kGain) && mayBe(component, kWrongValues);
   }
@@ -428,102 +337,47 @@ class Analysis {
     for (std::size_t i = 0; modelled && i < type_.components.size(); ++i) {
       const FleetComponent& component = type_.components[i];
       const bool gain = hasGainBesideValues(component);
-      if ((component.verdict != Verdict::parameter_error && !gain) || standsOut(i) || isOnSoftRig(component) ||
-          isChanged(i) || (gain && !common.empty() && !factorIsDecided(component))) {
+      if ((component.verdict != Verdict::parameter_error && !gain) || standsOut(i) || isChanged(i) ||
+          (gain && !common.empty())) {
         continue;
       }
-      if (isDecided(component, RigCause::factor)) {
-        type_.changed.push_back(
-            {i, verdictOf(component), "one factor common to the types on this rig",
-             fmt::format("all types on this rig are off by the same factor: {:.0f} % against wrong "
-                         "values of each type and a rig that gives way; look at its gains and units",
-                         100.0 * rigOf(component).probability(RigCause::factor))});
-      } else if (common.empty()) {
+      if (common.empty()) {
         type_.changed.push_back({i, verdictOf(component), "scatter between test pieces",
                                  "the configured values hold for the type, and this component lies within the scatter "
                                  "of the others: standard deviation " +
                                      scatter});
       } else {
         type_.changed.push_back({i, verdictOf(component), "wrong values common to the type",
-                                 "the specification is off for all components: " + common});
+                                 "the specification, or the rig, is off for all components: " + common});
       }
     }
   }
 
-  const std::map<std::string, FleetRig>& rigs_;
   FleetType type_;
   std::size_t sure_ = 0;  // components that are sure of their cause
 };
 
-// Components of one type on one rig by these stiffnesses, without those that stand out.
-TypeOnRig typeOnRig(const std::vector<const FleetComponent*>& components, const std::vector<std::string>& stiffnesses) {
-  TypeOnRig type;
-  std::vector<bool> out(components.size(), false);
-  for (const std::string& name : stiffnesses) {
-    type.stiffness.push_back(components.front()->without_effects.at(name).configured);
-    std::vector<Observation> observations;
-    for (const FleetComponent* component : components) {
-      observations.push_back({component->without_effects.at(name).logarithm, 0.0});
-    }
-    const auto model = fitRandomEffects(observations);
-    for (std::size_t i = 0; model && i < components.size(); ++i) {
-      out[i] = out[i] || std::abs(model->robust_z[i]) > model->z_limit;
-    }
-  }
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    if (out[i]) {
-      continue;
-    }
-    std::vector<double> row;
-    for (const std::string& name : stiffnesses) {
-      row.push_back(components[i]->without_effects.at(name).logarithm);
-    }
-    type.logarithms.push_back(row);
-  }
-  return type;
-}
-
-bool has(const FleetComponent& component, const std::string& stiffness) {
-  const auto found = component.without_effects.find(stiffness);
-  return found != component.without_effects.end() && found->second.configured > 0.0;
-}
-
-// Of a rig, the components of each type that can say something.
-using RigComponents = std::map<std::string, std::vector<const FleetComponent*>>;
-
-std::optional<FleetRig> judgeOne(const std::string& name, const RigComponents& types) {
-  std::vector<std::string> stiffnesses;  // that every one of them has
-  for (const char* stiffness : kStiffnesses) {
-    if (std::all_of(types.begin(), types.end(), [&](const auto& type) {
-          return std::all_of(type.second.begin(), type.second.end(),
-                             [&](const FleetComponent* component) { return has(*component, stiffness); });
-        })) {
-      stiffnesses.emplace_back(stiffness);
-    }
-  }
-  if (stiffnesses.empty()) {
-    return std::nullopt;
-  }
-  FleetRig rig;
-  rig.name = name;
-  std::vector<TypeOnRig> compared;
+// Sums by rig, type and parameter; of rigs that had one type alone there is nothing to compare.
+std::vector<RigMean> meansOfRigs(const std::map<std::string, std::vector<FleetComponent>>& types) {
+  std::map<std::array<std::string, 3>, RigMean> sums;
+  std::map<std::string, std::set<std::string>> types_of;
   for (const auto& [type, components] : types) {
-    compared.push_back(typeOnRig(components, stiffnesses));
-    if (compared.back().logarithms.size() >= kFewestComponents) {
-      rig.types.push_back(type);
+    for (const FleetComponent& component : components) {
+      for (const auto& [name, change] : component.parameters) {
+        RigMean& sum = sums[{component.test_rig, type, name}];
+        sum = {component.test_rig, type, name, sum.components + 1, sum.mean + change.logarithm};
+        types_of[component.test_rig].insert(type);
+      }
     }
   }
-  const auto judgement = judgeRig(compared);
-  if (!judgement) {
-    return std::nullopt;
-  }
-  rig.judgement = *judgement;
-  for (const RigCause cause : {RigCause::none, RigCause::factor, RigCause::own, RigCause::compliance}) {
-    if (judgement->probability(cause) >= kDecided) {
-      rig.decided = cause;
+  std::vector<RigMean> means;
+  for (auto& [key, sum] : sums) {
+    sum.mean /= static_cast<double>(sum.components);
+    if (types_of[sum.rig].size() > 1) {
+      means.push_back(sum);
     }
   }
-  return rig;
+  return means;
 }
 
 }  // namespace
@@ -536,11 +390,7 @@ void Fleet::add(const Job& job, const Record& record) {
   component.test_rig = job.test_rig;
   component.id = job.id;
   component.name = job.test_piece == "." ? job.component : job.test_piece + " " + job.component;
-  for (const char* name : {"report.html", "report.json", "identification.json"}) {
-    if (component.report.empty() && record.files.count(name) != 0) {
-      component.report = reportFolder(job.id) + "/" + name;
-    }
-  }
+  component.report = reportPath(record);
   if (job.command == Command::estimate) {
     component.parameters = changesOfEstimate(record.evidence);
   } else {
@@ -555,24 +405,10 @@ void Fleet::add(const Job& job, const Record& record) {
 }
 
 FleetFindings Fleet::analyse() const {
-  std::map<std::string, RigComponents> rigs;
-  for (const auto& [type, components] : components_) {
-    for (const FleetComponent& component : components) {
-      if (has(component, kStiffnesses.front())) {
-        rigs[component.test_rig][type].push_back(&component);
-      }
-    }
-  }
   FleetFindings findings;
-  std::map<std::string, FleetRig> decided;
-  for (const auto& [name, types] : rigs) {
-    if (const auto rig = judgeOne(name, types)) {
-      findings.rigs.push_back(*rig);
-      decided[name] = *rig;
-    }
-  }
+  findings.rigs = meansOfRigs(components_);
   for (const auto& [name, components] : components_) {
-    findings.types.push_back(Analysis(name, components, decided).run());
+    findings.types.push_back(Analysis(name, components).run());
   }
   return findings;
 }

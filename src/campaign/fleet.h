@@ -9,7 +9,6 @@
 
 #include "campaign/job.h"
 #include "campaign/random_effects.h"
-#include "campaign/rig_stiffness.h"
 #include "rubber_suspension/diagnosis/verdict.h"
 
 namespace rubber_suspension::campaign {
@@ -22,7 +21,6 @@ struct ParameterChange {
   double squares = 0.0;         ///< of the logarithms that each log alone gives, about their mean
   std::size_t logs = 0;         ///< that give one each
   double standard_error = 0.0;  ///< where the estimate itself tells it; else from all logs of the type
-  double configured = 0.0;      ///< [SI]; 0: not known
 };
 
 using ParameterChanges = std::map<std::string, ParameterChange>;  ///< by name
@@ -45,9 +43,6 @@ struct FleetComponent {
   std::string test_rig;
   /// Nothing where an effect is named: the values that go with it depend on the form that it is given.
   ParameterChanges parameters;
-  /// Re-estimated alone, where the logs leave no effect but those of a rig that are like wrong values; what a rig is
-  /// judged by.
-  ParameterChanges without_effects;
 };
 
 /// A parameter over the components of a type.
@@ -68,6 +63,7 @@ struct EffectShare {
   std::array<double, 2> interval{};  ///< 95 %
 };
 
+/// A value that is farther than RandomEffects::z_limit and kWorthSaying from the median of its type.
 struct StandOut {
   std::size_t component;
   std::string parameter;
@@ -93,19 +89,18 @@ struct FleetType {
   std::vector<ChangedVerdict> changed;
 };
 
-/// What the types tested on one rig have in common.
-struct FleetRig {
-  std::string name;                ///< "" where the jobs file names none
-  std::vector<std::string> types;  ///< that took part
-  RigJudgement judgement;
-  std::optional<RigCause> decided;  ///< the cause that is probable enough
-
-  bool givesWay() const { return decided == RigCause::compliance; }
+/// The mean of a parameter over the components of one type that were tested on one rig.
+struct RigMean {
+  std::string rig;  ///< "" where the jobs file names none
+  std::string type;
+  std::string parameter;
+  std::size_t components = 0;
+  double mean = 0.0;  ///< of the logarithm of re-estimated over configured value
 };
 
 struct FleetFindings {
   std::vector<FleetType> types;
-  std::vector<FleetRig> rigs;  ///< those of which something can be said
+  std::vector<RigMean> rigs;  ///< by rig, type and parameter, where a rig had several types
 };
 
 /// Less than this logarithm is within what a bench can hold: no value is said to be wrong for it, and none stands out.
@@ -119,9 +114,8 @@ constexpr double kDecided = 0.95;
 /// Parameters: the hierarchical model of random_effects.h for each. The error of a component's value follows from the
 /// scatter of its logs, each fitted alone, pooled over the type. Components with a named effect take no part.
 ///
-/// Rigs: where one gives way (rig_stiffness.h), what it took is given back before values are compared. A series
-/// compliance and wrong values are told apart in no other way: re-estimation hides the compliance in all components, so
-/// that those that call it wrong values are no witnesses. The same holds for the gain of a sensor.
+/// Rigs: a rig that gives way takes more of a stiff type than of a soft one, a wrong gain takes the same of all. The
+/// means by rig and type show it; nothing is decided by them.
 ///
 /// Causes: the components whose own logs leave one cause only are draws from a multinomial distribution of unknown
 /// shares (Jeffreys' prior, 1/2 for each cause). The expected shares are the prior of every other component of the

@@ -1,7 +1,7 @@
 // What a fleet says, for programs.
-#include "campaign/fleet_json.h"
-
 #include <nlohmann/json.hpp>
+
+#include "campaign/fleet_report.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -57,18 +57,12 @@ ordered_json typeJson(const FleetType& type) {
   return json;
 }
 
-ordered_json rigJson(const FleetRig& rig) {
-  const RigJudgement& judgement = rig.judgement;
-  return {{"name", rig.name},
-          {"types", rig.types},
-          {"probability",
-           {{"as_configured", judgement.probability(RigCause::none)},
-            {"one_factor", judgement.probability(RigCause::factor)},
-            {"own_values", judgement.probability(RigCause::own)},
-            {"compliance", judgement.probability(RigCause::compliance)}}},
-          {"gives_way", rig.givesWay()},
-          {"compliance", judgement.compliance},
-          {"compliance_interval_95", judgement.compliance_interval}};
+ordered_json rigJson(const RigMean& row) {
+  return {{"name", row.rig},
+          {"type", row.type},
+          {"parameter", row.parameter},
+          {"components", row.components},
+          {"mean", row.mean}};
 }
 
 }  // namespace
@@ -77,12 +71,12 @@ std::string fleetJsonPath(const std::string& folder) { return folder + "/fleet.j
 
 std::string toJson(const FleetFindings& fleet) {
   ordered_json json = {
-      {"schema", "rubber_suspension/fleet/1"}, {"types", ordered_json::array()}, {"rigs", ordered_json::array()}};
+      {"schema", "rubber_suspension/fleet/2"}, {"types", ordered_json::array()}, {"rigs", ordered_json::array()}};
   for (const FleetType& type : fleet.types) {
     json["types"].push_back(typeJson(type));
   }
-  for (const FleetRig& rig : fleet.rigs) {
-    json["rigs"].push_back(rigJson(rig));
+  for (const RigMean& row : fleet.rigs) {
+    json["rigs"].push_back(rigJson(row));
   }
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

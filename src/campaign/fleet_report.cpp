@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "diagnosis/report/text.h"
+#include "log/text.h"
 
 namespace rubber_suspension::campaign {
 namespace {
@@ -38,39 +38,64 @@ std::string linkTo(const FleetComponent& component) {
 // Of a logarithm of a ratio, "+3.2 %".
 std::string change(double logarithm) { return fmt::format("{:+.1f} %", 100.0 * std::expm1(logarithm)); }
 
-// A note where a table ends before its rows do.
-std::string restNote(std::size_t rows) {
-  return rows <= kMostRows ? "" : fmt::format("<p class=note>and {} more, in table.csv</p>\n", rows - kMostRows);
+// Cells are HTML. A column whose name begins with # is of numbers, to the right.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows = {};
+  std::string note = {};
+
+  std::string html() const {
+    std::string text = "<h3>" + title + "</h3>\n";
+    if (rows.empty()) {
+      return text + "<p>None.</p>\n";
+    }
+    text += "<table>" + row("th", columns);
+    for (std::size_t i = 0; i < std::min(kMostRows, rows.size()); ++i) {
+      text += row("td", rows[i]);
+    }
+    text += "</table>\n";
+    if (rows.size() > kMostRows) {
+      text += fmt::format("<p class=note>and {} more, in table.csv</p>\n", rows.size() - kMostRows);
+    }
+    return text + (note.empty() ? "" : "<p class=note>" + note + "</p>\n");
+  }
+
+ private:
+  std::string row(const char* element, const std::vector<std::string>& cells) const {
+    std::string text = "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool number = columns[i].front() == '#';
+      const std::string cell = cells[i].substr(number && &cells == &columns ? 1 : 0);
+      text += fmt::format("<{}{}>{}</{}>", element, number ? " class=n" : "", cell, element);
+    }
+    return text + "</tr>\n";
+  }
+};
+
+std::string within(const std::string& value, const std::string& low, const std::string& high) {
+  return fmt::format("{}<br><span class=note>{} to {}</span>", value, low, high);
 }
 
 std::string verdictTable(const FleetType& type) {
-  if (type.verdicts.empty()) {
-    return "";
-  }
-  std::string rows;
+  Table table{"Verdicts of the components alone", {"verdict", "#components"}};
   for (const auto& [verdict, count] : type.verdicts) {
-    rows += fmt::format("<tr><td>{}</td><td class=n>{}</td></tr>\n", escape(verdict), count);
+    table.rows.push_back({escape(verdict), std::to_string(count)});
   }
-  return "<h3>Verdicts of the components alone</h3>\n<table><tr><th>verdict</th><th class=n>components</th></tr>\n" +
-         rows + "</table>\n";
+  return type.verdicts.empty() ? "" : table.html();
 }
 
 std::string effectTable(const FleetType& type) {
-  if (type.effects.empty()) {
-    return "";
-  }
-  std::string rows;
+  Table table{"Causes", {"cause", "#components that name it", "#of these sure of it", "#share", "#95 % interval"}};
+  table.note =
+      "A component is sure of its cause where its own logs leave no other in its place; the share is that among such "
+      "components.";
   for (const EffectShare& share : type.effects) {
-    rows += fmt::format(
-        "<tr><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{} to {}</td></tr>\n",
-        share.effect.empty() ? "no effect" : escape(share.effect), share.named, share.sure, percent(share.share),
-        percent(share.interval[0]), percent(share.interval[1]));
+    table.rows.push_back({share.effect.empty() ? "no effect" : escape(share.effect), std::to_string(share.named),
+                          std::to_string(share.sure), percent(share.share),
+                          percent(share.interval[0]) + " to " + percent(share.interval[1])});
   }
-  return "<h3>Causes</h3>\n<table><tr><th>cause</th><th class=n>components that name it</th><th class=n>of these sure "
-         "of it</th><th class=n>share</th><th class=n>95 % interval</th></tr>\n" +
-         rows +
-         "</table>\n<p class=note>A component is sure of its cause where its own logs leave no other in its place; the "
-         "share is that among such components.</p>\n";
+  return type.effects.empty() ? "" : table.html();
 }
 
 // One dot a component, from the least to the greatest ratio; those that stand out in another colour.
@@ -98,110 +123,68 @@ std::string strip(const FleetParameter& parameter) {
 }
 
 std::string parameterTable(const FleetType& type) {
-  if (type.parameters.empty()) {
-    return "";
-  }
-  std::string rows;
+  Table table{
+      "Parameters: change against the configured value, and scatter between test pieces",
+      {"parameter", "#components", "#mean change", "#scatter", "#scatter of most", "configured value", "spread"}};
+  table.note =
+      "Below each number its 95 % interval. Scatter is the standard deviation between components, without the error of "
+      "each estimate.";
+  const auto scatter = [](double logarithm) { return percent(std::expm1(logarithm)); };
   for (const FleetParameter& parameter : type.parameters) {
-    std::string numbers = "<td class=n></td><td class=n></td><td class=n></td><td>too few components</td>";
+    std::vector<std::string> row = {escape(parameter.name), std::to_string(parameter.components.size())};
     if (parameter.model) {
       const RandomEffects& model = *parameter.model;
-      numbers = fmt::format(
-          "<td class=n>{}<br><span class=note>{} to {}</span></td><td class=n>{}<br><span class=note>{} to "
-          "{}</span></td><td class=n>{}</td><td>{}</td>",
-          change(model.mean), change(model.mean_interval[0]), change(model.mean_interval[1]),
-          percent(std::expm1(model.scatter)), percent(std::expm1(model.scatter_interval[0])),
-          percent(std::expm1(model.scatter_interval[1])), percent(std::expm1(model.robust_scatter)),
-          parameter.wrong_for_all ? "the configured value is off for the type" : "the configured value holds");
+      row.push_back(within(change(model.mean), change(model.mean_interval[0]), change(model.mean_interval[1])));
+      row.push_back(
+          within(scatter(model.scatter), scatter(model.scatter_interval[0]), scatter(model.scatter_interval[1])));
+      row.push_back(scatter(model.robust_scatter));
+      row.emplace_back(parameter.wrong_for_all ? "is off for the type" : "holds");
+    } else {
+      row.insert(row.end(), {"", "", "", "too few components"});
     }
-    rows += fmt::format("<tr><td>{}</td><td class=n>{}</td>{}<td>{}</td></tr>\n", escape(parameter.name),
-                        parameter.components.size(), numbers, strip(parameter));
+    row.push_back(strip(parameter));
+    table.rows.push_back(row);
   }
-  return "<h3>Parameters: change against the configured value, and scatter between test pieces</h3>\n<table><tr><th>"
-         "parameter</th><th class=n>components</th><th class=n>mean change</th><th class=n>scatter</th><th "
-         "class=n>scatter of most</th><th></th><th></th></tr>\n" +
-         rows +
-         "</table>\n<p class=note>Below each number its 95 % interval. Scatter is the standard deviation between "
-         "components, without the error of each estimate.</p>\n";
+  return type.parameters.empty() ? "" : table.html();
 }
 
 std::string standOutTable(const FleetType& type) {
-  if (type.stand_outs.empty()) {
-    return "<h3>Components that stand out</h3>\n<p>None.</p>\n";
+  Table table{"Components that stand out", {"component", "parameter", "#over configured value", "#robust z"}};
+  for (const StandOut& one : type.stand_outs) {
+    table.rows.push_back({linkTo(type.components[one.component]), escape(one.parameter),
+                          fmt::format("&times; {:.3f}", one.ratio), fmt::format("{:+.1f}", one.robust_z)});
   }
-  std::string rows;
-  for (std::size_t i = 0; i < std::min(kMostRows, type.stand_outs.size()); ++i) {
-    const StandOut& one = type.stand_outs[i];
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=n>&times; {:.3f}</td><td class=n>{:+.1f}</td></tr>\n",
-                        linkTo(type.components[one.component]), escape(one.parameter), one.ratio, one.robust_z);
-  }
-  return "<h3>Components that stand out</h3>\n<table><tr><th>component</th><th>parameter</th><th class=n>over "
-         "configured "
-         "value</th><th class=n>robust z</th></tr>\n" +
-         rows + "</table>\n" + restNote(type.stand_outs.size());
+  return table.html();
 }
 
 std::string changedTable(const FleetType& type) {
-  if (type.changed.empty()) {
-    return "<h3>Verdicts that the fleet changes</h3>\n<p>None.</p>\n";
+  Table table{"Verdicts that the fleet changes", {"component", "by its own logs", "with the fleet", "why"}};
+  for (const ChangedVerdict& one : type.changed) {
+    table.rows.push_back({linkTo(type.components[one.component]), escape(one.from), "<b>" + escape(one.to) + "</b>",
+                          "<span class=note>" + escape(one.reason) + "</span>"});
   }
-  std::string rows;
-  for (std::size_t i = 0; i < std::min(kMostRows, type.changed.size()); ++i) {
-    const ChangedVerdict& one = type.changed[i];
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td><b>{}</b></td><td class=note>{}</td></tr>\n",
-                        linkTo(type.components[one.component]), escape(one.from), escape(one.to), escape(one.reason));
-  }
-  return "<h3>Verdicts that the fleet changes</h3>\n<table><tr><th>component</th><th>by its own "
-         "logs</th><th>with the fleet</th><th>why</th></tr>\n" +
-         rows + "</table>\n" + restNote(type.changed.size());
+  return table.html();
 }
 
-std::string rigRow(const FleetRig& rig) {
-  std::string types;
-  for (const std::string& type : rig.types) {
-    types += (types.empty() ? "" : ", ") + escape(type);
+std::string rigTable(const std::vector<RigMean>& rigs) {
+  Table table{"Rigs: mean change against the configured value",
+              {"rig", "type", "parameter", "#components", "#mean change"}};
+  table.note =
+      "A rig that gives way takes more of a stiff type than of a soft one; a wrong gain or unit takes the same of all.";
+  for (const RigMean& row : rigs) {
+    table.rows.push_back({row.rig.empty() ? "of all jobs without a name of theirs" : escape(row.rig), escape(row.type),
+                          escape(row.parameter), std::to_string(row.components), change(row.mean)});
   }
-  const RigJudgement& judgement = rig.judgement;
-  const std::string compliance =
-      rig.givesWay() ? fmt::format("{:.3g} m/N<br><span class=note>{:.3g} to {:.3g}</span>", judgement.compliance,
-                                   judgement.compliance_interval[0], judgement.compliance_interval[1])
-                     : "";
-  return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td "
-      "class=n>{}</td></tr>\n",
-      rig.name.empty() ? "of all jobs without a name of theirs" : escape(rig.name), types,
-      percent(judgement.probability(RigCause::none)), percent(judgement.probability(RigCause::factor)),
-      percent(judgement.probability(RigCause::own)), percent(judgement.probability(RigCause::compliance)), compliance);
-}
-
-std::string rigTable(const std::vector<FleetRig>& rigs) {
-  if (rigs.empty()) {
-    return "";
-  }
-  std::string rows;
-  for (const FleetRig& rig : rigs) {
-    rows += rigRow(rig);
-  }
-  return "<h2>Rigs</h2>\n<p>How the stiffnesses of all types on a rig are off: a rig that gives way takes more of a "
-         "stiff type than of a soft one. Where that is 95 % probable, values are compared without it.</p>\n<table><tr>"
-         "<th>rig</th><th>types</th><th class=n>as configured</th><th class=n>one factor</th><th class=n>each its "
-         "own</th><th class=n>rig gives way</th><th class=n>compliance</th></tr>\n" +
-         rows + "</table>\n";
+  return rigs.empty() ? "" : table.html();
 }
 
 std::string componentTable(const FleetType& type) {
-  std::string rows;
-  for (std::size_t i = 0; i < std::min(kMostRows, type.components.size()); ++i) {
-    const FleetComponent& component = type.components[i];
-    std::string effects;
-    for (const std::string& effect : component.effects) {
-      effects += (effects.empty() ? "" : ", ") + effect;
-    }
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", linkTo(component),
-                        escape(component.verdict ? toString(*component.verdict) : ""), escape(effects));
+  Table table{"All components", {"component", "verdict", "effects"}};
+  for (const FleetComponent& component : type.components) {
+    table.rows.push_back({linkTo(component), escape(component.verdict ? toString(*component.verdict) : ""),
+                          escape(log::join(component.effects))});
   }
-  return "<h3>All components</h3>\n<table><tr><th>component</th><th>verdict</th><th>effects</th></tr>\n" + rows +
-         "</table>\n" + restNote(type.components.size());
+  return table.html();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The fleet report: a page for people, without scripts or network.
+// The fleet report: for programs, and as a page for people without scripts or network.
 #pragma once
 
 #include <string>
@@ -9,7 +9,13 @@
 
 namespace rubber_suspension::campaign {
 
+std::string fleetJsonPath(const std::string& folder);
 std::string fleetReportPath(const std::string& folder);
+
+/// Schema rubber_suspension/fleet/2: types with verdicts, causes, parameters, components that stand out and verdicts
+/// that the fleet changes; means by rig and type. Values of parameters are logarithms of re-estimated over configured
+/// value. The same bytes for the same results.
+std::string toJson(const FleetFindings& fleet);
 
 /// The page: causes, components that stand out, parameters with their scatter, verdicts that the fleet changes, links
 /// to the reports of components, and what types on one rig share. The same bytes for the same results.

@@ -42,34 +42,21 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
   return result;
 }
 
-// Those of optionsJson(); a manifest of another version may have others, which must not go unheard.
-void checkOptionNames(const nlohmann::json& json) {
-  const std::vector<std::string> known = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
-                                          "segment", "bridge",   "rig",     "hold", "starts"};
-  for (const auto& entry : json.items()) {
+JobOptions optionsFromJson(const nlohmann::json& json) {
+  const std::vector<std::string> known = optionKeys();
+  for (const auto& entry : json.items()) {  // a manifest of another version may have others, which must not go unheard
     if (std::find(known.begin(), known.end(), entry.key()) == known.end()) {
       throw std::invalid_argument("'" + entry.key() + "' is unknown" + element::didYouMean(entry.key(), known));
     }
   }
-}
-
-JobOptions optionsFromJson(const nlohmann::json& json) {
-  checkOptionNames(json);
   JobOptions options;
   const std::string reports = json.value("reports", toString(options.reports));
   options.reports = require(reportsFromString(reports), reports);
-  options.evidence = json.value("evidence", options.evidence);
-  options.columns = json.value("columns", options.columns);
-  options.unit = json.value("unit", options.unit);
-  options.sampling_rate = json.value("sampling_rate", options.sampling_rate);
-  options.decimal = json.value("decimal", options.decimal);
-  options.segment = json.value("segment", options.segment);
-  options.bridge = json.value("bridge", options.bridge);
-  options.rig = json.value("rig", options.rig);
-  options.hold = json.value("hold", options.hold);
-  if (json.contains("starts")) {
-    options.starts = json["starts"].get<int>();
-  }
+  forEachOption([&](const char* key, auto option) {
+    if (json.contains(key)) {
+      json.at(key).get_to(options.*option);
+    }
+  });
   return options;
 }
 
@@ -83,40 +70,23 @@ std::string toString(Reports reports) { return kReports.at(static_cast<std::size
 
 std::optional<Reports> reportsFromString(const std::string& name) { return fromName<Reports>(kReports, name); }
 
+std::vector<std::string> optionKeys() {
+  std::vector<std::string> keys = {"reports"};
+  forEachOption([&](const char* key, auto /*option*/) { keys.emplace_back(key); });
+  return keys;
+}
+
 ordered_json optionsJson(const JobOptions& options) {
   ordered_json json = {{"reports", toString(options.reports)}};
-  if (options.evidence) {
-    json["evidence"] = true;
-  }
-  if (!options.columns.empty()) {
-    json["columns"] = options.columns;
-  }
-  if (!options.unit.empty()) {
-    json["unit"] = options.unit;
-  }
-  if (options.sampling_rate > 0.0) {
-    json["sampling_rate"] = options.sampling_rate;
-  }
-  if (!options.decimal.empty()) {
-    json["decimal"] = options.decimal;
-  }
-  if (!options.segment.empty()) {
-    json["segment"] = options.segment;
-  }
-  if (options.bridge >= 0.0) {
-    json["bridge"] = options.bridge;
-  }
-  if (!options.rig.empty()) {
-    json["rig"] = options.rig;
-  }
-  if (!options.hold.empty()) {
-    json["hold"] = options.hold;
-  }
-  if (options.starts) {
-    json["starts"] = *options.starts;
-  }
+  forEachOption([&, usual = JobOptions()](const char* key, auto option) {
+    if (options.*option != usual.*option) {
+      json[key] = options.*option;
+    }
+  });
   return json;
 }
+
+std::string nameOf(const Job& job) { return job.group + " " + job.test_piece + " (" + job.id.substr(0, 12) + ")"; }
 
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version) {
   const ordered_json json = {{"version", version},

@@ -40,10 +40,30 @@ struct JobOptions {
   std::string decimal;                     ///< as --decimal
   std::string segment;                     ///< as --segment
   double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
+  bool accept_units = false;               ///< as --accept-units
   std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
   std::vector<std::string> hold;           ///< as --hold, of estimate
-  std::optional<int> starts;               ///< as --starts, of estimate
+  int starts = 0;                          ///< as --starts, of estimate; 0: not given
 };
+
+/// Calls visit(key, pointer to member) for each option but `reports`, by the keys of jobs files and manifests.
+template <class Visit>
+void forEachOption(Visit visit) {
+  visit("evidence", &JobOptions::evidence);
+  visit("columns", &JobOptions::columns);
+  visit("unit", &JobOptions::unit);
+  visit("sampling_rate", &JobOptions::sampling_rate);
+  visit("decimal", &JobOptions::decimal);
+  visit("segment", &JobOptions::segment);
+  visit("bridge", &JobOptions::bridge);
+  visit("accept_units", &JobOptions::accept_units);
+  visit("rig", &JobOptions::rig);
+  visit("hold", &JobOptions::hold);
+  visit("starts", &JobOptions::starts);
+}
+
+/// All keys of options.
+std::vector<std::string> optionKeys();
 
 /// A file that jobs read, with what it held when the manifest was made.
 struct InputFile {
@@ -67,6 +87,9 @@ struct Job {
   std::map<std::string, double> specification;  ///< drawn values in place of those of the file [SI]
   JobOptions options;
 };
+
+/// What a user calls it: its entry in the jobs file, test piece, and the beginning of its id.
+std::string nameOf(const Job& job);
 
 /// The id of a job: the same wherever its files lie, as long as their contents, the names of its logs (which stand in
 /// the report), its options and the version of the program are.

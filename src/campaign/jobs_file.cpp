@@ -25,9 +25,7 @@ constexpr std::size_t kMaximumSize = 1024 * 1024;  // bytes; a jobs file is some
 
 using Keys = std::vector<std::string>;
 
-// What every entry of `jobs:` may say and `settings:` says for all of them.
-const Keys kOptionKeys = {"reports", "evidence", "columns", "unit", "sampling_rate", "decimal",
-                          "segment", "bridge",   "rig",     "hold", "starts"};
+// What every entry of `jobs:` may say besides the options, which `settings:` says for all of them.
 const Keys kGroupKeys = {"command",  "folders", "config",   "component",       "type",
                          "test_rig", "log",     "hold_out", "one_job_per_log", "monte_carlo"};
 
@@ -42,7 +40,7 @@ class Reader {
       return groups;
     }
     JobOptions settings;
-    if ((*root)["settings"] && checkMap((*root)["settings"], "settings", kOptionKeys)) {
+    if ((*root)["settings"] && checkMap((*root)["settings"], "settings", optionKeys())) {
       readOptions((*root)["settings"], "settings", settings);
     }
     const YAML::Node jobs = (*root)["jobs"];
@@ -129,7 +127,8 @@ class Reader {
     group.options = settings;
     const std::string path = "jobs." + log::oneLine(group.name);
     Keys keys = kGroupKeys;
-    keys.insert(keys.end(), kOptionKeys.begin(), kOptionKeys.end());
+    const Keys options = optionKeys();
+    keys.insert(keys.end(), options.begin(), options.end());
     if (group.name.empty() || group.name != log::oneLine(group.name)) {
       report(key, path, "no name; accepted: text on one line");
     }
@@ -178,6 +177,10 @@ class Reader {
     refuse("hold_out", Command::diagnose);
     refuse("hold", Command::estimate);
     refuse("starts", Command::estimate);
+    if (node["accept_units"] && group.command == Command::replay) {
+      report(node["accept_units"], child(path, "accept_units"),
+             "has no effect on replay; accepted: with diagnose or estimate");
+    }
   }
 
   std::string text(const YAML::Node& node, const std::string& path, const char* key, bool required) {
@@ -255,25 +258,22 @@ class Reader {
         options.starts = static_cast<int>(*starts);
       }
     }
-    if (node["columns"]) {
-      options.columns = texts(node, path, "columns", true);
+    for (const auto& [key, option] : {std::pair("columns", &options.columns), std::pair("hold", &options.hold)}) {
+      if (node[key]) {
+        *option = texts(node, path, key, true);
+      }
     }
-    if (node["unit"]) {
-      options.unit = text(node, path, "unit", true);
-    }
-    if (node["decimal"]) {
-      options.decimal = text(node, path, "decimal", true);
-    }
-    if (node["segment"]) {
-      options.segment = text(node, path, "segment", true);
+    for (const auto& [key, option] : {std::pair("unit", &options.unit), std::pair("decimal", &options.decimal),
+                                      std::pair("segment", &options.segment)}) {
+      if (node[key]) {
+        *option = text(node, path, key, true);
+      }
     }
     if (node["bridge"]) {
       constexpr double kLongest = 3600.0;  // [s]
       options.bridge = number(node["bridge"], child(path, "bridge"), 0.0, kLongest, false).value_or(-1.0);
     }
-    if (node["hold"]) {
-      options.hold = texts(node, path, "hold", true);
-    }
+    readFlag(node, path, "accept_units", options.accept_units);
     checkFormat(node, path, options);
     readRig(node["rig"], child(path, "rig"), options);
   }

@@ -433,13 +433,15 @@ BadInputs::BadInputs(std::vector<std::string> problems)
     : std::runtime_error(summaryOf(problems)), problems_(std::move(problems)) {}
 
 std::string readingKey(const JobOptions& options) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,
-                     options.decimal, options.segment, options.bridge);
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", log::join(options.columns), options.unit, options.sampling_rate,
+                     options.decimal, options.segment, options.bridge, options.accept_units);
 }
 
 log::LogFormat logFormat(const JobOptions& options) {
-  return log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal, options.segment,
-                            options.bridge);
+  log::LogFormat format = log::makeLogFormat(options.columns, options.unit, options.sampling_rate, options.decimal,
+                                             options.segment, options.bridge);
+  format.accept_units = options.accept_units;
+  return format;
 }
 
 Expansion makeManifest(const std::string& jobs_file, const std::string& output, const std::string& version, int threads,

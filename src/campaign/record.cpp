@@ -101,6 +101,15 @@ std::string damagedFile(const std::string& folder, const Record& record) {
 
 }  // namespace
 
+std::string reportPath(const Record& record) {
+  for (const char* name : {"report.html", "report.json", "identification.json", "force.csv"}) {
+    if (record.files.count(name) != 0) {
+      return reportFolder(record.id) + "/" + name;
+    }
+  }
+  return "";
+}
+
 void writeRecord(const Record& record, const std::string& folder) {
   const std::string path = recordPath(folder, record.id);
   std::error_code failure;

@@ -22,6 +22,9 @@ struct Record {
   bool failed() const { return !error.empty(); }
 };
 
+/// The path of its report within the campaign's folder, the page for people before data; "" where it left none.
+std::string reportPath(const Record& record);
+
 /// Write it beside, on the disk, and give it its name: it is there completely or not at all. The files that it names
 /// have to be there already. Throws std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);

@@ -106,10 +106,6 @@ Record diedRecord(const Job& job, const Manifest& manifest, const std::string& r
   return record;
 }
 
-std::string nameOf(const Job& job) {
-  return fmt::format("{} {} ({})", job.group, job.test_piece, job.id.substr(0, 12));
-}
-
 // 0 where it is none, or too large for a number of shards.
 std::size_t wholeNumber(const std::string& text) {
   constexpr std::size_t kMostDigits = 7;

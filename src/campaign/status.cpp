@@ -47,8 +47,7 @@ Status statusOf(const Manifest& manifest, const std::string& folder) {
       status.broken.push_back(found.problem);
     } else if (found.state == FoundRecord::State::good && found.record.failed()) {
       count = &JobCounts::failed;
-      status.failures.push_back(
-          fmt::format("{} {} ({}): {}", job.group, job.test_piece, job.id.substr(0, 12), found.record.error));
+      status.failures.push_back(nameOf(job) + ": " + found.record.error);
     } else if (found.state == FoundRecord::State::good) {
       count = &JobCounts::done;
       seconds += found.record.seconds;

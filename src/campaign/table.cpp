@@ -62,7 +62,7 @@ std::string csvCell(const ordered_json& value) {
 }
 
 // Drawn numbers of the specification stand before what was found.
-ordered_json valuesOf(const Job& job, const Record* record, const std::string& folder) {
+ordered_json valuesOf(const Job& job, const Record* record) {
   ordered_json values = ordered_json::object();
   for (const auto& [name, value] : job.specification) {
     values["specification." + name] = value;
@@ -75,11 +75,8 @@ ordered_json valuesOf(const Job& job, const Record* record, const std::string& f
     return values;
   }
   values.update(record->values);
-  for (const char* name : {"report.html", "report.json", "identification.json", "force.csv"}) {
-    if (record->files.count(name) != 0) {
-      values["report"] = folder + "/" + name;
-      break;
-    }
+  if (const std::string report = reportPath(*record); !report.empty()) {
+    values["report"] = report;
   }
   return values;
 }
@@ -175,7 +172,7 @@ CollectSummary writeTables(const Manifest& manifest, const std::string& folder, 
     }
     std::size_t& count = record == nullptr ? summary.missing : (record->failed() ? summary.failed : summary.done);
     ++count;
-    const ordered_json values = valuesOf(job, record, reportFolder(job.id));
+    const ordered_json values = valuesOf(job, record);
     columns.add(values);
     rows.push_back({record == nullptr ? "missing" : (record->failed() ? "failed" : "done"), values.dump()});
     visit(job, record);

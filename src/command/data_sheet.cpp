@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <stdexcept>
 
+#include "log/text.h"
 #include "rubber_suspension/estimation/notes.h"
 #include "rubber_suspension/log/units.h"
 
@@ -145,15 +145,11 @@ std::string componentFileFromDataSheetText(const std::string& text, const std::s
 }
 
 std::string componentFileFromDataSheet(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be read");
-  }
-  std::string text(kMaximumSize + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad() || text.size() > kMaximumSize) {
-    throw std::runtime_error(fmt::format("{}: accepted: a file of at most {} bytes", path, kMaximumSize));
+  std::string text;
+  try {
+    text = log::readFile(path, kMaximumSize);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
   }
   return componentFileFromDataSheetText(text, path);
 }

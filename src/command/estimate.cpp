@@ -197,11 +197,11 @@ nlohmann::ordered_json misfitsJson(const std::vector<estimation::PointMisfit>& p
 }
 
 std::string sensitivityText(const Sensitivity& sensitivity) {
+  if (sensitivity.rows.empty()) {
+    return "\n  no sensitivity: there is no specification whose inputs could change\n";
+  }
   std::string text = fmt::format("\n  sensitivity to each input, changed by {:g} % up and down\n  {:<26}",
                                  100.0 * sensitivity.share, "");
-  if (sensitivity.rows.empty()) {
-    return "";
-  }
   for (const double frequency : sensitivity.rows.front().frequencies) {
     text += fmt::format(" {:>24}", fmt::format("at {:.4g} Hz", frequency));
   }

@@ -24,7 +24,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-bool startsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
+using log::startsWith;
 
 // Two blanks and a word: an option; more blanks continue the one before.
 bool isOption(const std::string& line) { return startsWith(line, "  ") && line.size() > 2 && line[2] != ' '; }

@@ -9,7 +9,6 @@
 
 #include "command/rig_of_logs.h"
 #include "gap/last_cycles.h"
-#include "log/even_blocks.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/measurement/bench_check.h"
 
@@ -68,22 +67,20 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
 
 // A reversed channel, exchanged columns or a unit that is off by hundreds would be fitted all the same, and end in a
 // component without a spring. Smaller factors may be what is sought: they are told.
-void checkBenchOf(const std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
+void checkBenchOf(const std::vector<element::ElementDescription>& elements, const RecordsOfLogs& all,
                   std::vector<std::string>& notes) {
-  constexpr std::size_t kFewestSamples = 100;
   constexpr double kLargeFactor = 90.0;
   std::vector<log::Record> records;
-  for (const log::Log& log : logs) {
-    const log::Log stretch = log::longestStretch(log);
-    if (stretch.size() >= kFewestSamples) {
-      records.push_back(log::makeRecord(stretch));
+  for (const auto& record : all) {
+    if (record) {
+      records.push_back(*record);
     }
   }
   for (const measurement::RigFinding& finding : measurement::checkBench(elements, records)) {
     const bool of_stiffness = finding.finding == measurement::finding::kUnitFactor ||
-                              finding.finding == measurement::finding::kOtherComponent;
-    const bool large = finding.finding == measurement::finding::kUnitFactor &&
-                       std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
+                              finding.finding == measurement::finding::kOtherComponent ||
+                              finding.finding == measurement::finding::kPeakToPeak;
+    const bool large = of_stiffness && std::abs(std::log(std::abs(finding.value))) > std::log(kLargeFactor);
     const bool short_log = finding.finding == measurement::finding::kTooShort;
     if (!short_log && (!of_stiffness || large)) {
       throw log::LogError(finding.log + ": " + finding.text);
@@ -115,12 +112,13 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   std::vector<measurement::RigFinding> findings;
   const std::vector<log::Log> repaired = repairedLogs(logs, findings);
   std::vector<std::string> bench_notes;
-  checkBenchOf(description.allElements(), repaired, bench_notes);
+  const RecordsOfLogs records = recordsOf(repaired);
+  checkBenchOf(description.allElements(), records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
   // What a start in motion leaves depends on the parameters: a second look suffices, since it is a small part.
   constexpr int kLooks = 2;
   for (int look = 0; look < kLooks; ++look) {
-    RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired);
+    RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired, records);
     if (look == 0) {
       findings.insert(findings.end(), rig.findings.begin(), rig.findings.end());
     }

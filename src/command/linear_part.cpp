@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "log/mat_file.h"
 #include "log/new_file.h"
+#include "log/text.h"
 #include "rubber_suspension/element/inertia_track.h"
 
 namespace rubber_suspension::command {
@@ -152,15 +152,15 @@ LinearPart linearPartOf(const io::ComponentDescription& description) {
 }
 
 void writeLinearParts(const std::vector<LinearPart>& parts, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".json") {
+  const bool mat = log::endsWith(path, ".mat");
+  if (log::endsWith(path, ".json")) {
     log::writeNewFile(path, jsonOf(parts));
-  } else if (extension == ".mat" && parts.size() == 1) {
+  } else if (mat && parts.size() == 1) {
     const LinearPart& part = parts.front();
     log::writeMatFile(path, {named("A", part.a), named("B", part.b), named("C", part.c), named("D", part.d)});
   } else {
     throw std::invalid_argument(fmt::format("{}: accepted: a name that ends in .json{}", path,
-                                            extension == ".mat" ? ", or one component for .mat" : " or .mat"));
+                                            mat ? ", or one component for .mat" : " or .mat"));
   }
 }
 

@@ -119,7 +119,7 @@ class TableReader {
       if (columns_.empty()) {
         refuse("no header; accepted: a line with the columns frequency, amplitude, stiffness, loss angle");
       }
-      marks_->requireClear(names_);
+      marks_->requireClear(names_, false);
     } catch (const log::OtherDecimalMark&) {
       refuse(
           "marks that may be decimal or between thousands before one that is; accepted: one decimal mark throughout");
@@ -158,7 +158,7 @@ class TableReader {
     require(has(kStiffness) || has(kStorage), kStiffness, "");
     require(has(kLossAngle) || has(kTangent) || (has(kStorage) && has(kLoss)) || has(kDamping), kLossAngle,
             ", or tan delta, a loss stiffness K'' beside K', or a damping");
-    marks_.emplace('\0', '\0', columns_.size());
+    marks_.emplace('\0', '\0', std::vector<char>(columns_.size(), '\0'));
     if (!ignored.empty()) {
       table_.notes.push_back("columns ignored: " + log::join(ignored));
     }

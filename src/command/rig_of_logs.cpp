@@ -32,16 +32,13 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
 }
 
 // Those that a record has sample by sample.
-std::vector<std::size_t> usable(const std::vector<log::Log>& logs, std::vector<log::Record>& records) {
+std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
+                                std::vector<log::Record>& records) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    if (logs[i].size() < kShortest || log::stretchesOf(logs[i]).size() > 1) {
-      continue;
-    }
-    log::Record record = log::makeRecord(logs[i]);
-    if (static_cast<std::size_t>(record.size()) == logs[i].size()) {
+    if (all[i] && static_cast<std::size_t>(all[i]->size()) == logs[i].size() && log::stretchesOf(logs[i]).size() == 1) {
       places.push_back(i);
-      records.push_back(std::move(record));
+      records.push_back(*all[i]);
     }
   }
   return places;
@@ -73,10 +70,19 @@ std::vector<log::Log> repairedLogs(const std::vector<log::Log>& logs, std::vecto
   return result;
 }
 
+RecordsOfLogs recordsOf(const std::vector<log::Log>& logs) {
+  RecordsOfLogs records;
+  for (const log::Log& log : logs) {
+    const log::Log stretch = log::longestStretch(log);
+    records.push_back(stretch.size() < kShortest ? std::nullopt : std::optional(log::makeRecord(stretch)));
+  }
+  return records;
+}
+
 RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
-                    const std::vector<log::Log>& logs) {
+                    const std::vector<log::Log>& logs, const RecordsOfLogs& all) {
   std::vector<log::Record> records;
-  const std::vector<std::size_t> places = usable(logs, records);
+  const std::vector<std::size_t> places = usable(logs, all, records);
   const gap::Forces simulated = gap::simulateEach(elements, records);
   const auto simulate = [&](const std::vector<Eigen::VectorXd>& displacements) {
     return simulateOver(elements, records, displacements);

@@ -24,13 +24,22 @@ OptionTable LogOptions::table() {
       Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
              "sampling rate of a log without a time column, or in place of stamps that are equal, swapped or rounded")
           .rare(),
-      Option("--decimal", decimal_, "MARK", "decimal mark of a text, a point or a comma: . or ,").rare(),
+      Option("--decimal", decimal_, "MARK",
+             "decimal mark of a text, a point or a comma: . or ,; of one column, as in force=,")
+          .rare(),
       Option("--segment", segment_, "NUMBER", "which log of a file that holds several, from 1; all: each of them")
           .rare(),
       Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
              "longest time without a number that is passed over; 0.5 by itself, where 99 of 100 rows have their "
              "numbers")
           .rare()};
+}
+
+Option LogOptions::acceptUnits() {
+  return Option("--accept-units", accept_units_,
+                "the units are right, and the component is that of the file: no factor between measured and "
+                "configured stiffness is refused")
+      .rare();
 }
 
 const std::vector<std::string>& LogOptions::names() {
@@ -91,8 +100,10 @@ void LogOptions::printNotes(const std::string& command, const std::string& path,
 
 log::LogFormat LogOptions::format() const {
   try {
-    return log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_, decimal_, segment_,
-                              bridge_);
+    log::LogFormat format = log::makeLogFormat(columns_, fmt::format("{}", fmt::join(unit_, " ")), sampling_rate_,
+                                               decimal_, segment_, bridge_);
+    format.accept_units = accept_units_;
+    return format;
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

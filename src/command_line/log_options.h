@@ -17,7 +17,11 @@ class LogOptions {
   /// --columns, --unit, --sampling-rate, --decimal, --segment and --bridge.
   OptionTable table();
 
-  /// The names of these, for rules.
+  /// --accept-units, of the commands that hold logs against a component.
+  Option acceptUnits();
+  bool acceptsUnits() const { return accept_units_; }
+
+  /// The names of those of table(), for rules.
   static const std::vector<std::string>& names();
 
   /// Refuses those options that act on text where all logs are bags. Throws UsageError.
@@ -49,6 +53,7 @@ class LogOptions {
   std::string decimal_;
   std::string segment_;
   double bridge_ = -1.0;  // [s]; less than 0: not given
+  bool accept_units_ = false;
 };
 
 }  // namespace rubber_suspension::command_line

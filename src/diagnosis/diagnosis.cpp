@@ -109,14 +109,14 @@ Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const Exce
     result.bench_evidence = std::move(evidence);
     return result;
   }
+  const std::vector<RawChannels> raw = rawChannels(excerpts.logs, excerpts.hold_out);
   std::vector<log::Record> held_out = splitOff(training, excerpts.logs.size());
   const auto ready = withRigPriors(component, std::move(training), std::move(held_out));
   auto workings = std::make_shared<Workings>();
-  workings->search =
-      search(MeasuredLogs(ready->fitter, ready->element_fitter), options.threads, options.progress);
+  workings->search = search(MeasuredLogs(ready->fitter, ready->element_fitter), options.threads, options.progress);
   judgeSearch(*ready, options.threads, *workings);
   workings->write_evidence = options.evidence;
-  return describe(*ready, std::move(workings), recorded, std::move(findings), options);
+  return describe(*ready, std::move(workings), recorded, raw, std::move(findings), options);
 }
 
 }  // namespace

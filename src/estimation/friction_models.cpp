@@ -36,15 +36,6 @@ constexpr double kCoulombLossRatio = 4.0;
 // Keeps the root away from Coulomb friction, u = infinity.
 constexpr double kStiffnessMargin = 1e-12;
 
-// Root of an increasing function of u, which may lie decades away.
-template <class Function>
-double solveForU(Function function) {
-  boost::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::bracket_and_solve_root(
-      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
-
 // Berg element whose settled loop of this amplitude has this u and this peak force.
 element::ElementDescription bergElement(double u, double peak_force, double amplitude) {
   const double mu = settledMu(u);
@@ -87,7 +78,7 @@ std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
 element::ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
   const double friction_stiffness = point.k_n - point.k_st;
   const double ratio = point.frictionLoss() / friction_stiffness;
-  const double u = solveForU([&](double trial) { return lossRatio(trial) - ratio; });
+  const double u = increasingRoot([&](double trial) { return lossRatio(trial) - ratio; });
   return bergElement(u, friction_stiffness * point.amplitude, point.amplitude);
 }
 
@@ -110,6 +101,13 @@ double peakStiffness(std::complex<double> linear, double u, double friction_stif
 }
 
 }  // namespace
+
+double increasingRoot(const std::function<double(double)>& function) {
+  boost::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::bracket_and_solve_root(
+      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
 
 std::optional<Obstacle> frictionObstacle(const Specification& specification) {
   return turningPointObstacle(workingPoint(specification, 0.0));
@@ -145,7 +143,7 @@ std::vector<element::ElementDescription> estimateBerg(const Specification& speci
   const std::complex<double> linear = linearStiffness(point, ratio);
   const auto frictionStiffness = [&](double u) { return point.frictionLoss() / lossRatio(u); };
   const double u =
-      solveForU([&](double trial) { return point.k_n - peakStiffness(linear, trial, frictionStiffness(trial)); });
+      increasingRoot([&](double trial) { return point.k_n - peakStiffness(linear, trial, frictionStiffness(trial)); });
   std::vector<element::ElementDescription> elements = {
       {"spring", {{"stiffness", {point.k_st}}}},
       bergElement(u, frictionStiffness(u) * point.amplitude, point.amplitude)};

@@ -1,6 +1,7 @@
 // What each model family gives to the estimation: why a specification has no solution, and the elements if it has one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "rubber_suspension/estimation/specification.h"
 
 namespace rubber_suspension::estimation {
+
+/// The root of an increasing function of a positive number, which may lie decades from 1.
+double increasingRoot(const std::function<double(double)>& function);
 
 /// Why a specification has no solution.
 struct Obstacle {

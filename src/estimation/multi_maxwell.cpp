@@ -103,15 +103,6 @@ Complex relativeStiffness(double alpha, const std::vector<Complex>& of_each) {
   return sum;
 }
 
-// alpha at which an increasing function of it vanishes.
-template <class Function>
-double solveAlpha(Function function) {
-  boost::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::bracket_and_solve_root(
-      function, 1.0, 8.0, true, boost::math::tools::eps_tolerance<double>(50), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
-
 // A frequency within the elements' break frequencies: then alpha can weight them to act like one element there.
 bool embraces(const std::vector<double>& break_frequencies, double frequency) {
   return break_frequencies.front() * (1.0 + kBandMargin) < frequency &&
@@ -215,7 +206,7 @@ Solution solveForMaximum(const Inputs& inputs) {
   const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, f_n);
   // Loss over storage of the elements is the mean of f_b/f_n weighted by their storage; it falls with alpha.
   const double ratio = breakFrequencyForLossAngle(inputs.specification) / f_n;
-  const double alpha = solveAlpha([&](double trial) {
+  const double alpha = increasingRoot([&](double trial) {
     const Complex relative = relativeStiffness(trial, of_each);
     return ratio - relative.imag() / relative.real();
   });

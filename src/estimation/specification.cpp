@@ -112,13 +112,7 @@ const element::ParameterInfo* findParameter(std::string_view name) {
   return element::findParameter(specificationParameters(), name);
 }
 
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
+std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 std::vector<std::string> acceptedKeys(const ModelInfo& info, bool whole) {
   std::vector<std::string> keys = info.required;

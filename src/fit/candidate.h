@@ -28,7 +28,8 @@ struct BasisTerm {
   bool is_gain = false;  ///< the scale is a gain on all forces: of gains that are free in each log, the mean
   /// A force effect whose factor is 1 less the scale times a share that the displacement alone decides.
   bool softening = false;
-  bool depends_on_place = false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
+  bool depends_on_place =
+      false;  ///< a zero of the displacement changes more of it than its mean; set by Fitter::prepare
   /// Force of the entry alone at scale 1 where samples to come tell it better than the entry, which may not look ahead.
   std::function<Eigen::VectorXd(const log::Record&)> exact;
   /// What the entry does to each log at scale 1: the force that it adds [N], or the share of the component's force that
@@ -52,6 +53,9 @@ struct Candidate {
   std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
   double least_shape = 0.0;
   double largest_shape = 0.0;
+  /// Further laws of few numbers, at the places where a fit of all their numbers may start: after the verdict one of
+  /// these, or a few of the terms, stands for the effect.
+  std::vector<BasisTerm> laws = {};
 
   /// False where the logs lack what would show it at all: then it has no terms, and takes part in nothing.
   bool applies() const { return !terms.empty(); }

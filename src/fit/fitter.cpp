@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "fit/parallel.h"
@@ -18,7 +17,7 @@ namespace {
 // Whether a component gives another force, but for its mean, where its motion is about another place.
 bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
   constexpr Eigen::Index kSamples = 400;
-  constexpr double kAside = 0.2;   // of the amplitude
+  constexpr double kAside = 0.2;  // of the amplitude
   constexpr double kMore = 1e-6;  // of the force: rounding
   log::Record probe;
   probe.dt = record.dt;
@@ -43,32 +42,25 @@ Fitter::Fitter(std::shared_ptr<const std::vector<log::Record>> records, const Mo
   setNoise(noise);
 }
 
-double Fitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  const auto simulated = forces_.at(hypothesis, parameters);
-  if (!simulated) {
-    return std::numeric_limits<double>::infinity();
-  }
+double Fitter::gapOf(const Hypothesis& hypothesis, const Forces& forces) const {
   double sum = 0.0;
   for (std::size_t r = 0; r < records().size(); ++r) {
     const log::Record& record = records()[r];
-    const Eigen::VectorXd residual = record.withoutRig(record.force - (*simulated)[r]);
+    const Eigen::VectorXd residual = record.withoutRig(record.force - forces[r]);
     double square = residual.squaredNorm();
     if (hypothesis.free_in_log.gain || hypothesis.free_in_log.zero) {
-      square -= takenInLog(hypothesis, r, (*simulated)[r], residual);
+      square -= takenInLog(hypothesis, r, forces[r], residual);
     }
     sum += std::pow(weights_[r], 2) * square;
   }
   return std::isfinite(sum) ? std::sqrt(sum) : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams Fitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                                     const std::vector<bool>& active, int threads) const {
-  const auto base = forces_.at(hypothesis, parameters);
-  if (!base) {
-    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
-  }
-  return normalEquations(records(), weights_, *base, forces_.columns(hypothesis, parameters, active, *base, threads),
-                         free, threads, known_.get(), hypothesis.by_zero);
+BlockGrams Fitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                        const Forces& base, FreeInLog free, const std::vector<bool>& active,
+                                        int threads) const {
+  return normalEquations(records(), weights_, base, forces_.columns(hypothesis, parameters, active, base, threads), free,
+                         threads, known_.get(), hypothesis.by_zero);
 }
 
 // Of the squares that a residual has left, what zero and gain of a log take; both are as given by the hypothesis.
@@ -95,7 +87,8 @@ double Fitter::takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eig
 void Fitter::freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const {
   bool depends = model_depends_on_place_;
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
-    depends = depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
+    depends =
+        depends || (hypothesis.terms[t].depends_on_place && parameters.scales[static_cast<Eigen::Index>(t)] != 0.0);
   }
   const auto elements = depends && !zeros_.empty() ? elementsOf(model(), hypothesis, parameters) : std::nullopt;
   if (!elements) {

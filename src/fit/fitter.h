@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,11 @@ class Fitter final : public HypothesisFitter {
       : Fitter(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return forces_.records(); }
+  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return forces_.sharedRecords(); }
   const HypothesisForces& forces() const { return forces_; }
+  const std::vector<double>& weights() const { return weights_; }
+  double gapOf(const Hypothesis& hypothesis, const std::vector<Eigen::VectorXd>& forces) const override;
 
-  double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
 
   /// Find the unit effects of these candidates (findUnitEffects()) and their products with each other, which fits then
   /// need not find again. Not while fits run.
@@ -37,8 +40,12 @@ class Fitter final : public HypothesisFitter {
   void setZeros(std::vector<DisplacementZero> zeros) { zeros_ = std::move(zeros); }
 
  private:
-  BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                               const std::vector<bool>& active, int threads) const override;
+  using Forces = std::vector<Eigen::VectorXd>;
+  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+    return forces_.at(hypothesis, parameters);
+  }
+  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
+                                  FreeInLog free, const std::vector<bool>& active, int threads) const override;
 
   double takenInLog(const Hypothesis& hypothesis, std::size_t r, const Eigen::VectorXd& simulated,
                     const Eigen::VectorXd& residual) const;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "fit/bounded_least_squares.h"
 
@@ -64,15 +66,30 @@ ParameterVector HypothesisFitter::configured(const Hypothesis& hypothesis) const
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
 }
 
-BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                                       const std::vector<bool>& active, int threads) const {
-  BlockGrams result = normalEquationsAt(hypothesis, parameters, free, active, threads);
+HypothesisFitter::Forces HypothesisFitter::forcesAt(const Hypothesis& hypothesis,
+                                                    const ParameterVector& parameters) const {
+  auto forces = simulate(hypothesis, parameters);
+  if (!forces) {
+    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
+  }
+  return std::move(*forces);
+}
+
+double HypothesisFitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
+  const auto forces = simulate(hypothesis, parameters);
+  return forces ? gapOf(hypothesis, *forces) : std::numeric_limits<double>::infinity();
+}
+
+BlockGrams HypothesisFitter::linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                       const Forces& base, FreeInLog free, const std::vector<bool>& active,
+                                       int threads) const {
+  BlockGrams result = normalEquationsAbout(hypothesis, parameters, base, free, active, threads);
   const Eigen::Index last = result.gram[0].rows() - 1;
   if (result.prior.size() == 0) {
     result.prior = Eigen::MatrixXd::Zero(last + 1, last + 1);
   }
   for (Eigen::Index j = 0; j < model().size(); ++j) {
-    result.prior(j, j) = std::pow(kPrior * noise_, 2);
+    result.prior(j, j) = std::pow(kPrior * noise_ * model().firmness(j), 2);
     result.prior(j, last) = result.prior(last, j) = -result.prior(j, j) * parameters.model[j];
   }
   result.sumUp();
@@ -100,10 +117,6 @@ double HypothesisFitter::penaltyOf(const Eigen::VectorXd& logarithms) const {
   return kPenalty * noise_ * logarithms.norm();
 }
 
-double HypothesisFitter::cost(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  return std::hypot(gapAt(hypothesis, parameters), kPrior * noise_ * parameters.model.norm());
-}
-
 ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                         const Eigen::VectorXd& step) {
   ParameterVector result = parameters;
@@ -118,17 +131,54 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   return result;
 }
 
+double HypothesisFitter::priorOf(const Eigen::VectorXd& logarithms) const {
+  double squares = 0.0;
+  for (Eigen::Index j = 0; j < logarithms.size(); ++j) {
+    squares += std::pow(model().firmness(j) * logarithms[j], 2);
+  }
+  return kPrior * noise_ * std::sqrt(squares);
+}
+
+HypothesisFitter::Place HypothesisFitter::placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const {
+  Place place{std::move(parameters), {}, std::numeric_limits<double>::infinity()};
+  if (auto forces = simulate(hypothesis, place.parameters)) {
+    place.forces = std::move(*forces);
+    place.cost = std::hypot(gapOf(hypothesis, place.forces), priorOf(place.parameters.model));
+  }
+  return place;
+}
+
+HypothesisFitter::Place HypothesisFitter::startAt(const Hypothesis& hypothesis, const ParameterVector& start) const {
+  Place place = placeAt(hypothesis, start);
+  if (place.forces.empty()) {
+    throw std::invalid_argument("the model has no solution at the parameters that a fit starts from");
+  }
+  return place;
+}
+
+bool HypothesisFitter::improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const {
+  double factor = 1.0;
+  for (int halving = 0; halving < kMostHalvings; ++halving, factor *= 0.5) {
+    Place tried = placeAt(hypothesis, moved(hypothesis, place.parameters, factor * step));
+    if (tried.cost < place.cost) {
+      const bool much = place.cost - tried.cost > kEnoughGain * place.cost;
+      place = std::move(tried);
+      return much;
+    }
+  }
+  return false;
+}
+
 BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free,
-                                     bool model_fixed, ParameterVector& parameters) const {
-  BlockGrams blocks = linearise(hypothesis, parameters, free, limits.active, 1);
+                                     bool model_fixed, Place& place) const {
+  BlockGrams blocks = linearise(hypothesis, place.parameters, place.forces, free, limits.active, 1);
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
-  double least = cost(hypothesis, parameters);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   const Eigen::Index size = model().size();
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     const Eigen::MatrixXd& total = blocks.sum;
-    stepBounds(hypothesis, parameters, unknowns, lower, upper);
+    stepBounds(hypothesis, place.parameters, unknowns, lower, upper);
     const double longest = model_fixed ? 0.0 : kLongestStep;
     lower.head(size) = lower.head(size).cwiseMax(-longest);
     upper.head(size) = upper.head(size).cwiseMin(longest);
@@ -137,29 +187,19 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     if (!step.allFinite()) {
       break;
     }
-    bool improved = false;
-    double factor = iteration > 0 && promised(total, step) > limits.reach ? 0.0 : 1.0;
-    for (int halving = 0; factor > 0.0 && halving < kMostHalvings && !improved; ++halving, factor *= 0.5) {
-      const ParameterVector tried = moved(hypothesis, parameters, factor * step);
-      const double tried_cost = cost(hypothesis, tried);
-      if (tried_cost < least) {
-        improved = least - tried_cost > kEnoughGain * least;
-        least = tried_cost;
-        parameters = tried;
-        if (!improved) {
-          break;
-        }
-      }
-    }
-    if (!improved) {
+    const double promise =
+        std::hypot(promised(total, step), priorOf(place.parameters.model));
+    const bool hopeless = iteration > 0 && promise > limits.reach;
+    if (hopeless || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
     }
     // What the first step leaves at nothing takes no further part: its force would have to be simulated each time.
     std::vector<bool> active(hypothesis.terms.size());
     for (std::size_t t = 0; t < active.size(); ++t) {
-      active[t] = hypothesis.terms[t].additive || parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
+      active[t] =
+          hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
     }
-    blocks = linearise(hypothesis, parameters, free, active, 1);
+    blocks = linearise(hypothesis, place.parameters, place.forces, free, active, 1);
   }
   return blocks;
 }
@@ -169,15 +209,20 @@ ParameterVector HypothesisFitter::scalesAlone(const Hypothesis& hypothesis, cons
   std::vector<bool> active(hypothesis.terms.size());
   std::transform(hypothesis.terms.begin(), hypothesis.terms.end(), active.begin(),
                  [](const BasisTerm& term) { return !term.refines; });
-  ParameterVector parameters = start;
-  descend(hypothesis, {iterations, std::numeric_limits<double>::infinity(), active}, {}, true, parameters);
-  return parameters;
+  Hypothesis nothing_free = hypothesis;
+  nothing_free.free_in_log = {};
+  nothing_free.by_zero = nullptr;
+  Place place = startAt(nothing_free, start);
+  descend(nothing_free, {iterations, std::numeric_limits<double>::infinity(), active}, {}, true, place);
+  return place.parameters;
 }
 
 Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const {
   Fit result;
-  result.parameters = start;
-  const BlockGrams blocks = descend(hypothesis, limits, hypothesis.free_in_log, false, result.parameters);
+  Place place = startAt(hypothesis, start);
+  const BlockGrams blocks = descend(hypothesis, limits, hypothesis.free_in_log, false, place);
+  result.gap = gapOf(hypothesis, place.forces);
+  result.parameters = std::move(place.parameters);
   const Eigen::Index unknowns = blocks.gram[0].rows() - 1;
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(unknowns));
   std::iota(columns.begin(), columns.end(), 0);
@@ -197,7 +242,6 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   // A law that gives way under some log (a series compliance about a softening component) is no explanation of it.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.penalty = penaltyOf(result.parameters.model);
-  result.gap = gapAt(hypothesis, result.parameters);
   return result;
 }
 

@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "fit/hypothesis.h"
+#include "fit/hypothesis_forces.h"
 #include "fit/model_parameters.h"
 #include "fit/normal_equations.h"
 #include "rubber_suspension/gap/gap.h"
@@ -56,7 +58,7 @@ class HypothesisFitter {
   /// Terms that are not `active` get a column of zeros: they stay as they are. All are active where the list is empty.
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
                        const std::vector<bool>& active = {}, int threads = 1) const {
-    return linearise(hypothesis, parameters, hypothesis.free_in_log, active, threads);
+    return linearise(hypothesis, parameters, forcesAt(hypothesis, parameters), hypothesis.free_in_log, active, threads);
   }
 
   /// Fit by Gauss-Newton steps within the bounds, from a start.
@@ -67,10 +69,13 @@ class HypothesisFitter {
   ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
 
   /// Gap at a parameter vector, without any fit; infinite where it has no model.
-  virtual double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
+  double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// Free zeros of the displacement where they change the force of a hypothesis at a parameter vector.
   virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
+
+  /// That what is measured errs by, in units of the force's standard deviation.
+  double noise() const { return noise_; }
 
   /// Regularisation penalty of model parameters at these logarithms, as a gap.
   double penaltyOf(const Eigen::VectorXd& logarithms) const;
@@ -88,19 +93,40 @@ class HypothesisFitter {
   void setNoise(double noise);
 
  private:
-  /// Normal equations about a parameter vector, without prior. Throws std::invalid_argument where it has no model.
-  virtual BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                                       const std::vector<bool>& active, int threads) const = 0;
+  using Forces = std::vector<Eigen::VectorXd>;
 
-  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                       const std::vector<bool>& active, int threads) const;
-  /// Gauss-Newton steps from `parameters`, to where they end; normal equations there.
+  /// Forces of a hypothesis; nothing where it has no model.
+  virtual std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const = 0;
+  /// Gap of a hypothesis whose forces are these.
+  virtual double gapOf(const Hypothesis& hypothesis, const Forces& forces) const = 0;
+  /// Normal equations about a parameter vector whose forces are `base`, but for the prior of model parameters.
+  virtual BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                          const Forces& base, FreeInLog free, const std::vector<bool>& active,
+                                          int threads) const = 0;
+
+  BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
+                       FreeInLog free, const std::vector<bool>& active, int threads) const;
+  /// Throws std::invalid_argument where there is no model.
+  Forces forcesAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+  /// Where Gauss-Newton steps are.
+  struct Place {
+    ParameterVector parameters;
+    Forces forces;
+    double cost = 0.0;  ///< gap and prior together
+  };
+  /// What departing from the configured model parameters costs within a fit, as a gap.
+  double priorOf(const Eigen::VectorXd& logarithms) const;
+  Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
+  /// The same; throws std::invalid_argument where there is no model.
+  Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
+  /// Move on by a step, or by part of it; false where none leads on by much.
+  bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
+  /// Gauss-Newton steps to where they end; normal equations there.
   BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, FreeInLog free, bool model_fixed,
-                     ParameterVector& parameters) const;
+                     Place& place) const;
   /// A step as far as it goes within the bounds; what it leaves of a term next to 0 is 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);
-  double cost(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   const ModelParameters& model_;
   double noise_ = 0.0;

@@ -2,6 +2,7 @@
 #include "fit/hypothesis_forces.h"
 
 #include <memory>
+#include <stdexcept>
 
 #include "fit/parallel.h"
 #include "gap/simulate.h"
@@ -122,6 +123,36 @@ std::optional<std::vector<Eigen::VectorXd>> HypothesisForces::at(const Hypothesi
   return result;
 }
 
+std::vector<Eigen::VectorXd> HypothesisForces::moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
+                                                            const ParameterVector& parameters) const {
+  const Interaction interaction = interactionOf(hypothesis, parameters);
+  ParameterVector added = parameters;
+  added.scales -= scales;
+  bool linear = !interaction.softens;
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
+    const BasisTerm& term = hypothesis.terms[t];
+    linear = linear && (scaleOf(added, t) == 0.0 || (!term.softening && isKnown(term, interaction)));
+  }
+  if (!linear) {
+    auto forces = at(hypothesis, parameters);
+    const auto others = at(hypothesis, {parameters.model, scales});
+    if (!forces || !others) {
+      throw std::invalid_argument("the model has no solution at the parameters to be compared");
+    }
+    for (std::size_t r = 0; r < forces->size(); ++r) {
+      (*forces)[r] -= (*others)[r];
+    }
+    return *forces;
+  }
+  std::vector<Eigen::VectorXd> forces;
+  for (std::size_t r = 0; r < records().size(); ++r) {
+    forces.emplace_back(Eigen::VectorXd::Zero(records()[r].size()));
+    addForces(hypothesis, added, false, r, forces.back());
+    addForces(hypothesis, added, true, r, forces.back());
+  }
+  return forces;
+}
+
 ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                           Eigen::Index parameter, const std::vector<Eigen::VectorXd>& base) const {
   ParameterVector moved = parameters;
@@ -145,10 +176,11 @@ ForceColumn HypothesisForces::modelColumn(const Hypothesis& hypothesis, const Pa
 ForceColumn HypothesisForces::termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                          std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];
-  if (isKnown(basis_term, interactionOf(hypothesis, parameters))) {
+  const double scale = scaleOf(parameters, term);
+  const bool exact = isKnown(basis_term, interactionOf(hypothesis, parameters));
+  if (exact || (basis_term.unit_effect && scale == 0.0)) {
     return knownColumn(hypothesis, parameters, term, base);
   }
-  const double scale = scaleOf(parameters, term);
   const double direction = scale + basis_term.typical > basis_term.upper ? -1.0 : 1.0;
   const double step = (scale == 0.0 ? 1.0 : kTermStep) * basis_term.typical * direction;
   ParameterVector moved = parameters;
@@ -175,7 +207,8 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
   return columns;
 }
 
-// Where a term's effect is known the force is linear in its scale.
+// Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
+// so, and enough to tell whether a term at nothing is worth a step.
 ForceColumn HypothesisForces::knownColumn(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                           std::size_t term, const std::vector<Eigen::VectorXd>& base) const {
   const BasisTerm& basis_term = hypothesis.terms[term];

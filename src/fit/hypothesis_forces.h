@@ -27,6 +27,7 @@ class HypothesisForces {
       : HypothesisForces(std::make_shared<const std::vector<log::Record>>(std::move(records)), model) {}
 
   const std::vector<log::Record>& records() const { return *records_; }
+  const std::shared_ptr<const std::vector<log::Record>>& sharedRecords() const { return records_; }
   const ModelParameters& model() const { return model_; }
 
   /// True where the force of the model is the sum of those of its elements.
@@ -34,6 +35,11 @@ class HypothesisForces {
 
   /// Force of each log [N]; nothing where the model parameters have no solution.
   std::optional<std::vector<Eigen::VectorXd>> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
+
+  /// What the force of each log has more than with other scales of the same terms [N]. Throws std::invalid_argument
+  /// where there is no model.
+  std::vector<Eigen::VectorXd> moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
+                                            const ParameterVector& parameters) const;
 
   /// Derivative by the logarithm of a model parameter, `base` being the forces there.
   ForceColumn modelColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, Eigen::Index parameter,
@@ -45,7 +51,7 @@ class HypothesisForces {
                                    const std::vector<bool>& active, const std::vector<Eigen::VectorXd>& base,
                                    int threads) const;
 
-  /// Derivative by the scale of a basis term.
+  /// Derivative by the scale of a basis term; about, where it is at nothing and others displace the component.
   ForceColumn termColumn(const Hypothesis& hypothesis, const ParameterVector& parameters, std::size_t term,
                          const std::vector<Eigen::VectorXd>& base) const;
 

@@ -28,6 +28,14 @@ double ModelParameters::bound(Eigen::Index i) const {
   return where == Slot::element || where == Slot::added ? std::log(10.0) : std::log(3.0);
 }
 
+double ModelParameters::firmness(Eigen::Index i) const {
+  constexpr double kOfBand = 2.0;
+  const Slot& slot = slots_[static_cast<std::size_t>(i)];
+  const bool band = slot.where == Slot::relaxation &&
+                    (slot.key == "break_frequency" || slot.key == "alpha" || slot.key == "band_ratio");
+  return band && relaxation_.elements > 1 ? kOfBand : 1.0;
+}
+
 ModelParameters::ModelParameters(const io::ComponentDescription& description, Level level)
     : description_(level == Level::elements || !description.specification().preloads().empty() ? asElements(description)
                                                                                                : description) {

@@ -35,6 +35,10 @@ class ModelParameters {
   /// component, and of 10 on values of single elements, which stand for each other.
   double bound(Eigen::Index parameter) const;
 
+  /// How much more firmly than others a fit keeps a parameter where the logs hardly tell: the band that a specification
+  /// spreads its relaxation over was chosen by whoever wrote it, and is no property of rubber.
+  double firmness(Eigen::Index parameter) const;
+
   /// The configured value of a parameter of an element, at the level of elements [SI].
   double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
 

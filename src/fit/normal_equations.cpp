@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "fit/bounded_least_squares.h"
@@ -55,6 +56,16 @@ Eigen::MatrixXd columnsOver(const std::vector<ForceColumn>& columns, std::size_t
   return matrix;
 }
 
+// The rows of a block.
+Eigen::MatrixXd blockOf(const std::vector<ForceColumn>& columns, const Rows& rows, double weight) {
+  const Eigen::Index count = rows.last - rows.first;
+  Eigen::MatrixXd matrix(count, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    matrix.col(static_cast<Eigen::Index>(j)) = weight * (*columns[j])[rows.record].segment(rows.first, count);
+  }
+  return matrix;
+}
+
 void maskOut(const log::Record& record, Eigen::Ref<Eigen::MatrixXd> columns) {
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.array();
@@ -95,6 +106,14 @@ Eigen::MatrixXd sumOf(const std::vector<OfBlock>& blocks) {
   Eigen::MatrixXd sum = blocks.front().on_nuisances;
   for (std::size_t b = 1; b < blocks.size(); ++b) {
     sum += blocks[b].on_nuisances;
+  }
+  return sum;
+}
+
+Eigen::VectorXd squaresOf(const std::vector<OfBlock>& blocks) {
+  Eigen::VectorXd sum = blocks.front().products.diagonal();
+  for (std::size_t b = 1; b < blocks.size(); ++b) {
+    sum += blocks[b].products.diagonal();
   }
   return sum;
 }
@@ -193,7 +212,7 @@ void placeKnown(const Sorted& sorted, const Eigen::MatrixXd& products, Eigen::Ma
 
 // Grams of the blocks of one log, from place `first` on among all blocks.
 void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::size_t first,
-               const std::vector<Rows>& blocks, std::vector<Eigen::MatrixXd>& grams) {
+               const std::vector<Rows>& blocks, std::vector<Eigen::MatrixXd>& grams, Eigen::VectorXd& squares) {
   const log::Record& record = all.records[r];
   const Eigen::MatrixXd fresh = freshOver(all, sorted, r);
   const std::vector<Eigen::Index> places = placesOfFresh(all, sorted, r);
@@ -204,6 +223,11 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
   }
   if (of_fresh.empty()) {
     return;
+  }
+  const Eigen::VectorXd of_log = squaresOf(of_fresh);
+  squares = Eigen::VectorXd::Zero(all.width());
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    squares[places[j]] = of_log[static_cast<Eigen::Index>(j)];
   }
   const Eigen::MatrixXd shares = sumOf(of_fresh);
   const bool known = !sorted.known.empty();
@@ -218,12 +242,8 @@ void fillGrams(const Columns& all, const Sorted& sorted, std::size_t r, std::siz
     if (!known) {
       continue;
     }
-    const auto here = fresh.middleRows(rows.first, rows.last - rows.first);
-    Eigen::MatrixXd mixed(fresh.cols(), static_cast<Eigen::Index>(sorted.known.size()));
-    for (std::size_t j = 0; j < sorted.known.size(); ++j) {
-      mixed.col(static_cast<Eigen::Index>(j)).noalias() =
-          all.weights[r] * (here.transpose() * (*sorted.known[j])[r].segment(rows.first, here.rows()));
-    }
+    const Eigen::MatrixXd of_block = blockOf(sorted.known, rows, all.weights[r]);
+    const Eigen::MatrixXd mixed = fresh.middleRows(rows.first, of_block.rows()).transpose() * of_block;
     const Eigen::MatrixXd on_nuisances = chosen(all.known->onNuisances(first + i), sorted.known_index);
     place(freed(mixed, block.nuisances, block.on_nuisances, shares, on_nuisances, known_shares), places,
           sorted.known_places, gram);
@@ -272,7 +292,7 @@ void BlockGrams::sumUp() {
 
 KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::vector<double>& weights,
                            std::vector<ForceColumn> columns, int threads)
-    : columns_(std::move(columns)), shares_(records.size()) {
+    : columns_(std::move(columns)), shares_(records.size()), squares_(records.size()) {
   for (std::size_t j = 0; j < columns_.size(); ++j) {
     places_[columns_[j].get()] = static_cast<Eigen::Index>(j);
   }
@@ -283,13 +303,9 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
   parallelFor(records.size(), threads, [&](std::size_t r) {
     std::vector<OfBlock> of_log;
     for (std::size_t b = first[r]; b < blocks.size() && blocks[b].record == r; ++b) {
-      const Eigen::Index rows = blocks[b].last - blocks[b].first;
-      Eigen::MatrixXd local(rows, static_cast<Eigen::Index>(columns_.size()));
-      for (std::size_t j = 0; j < columns_.size(); ++j) {
-        local.col(static_cast<Eigen::Index>(j)) = weights[r] * (*columns_[j])[r].segment(blocks[b].first, rows);
-      }
+      Eigen::MatrixXd local = blockOf(columns_, blocks[b], weights[r]);
       if (records[r].counts.size() > 0) {
-        local.array().colwise() *= records[r].counts.segment(blocks[b].first, rows).array();
+        local.array().colwise() *= records[r].counts.segment(blocks[b].first, local.rows()).array();
       }
       of_log.push_back(productsIn(blocks[b], records[r], local));
     }
@@ -297,6 +313,7 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
       return;
     }
     shares_[r] = sumOf(of_log);
+    squares_[r] = squaresOf(of_log);
     for (std::size_t i = 0; i < of_log.size(); ++i) {
       const OfBlock& block = of_log[i];
       products_[first[r] + i] =
@@ -304,6 +321,14 @@ KnownColumns::KnownColumns(const std::vector<log::Record>& records, const std::v
       on_nuisances_[first[r] + i] = block.on_nuisances;
     }
   });
+}
+
+double KnownColumns::squares(Eigen::Index column) const {
+  double sum = 0.0;
+  for (const Eigen::VectorXd& of_record : squares_) {
+    sum += of_record.size() > 0 ? of_record[column] : 0.0;
+  }
+  return sum;
 }
 
 Eigen::Index KnownColumns::find(const ForceColumn& column) const {
@@ -321,8 +346,13 @@ BlockGrams normalEquations(const std::vector<log::Record>& records, const std::v
   const Sorted sorted = sortedBy(known, columns);
   BlockGrams result;
   result.gram.resize(blocks.size());
+  std::vector<Eigen::VectorXd> squares(records.size(), Eigen::VectorXd::Zero(all.width()));
   parallelFor(records.size(), threads,
-              [&](std::size_t r) { fillGrams(all, sorted, r, first_block[r], blocks, result.gram); });
+              [&](std::size_t r) { fillGrams(all, sorted, r, first_block[r], blocks, result.gram, squares[r]); });
+  result.squares = std::accumulate(squares.begin() + 1, squares.end(), squares.front());
+  for (std::size_t j = 0; j < sorted.known.size(); ++j) {
+    result.squares[sorted.known_places[j]] = known->squares(sorted.known_index[j]);
+  }
   result.prior = priorOfZeros(all);
   int place = 0;  // among the blocks of its log
   for (const Rows& rows : blocks) {

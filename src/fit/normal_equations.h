@@ -22,6 +22,7 @@ struct BlockGrams {
   std::vector<int> record;
   std::vector<double> weight;  ///< share of the block in all samples, weighted
   Eigen::MatrixXd prior;       ///< what departing from the configured model parameters costs
+  Eigen::VectorXd squares;     ///< of each column over all blocks, with what the rig may have added to a log
 
   Eigen::MatrixXd sum;                        ///< of all blocks and the prior
   std::vector<Eigen::MatrixXd> without_fold;  ///< the same without the blocks of a fold
@@ -48,6 +49,8 @@ class KnownColumns {
   /// By how much each nuisance of its log is in each column of a block, and of the whole log.
   const Eigen::MatrixXd& onNuisances(std::size_t block) const { return on_nuisances_[block]; }
   const Eigen::MatrixXd& shares(std::size_t record) const { return shares_[record]; }
+  /// Of each column over all blocks, with what the rig may have added.
+  double squares(Eigen::Index column) const;
 
  private:
   std::vector<ForceColumn> columns_;
@@ -55,6 +58,7 @@ class KnownColumns {
   std::vector<Eigen::MatrixXd> products_;
   std::vector<Eigen::MatrixXd> on_nuisances_;
   std::vector<Eigen::MatrixXd> shares_;
+  std::vector<Eigen::VectorXd> squares_;  // of each record
 };
 
 /// Normal equations about a model whose forces [N] on the logs are `base`, without prior. `weights`: what makes

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 namespace rubber_suspension::fit {
 namespace {
@@ -49,27 +48,23 @@ std::optional<std::vector<std::complex<double>>> TableFitter::stiffness(const Hy
   return forces ? std::optional(loops_->stiffness(*forces)) : std::nullopt;
 }
 
-double TableFitter::gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  const auto model = stiffness(hypothesis, parameters);
-  const double gap = model ? gapOfTable(loops_->points(), *model) : std::numeric_limits<double>::infinity();
+double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const Forces& forces) const {
+  const double gap = gapOfTable(loops_->points(), loops_->stiffness(forces));
   return std::isfinite(gap) ? gap : std::numeric_limits<double>::infinity();
 }
 
-BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters,
-                                          FreeInLog /*free*/, const std::vector<bool>& active, int threads) const {
-  const auto base = forces_.at(hypothesis, parameters);
-  if (!base) {
-    throw std::invalid_argument("the model has no solution at the parameters to be linearised about");
-  }
-  const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, active, *base, threads);
-  const std::vector<std::complex<double>> model = loops_->stiffness(*base);
+BlockGrams TableFitter::normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
+                                             const Forces& base, FreeInLog /*free*/, const std::vector<bool>& active,
+                                             int threads) const {
+  const std::vector<ForceColumn> columns = forces_.columns(hypothesis, parameters, active, base, threads);
+  const std::vector<std::complex<double>> model = loops_->stiffness(base);
   const auto unknowns = static_cast<Eigen::Index>(columns.size());
-  const double rows = static_cast<double>(base->size());
+  const double rows = static_cast<double>(base.size());
   BlockGrams result;
   result.fold = fold_;
-  result.record.assign(base->size(), 0);
-  result.weight.assign(base->size(), 1.0 / rows);
-  for (std::size_t r = 0; r < base->size(); ++r) {
+  result.record.assign(base.size(), 0);
+  result.weight.assign(base.size(), 1.0 / rows);
+  for (std::size_t r = 0; r < base.size(); ++r) {
     const std::complex<double> measured = loops_->points()[r].complexStiffness();
     const double weight = 1.0 / (std::abs(measured) * std::sqrt(rows));
     Eigen::MatrixXd local = Eigen::MatrixXd::Zero(2, unknowns + 1);
@@ -80,11 +75,13 @@ BlockGrams TableFitter::normalEquationsAt(const Hypothesis& hypothesis, const Pa
     for (Eigen::Index j = 0; j < unknowns; ++j) {
       const ForceColumn& column = columns[static_cast<std::size_t>(j)];
       if (column) {
-        set(j, loops_->derivative(r, (*base)[r], (*column)[r]));
+        set(j, loops_->derivative(r, base[r], (*column)[r]));
       }
     }
     set(unknowns, measured - model[r]);
     result.gram.emplace_back(local.transpose() * local);
+    result.squares = (result.squares.size() == 0 ? Eigen::VectorXd::Zero(unknowns + 1) : result.squares) +
+                     result.gram.back().diagonal();
   }
   return result;
 }

@@ -27,11 +27,14 @@ class TableFitter final : public HypothesisFitter {
   std::optional<std::vector<std::complex<double>>> stiffness(const Hypothesis& hypothesis,
                                                              const ParameterVector& parameters) const;
 
-  double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const override;
-
  private:
-  BlockGrams normalEquationsAt(const Hypothesis& hypothesis, const ParameterVector& parameters, FreeInLog free,
-                               const std::vector<bool>& active, int threads) const override;
+  using Forces = std::vector<Eigen::VectorXd>;
+  std::optional<Forces> simulate(const Hypothesis& hypothesis, const ParameterVector& parameters) const override {
+    return forces_.at(hypothesis, parameters);
+  }
+  double gapOf(const Hypothesis& hypothesis, const Forces& forces) const override;
+  BlockGrams normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters, const Forces& base,
+                                  FreeInLog free, const std::vector<bool>& active, int threads) const override;
 
   std::shared_ptr<const TableLoops> loops_;
   HypothesisForces forces_;

@@ -329,6 +329,7 @@ class Loader {
                       log::quoted(key.Scalar()), kMaximumNameLength));
     }
     component_ = key.Scalar();
+    units_.clear();
     if (!node.IsMap()) {
       refuse(node, "",
              fmt::format("{}; accepted: a map with the key 'model', or 'directions' for six of them", kindOf(node)));
@@ -348,6 +349,7 @@ class Loader {
     if (const YAML::Node valid = node["valid_displacement"]) {
       description.valid_displacement = loadValidDisplacement(valid);
     }
+    description.units = units_;
     try {
       description.makeComponent();
     } catch (const std::invalid_argument& error) {
@@ -412,6 +414,7 @@ class Loader {
           fmt::format("{}; accepted: a map with the key 'model'; a direction that is left out is free", kindOf(node)));
     }
     place_ = "directions." + key.Scalar();
+    units_.clear();
     rotational_ = component::isRotation(direction);
     preload_ = preload;
     checkUnique(node, "");
@@ -494,7 +497,7 @@ class Loader {
     return frame;
   }
 
-  Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) const {
+  Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) {
     const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), {}, "", true};
     if (!node.IsSequence() || node.size() != 3) {
       refuse(node, path, fmt::format("{}; accepted: a list of three, along or about x, y, z", kindOf(node)));
@@ -515,7 +518,7 @@ class Loader {
   }
 
   // A force or a displacement, as its unit tells.
-  Preload loadPreload(const YAML::Node& node, const std::string& path, component::Direction direction) const {
+  Preload loadPreload(const YAML::Node& node, const std::string& path, component::Direction direction) {
     const bool turns = component::isRotation(direction);
     const std::string unit = node.IsScalar() ? log::unitOfQuantity(node.Scalar()) : "";
     Preload preload;
@@ -669,7 +672,7 @@ class Loader {
   }
 
   // One number for both sides, or the two ends.
-  element::Range loadValidDisplacement(const YAML::Node& node) const {
+  element::Range loadValidDisplacement(const YAML::Node& node) {
     const std::string path = "valid_displacement";
     element::ParameterInfo length;
     length.unit = "m";
@@ -692,7 +695,7 @@ class Loader {
 
   // The reference stands before in the tables.
   double loadVertical(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter,
-                      double reference) const {
+                      double reference) {
     if (node.IsScalar() && node.Scalar() == "proportional") {
       return 1.0 / (reference + element::kZeroCelsius);
     }
@@ -803,8 +806,9 @@ class Loader {
     }
     if (const YAML::Node preloads = node["preloads"]) {
       specification.setPreloads(loadMaps<estimation::Specification::Values>(
-          preloads, "specification.preloads",
-          [&](const auto& block, const auto& path) { return loadNumbers(block, path, {}).values(); }));
+          preloads, "specification.preloads", [&](const auto& block, const auto& path) {
+            return loadNumbers(block, path, std::vector<std::string>()).values();
+          }));
     }
   }
 
@@ -891,7 +895,7 @@ class Loader {
     return parameter;
   }
 
-  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& row) const {
+  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& row) {
     const element::ParameterInfo parameter = here(row);
     if (!node.IsScalar()) {
       refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
@@ -899,6 +903,10 @@ class Loader {
     double value = 0.0;
     try {
       value = log::parseQuantity(node.Scalar(), parameter.unit);
+      const std::string unit = log::unitOfQuantity(node.Scalar());
+      if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
+        units_.emplace(parameter.unit, unit);
+      }
     } catch (const std::invalid_argument& error) {
       refuse(node, path,
              fmt::format("{}: {}; accepted: {}", log::quoted(node.Scalar()), error.what(), accepted(parameter)));
@@ -935,7 +943,7 @@ class Loader {
   }
 
   std::vector<double> loadNumbers(const YAML::Node& node, const std::string& path,
-                                  const element::ParameterInfo& parameter) const {
+                                  const element::ParameterInfo& parameter) {
     if (!parameter.is_list || node.IsScalar()) {
       return {loadNumber(node, path, parameter)};
     }
@@ -1020,7 +1028,8 @@ class Loader {
   }
 
   std::string source_;
-  std::string component_;  // the one being read, for errors
+  std::string component_;                     // the one being read, for errors
+  std::map<std::string, std::string> units_;  // of its numbers, by the SI unit
   // The direction being read, of a component of six.
   std::string place_;
   bool rotational_ = false;
@@ -1039,18 +1048,31 @@ std::string listYaml(const std::vector<double>& values) {
   return fmt::format("[{}]", log::join(numbers));
 }
 
-std::string flowMap(const element::ElementDescription& description) {
-  std::string text = fmt::format("{{type: {}", description.type);
-  for (const auto& [name, values] : description.values) {
-    text += fmt::format(", {}: {}", name, values.size() == 1 ? number(values[0]) : listYaml(values));
-  }
-  return text + "}";
+std::string styled(const YamlStyle& style, const std::string& place, double value) {
+  return style.number ? style.number(place, value) : number(value);
 }
 
-std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries) {
+std::string entryYaml(const std::string& place, const element::ElementDescription& entry, const YamlStyle& style) {
+  std::string text = fmt::format("{{type: {}", entry.type);
+  std::string notes;
+  for (const auto& [name, values] : entry.values) {
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string number_place = numberPlace(place, name, values.size() > 1 ? static_cast<int>(i) : -1);
+      numbers.push_back(styled(style, number_place, values[i]));
+      const std::string note = style.note ? style.note(number_place) : "";
+      notes += note.empty() ? "" : fmt::format("      # {}: {}\n", number_place.substr(place.size() + 1), note);
+    }
+    text += fmt::format(", {}: {}", name, values.size() == 1 ? numbers[0] : fmt::format("[{}]", log::join(numbers)));
+  }
+  return fmt::format("{}      - {}}}\n", notes, text);
+}
+
+std::string entriesYaml(const std::string& key, const std::vector<element::ElementDescription>& entries,
+                        const YamlStyle& style) {
   std::string text = entries.empty() ? "" : fmt::format("    {}:\n", key);
-  for (const element::ElementDescription& entry : entries) {
-    text += fmt::format("      - {}\n", flowMap(entry));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    text += entryYaml(fmt::format("{}[{}]", key, i), entries[i], style);
   }
   return text;
 }
@@ -1082,7 +1104,8 @@ std::string curveYaml(const estimation::StaticCurve& curve, bool turns) {
 }
 
 // `added`: then it has to say that it describes the base. `turns`: it is that of a rotation.
-std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns) {
+std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns,
+                              const YamlStyle& style) {
   std::string text = "    specification:\n";
   if (added || specification.describes() != estimation::Describes::unsaid) {
     text += "      describes: base\n";
@@ -1098,22 +1121,29 @@ std::string specificationYaml(const estimation::Specification& specification, bo
   }
   for (const element::ParameterInfo& parameter : estimation::specificationParameters()) {
     if (specification.has(parameter.name)) {
-      text += fmt::format("      {}: {}{}\n", parameter.name, number(specification.at(parameter.name)),
-                          parameter.unit == "1"
-                              ? ""
-                              : fmt::format("  # [{}]", turns ? rotationalUnit(parameter.unit) : parameter.unit));
+      const std::string place = "specification." + parameter.name;
+      const std::string value = styled(style, place, specification.at(parameter.name));
+      const std::string note = style.note ? style.note(place) : "";
+      const bool says_unit = parameter.unit == "1" || value.find(' ') != std::string::npos;
+      text += fmt::format("      {}: {}", parameter.name, value);
+      text += says_unit && note.empty()
+                  ? "\n"
+                  : fmt::format(
+                        "  #{}{}{}\n",
+                        says_unit ? "" : fmt::format(" [{}]", turns ? rotationalUnit(parameter.unit) : parameter.unit),
+                        note.empty() ? "" : " ", note);
     }
   }
   return text;
 }
 
 // Model and what belongs to it, of a component of one direction; `turns`: a rotation.
-std::string oneDirectionYaml(const ComponentDescription& component, bool turns) {
+std::string oneDirectionYaml(const ComponentDescription& component, bool turns, const YamlStyle& style) {
   std::string text = fmt::format("    model: {}\n", estimation::toString(component.model()));
   text += component.model() == estimation::Model::elements
-              ? entriesYaml("elements", component.elements())
-              : specificationYaml(component.specification(), !component.add.empty(), turns);
-  text += entriesYaml("add", component.add);
+              ? entriesYaml("elements", component.elements(), style)
+              : specificationYaml(component.specification(), !component.add.empty(), turns, style);
+  text += entriesYaml("add", component.add, style);
   text += component.temperature ? temperatureYaml(*component.temperature) : "";
   text += component.rig ? rigYaml(*component.rig) : "";
   if (const auto& valid = component.valid_displacement) {
@@ -1152,7 +1182,7 @@ std::string sixDirectionsYaml(const SixDirectionsDescription& six) {
     const auto direction = static_cast<component::Direction>(i);
     if (six.directions[i]) {
       text += fmt::format("      {}:\n", toString(direction)) +
-              indented(oneDirectionYaml(*six.directions[i], component::isRotation(direction)));
+              indented(oneDirectionYaml(*six.directions[i], component::isRotation(direction), {}));
     }
     if (six.preload[i]) {
       preloads.push_back(fmt::format("{}: {}", toString(direction), preloadYaml(*six.preload[i], direction)));
@@ -1333,8 +1363,12 @@ const ComponentDescription& selectComponent(const std::vector<ComponentDescripti
   throw ComponentFileError((source.empty() ? "" : source + ": ") + problem + log::join(names));
 }
 
-std::string toYaml(const std::vector<ComponentDescription>& components) {
-  std::string text = "components:\n";
+std::string numberPlace(const std::string& entry, const std::string& key, int index) {
+  return fmt::format("{}.{}{}", entry, key, index < 0 ? "" : fmt::format("[{}]", index));
+}
+
+std::string toYaml(const std::vector<ComponentDescription>& components, const YamlStyle& style) {
+  std::string text = style.head + "components:\n";
   for (const ComponentDescription& component : components) {
     if (!isBaseName(component.name)) {
       throw ComponentFileError(
@@ -1343,7 +1377,7 @@ std::string toYaml(const std::vector<ComponentDescription>& components) {
                       log::quoted(component.name), kMaximumNameLength));
     }
     text += fmt::format("  {}:\n", component.name) +
-            (component.six ? sixDirectionsYaml(*component.six) : oneDirectionYaml(component, false));
+            (component.six ? sixDirectionsYaml(*component.six) : oneDirectionYaml(component, false, style));
   }
   return text;
 }

@@ -14,9 +14,11 @@
 namespace rubber_suspension::io {
 namespace {
 
+constexpr double kMostShare = 0.5;  // of a gain or a clock: beyond, its channel measures nothing
+
 std::string acceptedTolerance(const RigToleranceInfo& info) {
   const std::string share = fmt::format("a share of {} in %", info.share_of);
-  return info.unit == "1" ? fmt::format("{}, or such a number, at least 0", share)
+  return info.unit == "1" ? fmt::format("{}, or such a number, from 0 to {:g} %", share, 100.0 * kMostShare)
                           : fmt::format("a number in {}, text with such a unit, or {}, at least 0", info.unit, share);
 }
 
@@ -56,7 +58,8 @@ RigTolerance parseRigTolerance(const std::string& key, const std::string& text) 
     throw std::invalid_argument(
         fmt::format("{}: {}: {}; accepted: {}", key, log::quoted(text), error.what(), acceptedTolerance(info)));
   }
-  if (!(tolerance.value >= 0.0) || !std::isfinite(tolerance.value)) {
+  if (!(tolerance.value >= 0.0) || !std::isfinite(tolerance.value) ||
+      (info.unit == "1" && tolerance.value > kMostShare)) {
     throw std::invalid_argument(
         fmt::format("{}: {} is out of range; accepted: {}", key, log::quoted(text), acceptedTolerance(info)));
   }

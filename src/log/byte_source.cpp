@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "log/file_format.h"
+#include "log/text.h"
 
 namespace rubber_suspension::log {
 namespace {
@@ -174,8 +175,6 @@ class Utf16Source final : public ByteSource {
   std::vector<char> input_;
   std::size_t held_ = 0;
 };
-
-bool startsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
 enum class Encoding { bytes, utf16_little_endian, utf16_big_endian };
 

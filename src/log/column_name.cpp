@@ -121,6 +121,11 @@ const std::vector<Quantity>& allQuantities() {
   return all;
 }
 
+std::string groupOf(const std::string& name) {
+  const std::size_t slash = name.find_last_of('/');
+  return slash == std::string::npos ? "" : name.substr(0, slash);
+}
+
 std::string toString(Quantity quantity) { return rowOf(quantity).name; }
 std::string siUnit(Quantity quantity) { return rowOf(quantity).unit; }
 

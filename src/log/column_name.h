@@ -15,6 +15,9 @@ const std::vector<Quantity>& allQuantities();
 /// "time", "displacement", ...
 std::string toString(Quantity quantity);
 
+/// "run_1" of "run_1/force"; empty without a group.
+std::string groupOf(const std::string& name);
+
 /// The unit that a log keeps a quantity in: "s", "m", "N", "degC".
 std::string siUnit(Quantity quantity);
 

@@ -24,7 +24,12 @@ class ColumnReader {
  public:
   ColumnReader(const std::vector<ColumnName>& names, const std::vector<std::size_t>& places, const ColumnFile& file,
                const LogFormat& format)
-      : places_(places), file_(file), columns_(findColumns(names, format)), rules_(format, columns_, "element") {
+      : places_(places),
+        file_(file),
+        names_(names),
+        columns_(findColumns(names, format)),
+        units_(unitsOf(columns_, format)),
+        rules_(format, columns_, "element") {
     requireTimeUnit(columns_, format);
     notes_ = notesOnIgnored(names, columns_, format);
     samples_ = lengthOf(columns_.displacement);
@@ -42,6 +47,7 @@ class ColumnReader {
   std::size_t samples() const { return samples_; }
 
   void read(std::size_t first, std::size_t count, Log& block) {
+    block.units = units_;
     const std::vector<double> time = numbers(columns_.time, first, count);
     const std::vector<double> displacement = numbers(columns_.displacement, first, count);
     const std::vector<double> force = numbers(columns_.force, first, count);
@@ -80,9 +86,27 @@ class ColumnReader {
 
   void requireLength(const Column& column) const {
     if (column.found() && lengthOf(column) != samples_) {
-      throw std::runtime_error(fmt::format("{} has {} values, {} has {}; accepted: as many in each column", column.name,
-                                           lengthOf(column), columns_.displacement.name, samples_));
+      throw std::runtime_error(fmt::format("{} has {} values, {} has {}; accepted: as many in each column{}",
+                                           column.name, lengthOf(column), columns_.displacement.name, samples_,
+                                           conversion()));
     }
+  }
+
+  // The line that brings force and displacement of two groups, each with a time of its own, to one rate.
+  std::string conversion() const {
+    const std::string group = groupOf(columns_.force.name);
+    const auto time = std::find_if(names_.begin(), names_.end(), [&](const ColumnName& name) {
+      return groupOf(name.text) == group && quantityOfName(name.bare) == Quantity::time;
+    });
+    if (file_.path.empty() || !columns_.force.found() || !columns_.time.found() || time == names_.end()) {
+      return "";
+    }
+    return fmt::format(
+        ", by python3 -c \"import h5py, numpy as n; f = h5py.File('{}'); t = f['{}'][:]; n.savetxt('LOG.csv', n.c_[t, "
+        "n.interp(t, f['{}'], f['{}']), f['{}']], delimiter=',', header='time_s,displacement_{},force_{}', "
+        "comments='')\"",
+        file_.path, time->text, columns_.time.name, columns_.displacement.name, columns_.force.name,
+        names_[columns_.displacement.index].unit, names_[columns_.force.index].unit);
   }
 
   std::vector<double> numbers(const Column& column, std::size_t first, std::size_t count) const {
@@ -113,7 +137,9 @@ class ColumnReader {
 
   std::vector<std::size_t> places_;  // in the file, of the columns
   const ColumnFile& file_;
+  const std::vector<ColumnName>& names_;
   Columns columns_;
+  UnitsAre units_;
   SampleRules rules_;
   std::vector<std::string> notes_;
   std::size_t samples_ = 0;

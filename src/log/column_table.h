@@ -21,6 +21,7 @@ struct ColumnFile {
   /// The numbers [first, first + count) of a column, as the file has them.
   std::function<std::vector<double>(std::size_t place, const std::string& name, std::size_t first, std::size_t count)>
       read;
+  std::string path = {};  ///< of a file whose columns are named GROUP/NAME
 };
 
 constexpr std::size_t kAllSamples = std::numeric_limits<std::size_t>::max();

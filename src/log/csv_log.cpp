@@ -63,6 +63,15 @@ bool splitRow(const char* line, std::vector<const char*>& starts) {
   return true;
 }
 
+// Decimal marks that the user told of single columns.
+std::vector<char> ownMarks(const LogFormat& format) {
+  std::vector<char> marks;
+  for (const LogFormat::Channel& channel : format.of) {
+    marks.push_back(channel.decimal);
+  }
+  return marks;
+}
+
 // Days since the end of 1899, as spreadsheets count them, for a time that tells no unit.
 constexpr long double kFirstDay = 20000.0L;  // in 1954
 constexpr long double kLastDay = 80000.0L;   // in 2119
@@ -71,7 +80,7 @@ constexpr long double kDaysBefore1970 = 25569.0L;
 class CsvLogReader {
  public:
   CsvLogReader(const std::string& path, const LogFormat& format, char found_mark)
-      : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, allQuantities().size()) {
+      : path_(path), file_(logName(path)), format_(format), marks_(format.decimal, found_mark, ownMarks(format)) {
     TextSource source = openText(path);
     coding_ = source.coding;
     reader_ = std::make_unique<LineReader>(std::move(source.bytes), kMaximumLogLine);
@@ -171,7 +180,9 @@ class CsvLogReader {
     columns_ = findColumns(header_.names, format_);
     resolveTime(head);
     beginRows();
-    by_fields_ = header_.separator != Separator::comma || format_.decimal == ',';
+    const std::vector<char> own = ownMarks(format_);
+    by_fields_ = header_.separator != Separator::comma || format_.decimal == ',' ||
+                 std::find(own.begin(), own.end(), ',') != own.end();
     const auto rows =
         std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= header_.next_line; });
     read_ahead_.insert(read_ahead_.begin(), rows, head.end());
@@ -179,6 +190,7 @@ class CsvLogReader {
 
   void beginRows() {
     log_ = Log();
+    log_.units = unitsOf(columns_, format_);
     log_.notes = notesOnIgnored(header_.names, columns_, format_);
     rules_.emplace(format_, columns_, "line");
     clock_ = TimeTextReader();
@@ -194,7 +206,7 @@ class CsvLogReader {
       return;
     }
     marks_.requireClear(
-        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name});
+        {columns_.time.name, columns_.displacement.name, columns_.force.name, columns_.temperature.name}, true);
     rules_->finish();
     addNotes();
     if (take_ != nullptr && log_.size() > 0) {

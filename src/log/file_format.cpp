@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "log/text.h"
+
 namespace rubber_suspension::log {
 namespace {
 
@@ -63,10 +65,6 @@ const Mark* markOf(const std::string& head) {
     }
   }
   return nullptr;
-}
-
-bool endsWith(const std::string& text, std::string_view end) {
-  return text.size() >= end.size() && std::string_view(text).substr(text.size() - end.size()) == end;
 }
 
 }  // namespace

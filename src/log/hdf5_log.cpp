@@ -150,11 +150,7 @@ herr_t visitObject(hid_t root, const char* name, const H5O_info_t* info, void* d
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 // That a column belongs to; the dataset itself is one for its members.
-std::string groupOf(const Hdf5Column& column) {
-  const std::size_t slash = column.path.find_last_of('/');
-  const std::string group = slash == std::string::npos ? "" : column.path.substr(0, slash);
-  return column.member.empty() ? group : column.path;
-}
+std::string groupOf(const Hdf5Column& column) { return column.member.empty() ? log::groupOf(column.path) : column.path; }
 
 // Short names where they are clear.
 void nameColumns(std::vector<Hdf5Column>& columns) {
@@ -210,7 +206,7 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
 // A file whose columns are known.
 class Hdf5File {
  public:
-  explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
+  explicit Hdf5File(const std::string& path) : path_(path), file_(openHdf5(path), H5Fclose) {
     Visit visit{&columns_, "", ""};
     if (H5Ovisit2(file_.get(), H5_INDEX_NAME, H5_ITER_INC, visitObject, &visit, H5O_INFO_BASIC) < 0) {
       throw std::runtime_error(visit.error.empty() ? "damaged; accepted: a complete HDF5 file" : visit.error);
@@ -248,9 +244,11 @@ class Hdf5File {
         },
         [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
           return readNumbers(file_.get(), columns_[place], first, count);
-        }};
+        },
+        path_};
   }
 
+  std::string path_;
   Hdf5Handle file_;
   std::vector<Hdf5Column> columns_;
 };

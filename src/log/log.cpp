@@ -151,7 +151,20 @@ char decimalMark(const std::string& text) {
   if (text == "," || text == "comma") {
     return ',';
   }
-  throw std::invalid_argument(fmt::format("--decimal: {}; accepted: , or . (comma or point)", quoted(text)));
+  throw std::invalid_argument(
+      fmt::format("--decimal: {}; accepted: , or . (comma or point), or of one column, as in force=,", quoted(text)));
+}
+
+// "," of all columns, or "force=," of one.
+void setDecimal(LogFormat& format, const std::string& text) {
+  const std::size_t sign = text.find('=');
+  LogFormat::Channel* const channel =
+      sign == std::string::npos ? nullptr : channelNamed(format, trimmed(text.substr(0, sign)));
+  if (channel != nullptr) {
+    channel->decimal = decimalMark(trimmed(text.substr(sign + 1)));
+  } else {
+    format.decimal = decimalMark(text);
+  }
 }
 
 std::size_t segmentNumber(const std::string& text) {
@@ -186,7 +199,9 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
                         const std::string& decimal, const std::string& segment, double bridge) {
   LogFormat format = makeLogFormat(columns, units, rate);
-  format.decimal = decimal.empty() ? '\0' : decimalMark(decimal);
+  if (!decimal.empty()) {
+    setDecimal(format, decimal);
+  }
   format.segment = segment.empty() ? 0 : segmentNumber(segment);
   constexpr double kLongestBridge = 3600.0;  // [s]
   if (!(bridge <= kLongestBridge)) {

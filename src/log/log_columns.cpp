@@ -231,12 +231,28 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   return column;
 }
 
+// Of times in several groups of a file, that in the displacement's.
+Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnName>& header, const Places& times) {
+  const Places displacement = finder.find(Quantity::displacement);
+  if (times.size() < 2 || displacement.size() != 1) {
+    return times;
+  }
+  const std::string group = groupOf(header[displacement[0]].text);
+  Places beside;
+  std::copy_if(times.begin(), times.end(), std::back_inserter(beside),
+               [&](std::size_t place) { return groupOf(header[place].text) == group; });
+  return beside.size() == 1 && !group.empty() ? beside : times;
+}
+
 Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format,
                   Quantity quantity) {
   if (!columnOption(format, quantity).empty()) {
     return mappedColumn(header, format, quantity);
   }
-  const Places places = finder.find(quantity);
+  Places places = finder.find(quantity);
+  if (quantity == Quantity::time) {
+    places = besideDisplacement(finder, header, places);
+  }
   if (quantity == Quantity::temperature && (places.size() != 1 || header[places[0]].unit.empty())) {
     return {};  // it is never needed
   }
@@ -339,6 +355,11 @@ bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& for
 bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format) {
   const FoundColumns columns = countColumns(header, format);
   return columns.options_fit && columns.missing == 0;
+}
+
+UnitsAre unitsOf(const Columns& columns, const LogFormat& format) {
+  const bool assumed = !columns.displacement.assumed_unit.empty() || !columns.force.assumed_unit.empty();
+  return format.accept_units ? UnitsAre::accepted : assumed ? UnitsAre::assumed : UnitsAre::named;
 }
 
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,

@@ -52,6 +52,9 @@ bool looksLikeHeader(const std::vector<ColumnName>& header, const LogFormat& for
 /// True where displacement and time, or the format's rate, are there.
 bool holdsLog(const std::vector<ColumnName>& header, const LogFormat& format);
 
+/// How sure the units of these columns are.
+UnitsAre unitsOf(const Columns& columns, const LogFormat& format);
+
 /// A note for every column, and every unit of the format, that is not used.
 std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, const Columns& columns,
                                         const LogFormat& format);

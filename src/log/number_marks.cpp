@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "log/column_name.h"
 #include "log/sample_rules.h"
 #include "log/text.h"
 
@@ -96,7 +97,7 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
   const Marks marks(text);
   last_marked_ = marks.last != '\0';
   last_may_be_either_ = marks.mayBeThousands();
-  if (!last_marked_) {
+  if (!last_marked_ || column.told != '\0') {
     return;
   }
   marked_ = true;
@@ -142,7 +143,8 @@ const char* NumberMarks::normalised(std::string_view text, std::size_t channel, 
       throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
     }
   }
-  const char decimal = decimal_ == '\0' ? assumed_ : decimal_;
+  const char told = columns_[channel].told;
+  const char decimal = told != '\0' ? told : decimal_ == '\0' ? assumed_ : decimal_;
   char* to = buffer_;
   for (const char c : text) {
     if (is_number && (c == '.' || c == ',') && c != decimal) {
@@ -173,22 +175,26 @@ void NumberMarks::see(double value, std::size_t channel) {
   column.last_marked = marked;
 }
 
-void NumberMarks::requireClear(const std::vector<std::string>& names) const {
+void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_option) const {
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
-    const bool either = column.line > 0 && !column.decimals && column.unmarked && !column.large;
+    const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
     // Another column may have told the mark, unless that makes jumps of a smooth channel.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
-      const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
-      throw RowError(
-          column.line,
-          fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; accepted: --decimal "
-                      "{} (the {} stands before decimals), or {}",
-                      names[i], column.text, mark, nameOfMark(mark),
-                      decimal_ == '\0' ? fmt::format("--decimal {} (it stands between thousands)", otherMark(mark))
-                                       : "a file without marks between thousands"));
+      const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
+      throw RowError(column.line, fmt::format("{}: '{}' may have decimals or thousands, for others have no mark; "
+                                              "accepted: {}",
+                                              names[i], column.text, option));
     }
   }
+}
+
+// Of all columns, or of this alone where another has told its mark.
+std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
+  const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
+  const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";
+  return fmt::format("--decimal {}{} (the {} stands before decimals), or --decimal {}{} (it stands between thousands)",
+                     of, mark, nameOfMark(mark), of, otherMark(mark));
 }
 
 }  // namespace rubber_suspension::log

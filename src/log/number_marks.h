@@ -20,9 +20,13 @@ struct OtherDecimalMark {
 class NumberMarks {
  public:
   /// `told`: by the user; `found`: when the file was read before; '\0': neither.
-  /// `channels`: columns that are read.
-  NumberMarks(char told, char found, std::size_t channels)
-      : told_(told != '\0'), decimal_(told != '\0' ? told : found), columns_(channels) {}
+  /// `told_of`: by the user of each column that is read.
+  NumberMarks(char told, char found, const std::vector<char>& told_of)
+      : told_(told != '\0'), decimal_(told != '\0' ? told : found), columns_(told_of.size()) {
+    for (std::size_t i = 0; i < told_of.size(); ++i) {
+      columns_[i].told = told_of[i];
+    }
+  }
 
   /// The number with a decimal point and without marks between thousands, ended by a 0; valid until the next call.
   /// Throws std::runtime_error where the marks contradict others, and OtherDecimalMark.
@@ -42,8 +46,9 @@ class NumberMarks {
   void see(double value, std::size_t channel);
 
   /// Throws RowError where a column has numbers such as 1.072 beside unmarked ones below 1000, and nothing tells
-  /// whether that is one or a thousand.
-  void requireClear(const std::vector<std::string>& names) const;
+  /// whether that is one or a thousand. `by_option`: columns are those of a log, in the order of their quantities,
+  /// whose marks an option tells.
+  void requireClear(const std::vector<std::string>& names, bool by_option) const;
 
   bool hasDecimalComma() const { return decimal_ == ',' && marked_; }
   bool hasThousands() const { return thousands_; }
@@ -52,6 +57,7 @@ class NumberMarks {
   struct Marks;
   // What is known of the numbers of one column.
   struct ColumnMarks {
+    char told = '\0';       // its decimal mark; '\0': that of the file
     bool decimals = false;  // some that can be nothing else, or are told
     bool unmarked = false;
     bool large = false;    // unmarked ones from 1000 on: then none has marks between thousands
@@ -63,6 +69,7 @@ class NumberMarks {
     double as_thousands = 0.0;  // and so
   };
 
+  std::string optionFor(const ColumnMarks& column, std::size_t channel) const;
   void lookAt(std::string_view text, std::size_t channel, std::size_t line);
   void settle(char decimal, std::string_view text, std::size_t line);
 

@@ -261,7 +261,14 @@ void requireForce(const Log& log) {
   }
 }
 
-Record evenRecord(const Log& log) {
+bool bothChange(const Record& record) {
+  const auto changes = [](const Eigen::VectorXd& values) {
+    return deviation(values) > 1e-12 * values.cwiseAbs().maxCoeff();
+  };
+  return changes(record.force) && changes(record.raw_displacement);
+}
+
+Record rawRecord(const Log& log) {
   requireForce(log);
   if (log.size() < kFewestSamples) {
     throw LogError(
@@ -270,15 +277,18 @@ Record evenRecord(const Log& log) {
   Record record;
   record.name = log.name;
   record.notes = log.notes;
+  record.units = log.units;
   setTimeBase(log, record);
   record.force_deviation = deviation(record.force);
-  const auto changes = [](const Eigen::VectorXd& values) {
-    return deviation(values) > 1e-12 * values.cwiseAbs().maxCoeff();
-  };
-  if (!changes(record.force) || !changes(record.raw_displacement)) {
+  record.displacement = record.raw_displacement;
+  return record;
+}
+
+Record evenRecord(const Log& log) {
+  Record record = rawRecord(log);
+  if (!bothChange(record)) {
     throw LogError(log.name + ": displacement or force does not change; nothing to diagnose");
   }
-  record.displacement = record.raw_displacement;
   return record;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubber_suspension::log {
@@ -19,6 +20,12 @@ inline locale_t cLocale() {
 inline std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+inline bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+inline bool endsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
 /// The text with ASCII letters in lower case.

@@ -1,18 +1,19 @@
-// Sign, unit factors, columns and component, judged by stiffness and energy of the whole log.
+// Sign, unit factors, columns and component, judged by stiffness and work of the whole log.
 #include "rubber_suspension/measurement/bench_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
+#include "measurement/loop_work.h"
 #include "measurement/statistics.h"
-#include "numerics/fourier.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
 
@@ -27,178 +28,15 @@ using Eigen::VectorXd;
 // it to a third; with 15 % of tolerance of the specification on top.
 constexpr double kLargestRatio = 3.5;
 constexpr double kSmallestRatio = 0.3;
+constexpr double kTolerance = 1.15;  // of a specification
 constexpr double kElastic =
     0.5;  // share of the force's variance that goes with the displacement, for a spring to be told
 constexpr Index kFewestMoving = 30;
 constexpr double kFewestPerCycle = 4.0;  // samples
-
-// Stiffness over a quarter and half of a typical cycle: median of the slopes between pairs of samples, so that neither
-// offsets and drifts nor bump stops and spikes count.
-struct Slope {
-  double stiffness = 0.0;    // [N/m]
-  double correlation = 0.0;  // of both differences
-};
-
-// 2 pi times a typical frequency, per sample.
-double typicalPhase(const VectorXd& displacement) {
-  const Index count = displacement.size();
-  const VectorXd step = displacement.tail(count - 1) - displacement.head(count - 1);
-  return rmsOf(step) / std::max(deviationOf(displacement), 1e-300);
-}
-
-Slope slopeOf(const VectorXd& displacement, const VectorXd& force) {
-  const Index count = displacement.size();
-  const double smallest = 0.1 * rangeOf(displacement);
-  std::vector<double> slopes;
-  double zz = 0.0;
-  double zf = 0.0;
-  double ff = 0.0;
-  for (const double phase : {0.5 * element::kPi, element::kPi}) {
-    const double samples = phase / typicalPhase(displacement);
-    const Index lag = std::clamp(static_cast<Index>(samples), Index{1}, count - 1);
-    const Index stride = std::max<Index>(1, count / 20000);
-    for (Index i = 0; i + lag < count; i += stride) {
-      const double z = displacement[i + lag] - displacement[i];
-      const double f = force[i + lag] - force[i];
-      zz += z * z;
-      zf += z * f;
-      ff += f * f;
-      if (std::abs(z) > smallest) {
-        slopes.push_back(f / z);
-      }
-    }
-  }
-  const double scale = std::sqrt(zz * ff);
-  return {slopes.empty() ? (zz > 0.0 ? zf / zz : 0.0) : medianOf(std::move(slopes)), scale > 0.0 ? zf / scale : 0.0};
-}
-
-// Cross-spectrum of displacement and force over octaves where the displacement is: mean over all half-overlapped Hann
-// windows of a quarter of the log.
-struct Octave {
-  double frequency = 0.0;          // cycles per sample
-  std::complex<double> cross = 0;  // conj(Z) F
-  double power = 0.0;              // |Z|^2
-};
-
-class CrossSpectrum {
- public:
-  CrossSpectrum(const VectorXd& displacement, const VectorXd& force) {
-    const Index segment = std::max<Index>(16, displacement.size() / 4);
-    for (Index begin = 0; begin + segment <= displacement.size(); begin += std::max<Index>(1, segment / 2)) {
-      add(displacement.segment(begin, segment), force.segment(begin, segment));
-    }
-  }
-
-  // Energy lost, as a share of the most that there could be, with the force brought forward by some samples; its
-  // standard deviation by leaving out one window after the other.
-  std::pair<double, double> loss(double forward) const {
-    std::vector<double> energies;
-    std::vector<double> scales;
-    for (const auto& window : windows_) {
-      double energy = 0.0;
-      double scale = 0.0;
-      for (const Octave& octave : window) {
-        const std::complex<double> turned =
-            octave.cross * std::polar(1.0, 2.0 * element::kPi * octave.frequency * forward);
-        energy += octave.frequency * turned.imag();
-        scale += octave.frequency * std::abs(octave.cross);
-      }
-      energies.push_back(energy);
-      scales.push_back(scale);
-    }
-    return jackknife(energies, scales);
-  }
-
-  std::vector<Octave> octaves() const {
-    std::vector<Octave> sum;
-    for (const auto& window : windows_) {
-      sum.resize(std::max(sum.size(), window.size()));
-      for (std::size_t i = 0; i < window.size(); ++i) {
-        sum[i].frequency = window[i].frequency > 0.0 ? window[i].frequency : sum[i].frequency;
-        sum[i].cross += window[i].cross;
-        sum[i].power += window[i].power;
-      }
-    }
-    return sum;
-  }
-
- private:
-  static std::vector<std::complex<double>> spectrumOf(const VectorXd& values) {
-    std::size_t padded = 16;
-    while (padded < static_cast<std::size_t>(values.size())) {
-      padded *= 2;
-    }
-    std::vector<double> windowed(padded, 0.0);
-    const double mean = values.mean();
-    for (Index i = 0; i < values.size(); ++i) {
-      const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
-      windowed[static_cast<std::size_t>(i)] = (0.5 - 0.5 * std::cos(2.0 * element::kPi * place)) * (values[i] - mean);
-    }
-    return numerics::Fourier().halfSpectrum(windowed);
-  }
-
-  void add(const VectorXd& displacement, const VectorXd& force) {
-    const auto z = spectrumOf(displacement);
-    const auto f = spectrumOf(force);
-    double most = 0.0;
-    for (std::size_t i = 1; i < z.size(); ++i) {
-      most = std::max(most, std::norm(z[i]));
-    }
-    std::vector<Octave> window;
-    std::size_t end = 2;
-    for (std::size_t begin = 1; begin < z.size(); begin = end, end = 2 * begin) {
-      Octave octave;
-      double weighted = 0.0;
-      for (std::size_t i = begin; i < std::min(end, z.size()); ++i) {
-        if (std::norm(z[i]) > 1e-3 * most) {  // excited: 30 dB below the highest line
-          octave.cross += std::conj(z[i]) * f[i];
-          octave.power += std::norm(z[i]);
-          weighted += static_cast<double>(i) * std::norm(z[i]);
-        }
-      }
-      octave.frequency = octave.power > 0.0 ? weighted / octave.power / static_cast<double>(2 * (z.size() - 1)) : 0.0;
-      window.push_back(octave);
-    }
-    windows_.push_back(window);
-  }
-
-  static std::pair<double, double> jackknife(const std::vector<double>& energies, const std::vector<double>& scales) {
-    double energy = 0.0;
-    double scale = 0.0;
-    for (std::size_t i = 0; i < energies.size(); ++i) {
-      energy += energies[i];
-      scale += scales[i];
-    }
-    if (scale <= 0.0) {
-      return {0.0, 1.0};
-    }
-    double variance = 0.0;
-    for (std::size_t i = 0; i < energies.size(); ++i) {
-      const double without = scale > scales[i] ? (energy - energies[i]) / (scale - scales[i]) : energy / scale;
-      variance += std::pow(without - energy / scale, 2);
-    }
-    const auto count = static_cast<double>(energies.size());
-    return {energy / scale, std::sqrt(variance * (count - 1.0) / count)};
-  }
-
-  std::vector<std::vector<Octave>> windows_;
-};
-
-// How far measured phases are from those of a hypothesis, 0 to 2, weighted by the force.
-template <class Phase>
-double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octave>& simulated, Phase phase) {
-  double distance = 0.0;
-  double weights = 0.0;
-  for (std::size_t i = 0; i < std::min(measured.size(), simulated.size()); ++i) {
-    const double weight = std::abs(measured[i].cross) * measured[i].frequency;
-    if (weight > 0.0 && std::abs(simulated[i].cross) > 0.0) {
-      const double expected = phase(std::arg(simulated[i].cross), measured[i].frequency);
-      distance += weight * (1.0 - std::cos(std::arg(measured[i].cross) - expected));
-      weights += weight;
-    }
-  }
-  return weights > 0.0 ? distance / weights : 2.0;
-}
+// Numbers alone may make a loop's work so much of the most that there could be.
+constexpr double kNoWork = 0.01;
+constexpr double kForward = 1.5;  // samples: the force of one channel behind the other is no fault of a bench
+constexpr double kPeakToPeak = 2.0;
 
 // The late force of least distance, from so much of a typical period to three quarters of it: samples and distance.
 std::pair<double, double> bestDelay(const std::vector<Octave>& measured, const std::vector<Octave>& simulated,
@@ -218,64 +56,88 @@ std::pair<double, double> bestDelay(const std::vector<Octave>& measured, const s
   return best;
 }
 
-// A factor between measured and configured stiffness, and what makes it.
+// A factor between measured and configured stiffness, and the units that make it, or its inverse.
 struct UnitFactor {
   double factor;
-  const char* correction;
+  const char* units;
 };
 
 constexpr UnitFactor kUnitFactors[] = {
-    {1e3, "multiply the force by 0.001 (N taken for kN) or the displacement by 1000 (m taken for mm)"},
-    {1e-3, "multiply the force by 1000 (kN taken for N) or the displacement by 0.001 (mm taken for m)"},
-    {1e6, "multiply the force by 1e-6 (N taken for MN) or the displacement by 1e6 (m taken for um)"},
-    {1e-6, "multiply the force by 1e6 (MN taken for N, or kN and mm taken for N and m) or the displacement by 1e-6"},
-    {1e9, "multiply the force by 0.001 and the displacement by 1e6, or the like"},
-    {1e-9, "multiply the force by 1000 and the displacement by 1e-6, or the like"},
-    {9.81, "multiply the force by 0.102 (N taken for kgf), or divide it by 10 (daN)"},
-    {1.0 / 9.81, "multiply the force by 9.81 (kgf taken for N), or by 10 (daN)"},
-    {9810.0, "multiply the force by 0.102e-3 (N taken for tonnes)"},
-    {1.0 / 9810.0, "multiply the force by 9810 (tonnes taken for N)"},
-    {25.4, "multiply the displacement by 25.4 (inches taken for mm)"},
-    {1.0 / 25.4, "divide the displacement by 25.4 (mm taken for inches)"},
-    {4.448, "divide the force by 4.448 (N taken for lbf)"},
-    {1.0 / 4.448, "multiply the force by 4.448 (lbf taken for N)"},
-    {175.1, "divide the force by 4.448 and multiply the displacement by 39.37, or the like (lbf/in)"},
-    {1.0 / 175.1, "multiply the force by 175.1 in all (lbf/in taken for N/mm)"},
-    {100.0, "multiply the displacement by 100 or the force by 0.01 (cm taken for m, or the like)"},
-    {0.01, "multiply the displacement by 0.01 or the force by 100 (cm taken for m, or the like)"},
+    {1e3, "N and kN, or mm and m"},
+    {1e6, "N and MN, um and m, or N/m and kN/mm"},
+    {1e9, "N/m and kN/um"},
+    {9.81, "N and kgf or daN"},
+    {9810.0, "N and tonnes"},
+    {25.4, "mm and inches"},
+    {4.448, "N and lbf"},
+    {175.1, "N/m and lbf/in"},
+    {100.0, "cm and m"},
 };
 
-const UnitFactor* unitFactorOf(double ratio) {
-  // A factor of hundreds leaves room for what effects do; a small one only for the specification's tolerance and a
-  // little friction, or it would explain any other component.
-  const UnitFactor* best = nullptr;
+// No effect makes factors as large.
+bool isLarge(double factor) { return std::abs(std::log(factor)) > std::log(90.0); }
+
+// The factor of units that is next to a ratio, within these tolerances.
+std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_small) {
+  std::optional<UnitFactor> best;
   double least = HUGE_VAL;
   for (const UnitFactor& candidate : kUnitFactors) {
-    const double off = std::abs(std::log(ratio / candidate.factor));
-    const bool large = std::abs(std::log(candidate.factor)) > std::log(90.0);
-    if (off < std::log(large ? 2.5 : 1.25) && off < least) {
+    const double factor = ratio > 1.0 ? candidate.factor : 1.0 / candidate.factor;
+    const double off = std::abs(std::log(ratio / factor));
+    if (off < std::log(isLarge(factor) ? of_large : of_small) && off < least) {
       least = off;
-      best = &candidate;
+      best = UnitFactor{factor, candidate.units};
     }
   }
   return best;
 }
 
+// Where nobody named the unit, a factor of hundreds leaves room for what effects do; a small one only for the
+// specification's tolerance and a little friction, or it would explain any other component.
+std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
+
+// Where the units are named, a wrong one is unlikely: nothing but the specification's tolerance, or, by hundreds, what
+// a guess of the stiffness is off by.
+std::optional<UnitFactor> exactFactorOf(double ratio) { return unitFactorOf(ratio, 1.5, kTolerance); }
+
 bool plausible(double ratio) { return ratio > kSmallestRatio && ratio < kLargestRatio; }
+
+// Net work of the loops, as a share of the most that there could be.
+struct Work {
+  double recorded = 0.0;
+  double forward = 0.0;   // with the force brought forward by what channels may be apart
+  double backward = 0.0;  // with it put back as much
+  double deviation = 0.0;
+
+  double least() const { return std::max(3.0 * deviation, kNoWork); }
+};
 
 struct Evidence {
   Slope measured;
   Slope configured;
   double ratio = 0.0;
-  double loss = 0.0;  // of the measured loops, as a share of the most there could be; forward by 1.5 samples
-  double loss_deviation = 0.0;
+  Work work;
   double force_correlation = 0.0;  // of measured and simulated force
   double force_ratio = 0.0;        // of their standard deviations
   double period = 0.0;             // samples per typical cycle
 
   bool isElastic() const { return measured.correlation * measured.correlation > kElastic; }
-  // By 3 standard deviations, and by more than a hundredth, which numbers alone may make.
-  bool givesEnergy() const { return loss < -std::max(3.0 * loss_deviation, 0.01); }
+  bool falls() const { return isElastic() && measured.stiffness < 0.0 && configured.correlation > 0.0; }
+  bool rises() const { return isElastic() && measured.stiffness > 0.0; }
+  bool givesEnergy() const { return work.forward < -work.least(); }
+  bool takesEnergy() const { return work.forward > work.least() || work.recorded > 3.0 * work.deviation; }
+  // Whatever the channels' delay.
+  bool surelyGivesEnergy() const { return work.backward < -work.least(); }
+  // The simulated force with the other sign.
+  bool isMirrored() const { return force_correlation < -0.9 && plausible(-ratio); }
+
+  // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
+  std::optional<double> scale() const {
+    if (isElastic()) {
+      return configured.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
+    }
+    return force_correlation > 0.8 && isLarge(force_ratio) ? std::optional(force_ratio) : std::nullopt;
+  }
 };
 
 RigFinding fatal(const std::string& log, const char* finding, double value, std::string text) {
@@ -286,29 +148,48 @@ RigFinding fatal(const log::Record& record, const char* finding, double value, s
   return fatal(record.name, finding, value, std::move(text));
 }
 
-// A ratio of stiffnesses that no effect makes. `remedy`: how the units can be named.
-RigFinding ratioFinding(const std::string& log, double measured, double configured, const char* remedy) {
-  const double ratio = measured / configured;
-  if (const UnitFactor* factor = unitFactorOf(ratio)) {
-    return fatal(log, finding::kUnitFactor, ratio,
-                 fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a "
-                             "wrong unit: {}; or {}",
-                             ratio, factor->factor, factor->correction, remedy));
-  }
-  return fatal(
-      log, finding::kOtherComponent, ratio,
-      fmt::format("the measured stiffness {:.3g} N/m is {:.3g} times the configured {:.3g} N/m, more than tolerances "
-                  "and effects explain ({:g} to {:g}) and no factor of units: check that measurement and component "
-                  "file are of the same component",
-                  measured, ratio, configured, kSmallestRatio, kLargestRatio));
+constexpr const char* kCorrectTable = "correct the unit in the header of the table";
+
+std::string columnsOf(double factor) {
+  return fmt::format("--columns force={:.4g}*NAME or displacement={:.4g}*NAME", 1.0 / factor, factor);
+}
+
+// `remedy`: how the unit can be named.
+RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, const std::string& remedy) {
+  return fatal(log, finding::kUnitFactor, ratio,
+               fmt::format("the measured stiffness is {:.3g} times the configured one, as by the factor {:.4g} of a "
+                           "wrong unit ({}): {}; if the units are right, --accept-units",
+                           ratio, unit.factor, unit.units, remedy));
+}
+
+RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit) {
+  return unitFinding(log, ratio, unit, "name the right one, as in --unit force=kN, or " + columnsOf(unit.factor));
+}
+
+RigFinding componentFinding(const std::string& log, double ratio, const std::string& logs) {
+  return fatal(log, finding::kOtherComponent, ratio,
+               fmt::format("the measured stiffness is {:.3g} times the configured one{}, more than tolerances and "
+                           "effects explain ({:g} to {:g}), and no factor of units: check that measurement and "
+                           "component file are of the same component; if they are, --accept-units",
+                           ratio, logs, kSmallestRatio, kLargestRatio));
+}
+
+RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
+  return fatal(log, finding::kPeakToPeak, ratio,
+               fmt::format("the measured stiffness is {:.3g} times the configured one throughout, and like it in all "
+                           "else: the {} was taken from peak to peak, or {} components are clamped: {}; if it is "
+                           "right, --accept-units",
+                           ratio, ratio > 1.0 ? "force" : "displacement",
+                           ratio > 1.0 ? "two parallel" : "two such in a row of", remedy));
 }
 
 RigFinding signFinding(const log::Record& record, const Evidence& e) {
   return fatal(
       record, finding::kSign, -1.0,
-      fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m): "
-                  "the sign of one is reversed; multiply the force by -1, --columns force=-NAME",
-                  e.measured.stiffness, e.configured.stiffness));
+      fmt::format("the force falls where the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), "
+                  "and its loops take no energy ({:.2g} of the most that there could be), which a mass in fast "
+                  "motion would: the sign of one channel is reversed; multiply it by -1, --columns force=-NAME",
+                  e.measured.stiffness, e.configured.stiffness, e.work.recorded));
 }
 
 RigFinding swapFinding(const log::Record& record, const Evidence& e) {
@@ -317,7 +198,7 @@ RigFinding swapFinding(const log::Record& record, const Evidence& e) {
       fmt::format("force and displacement look exchanged (stiffness {:.3g} N/m, configured {:.3g} N/m; loss {:.2g} "
                   "of a loop's most, negative: energy out of nothing): swap the columns, "
                   "--columns displacement=NAME force=NAME",
-                  e.measured.stiffness, e.configured.stiffness, e.loss));
+                  e.measured.stiffness, e.configured.stiffness, e.work.forward));
 }
 
 // At the record's mean temperature: what is checked are orders of magnitude.
@@ -350,7 +231,7 @@ std::optional<double> unitsOfSwap(const component::Component& component, const l
 // With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
 // loops do not say otherwise.
 bool looksSwapped(const component::Component& component, const log::Record& record, const Evidence& e) {
-  return e.loss <= 3.0 * e.loss_deviation && unitsOfSwap(component, record);
+  return e.work.forward <= 3.0 * e.work.deviation && unitsOfSwap(component, record);
 }
 
 // The loops give energy or run backwards: which of sign, swap and delay has the phases that were measured.
@@ -387,51 +268,105 @@ std::optional<RigFinding> energyFinding(const component::Component& component, c
   return sign < swap ? signFinding(record, e) : swapFinding(record, e);
 }
 
-std::optional<RigFinding> stiffnessFinding(const component::Component& component, const log::Record& record,
-                                           const Evidence& e) {
-  if (!e.isElastic() || e.configured.stiffness <= 0.0 || e.measured.stiffness <= 0.0 || plausible(e.ratio)) {
+// Columns of exchanged size.
+std::optional<RigFinding> exchangeFinding(const component::Component& component, const log::Record& record,
+                                          const Evidence& e) {
+  if (!e.rises() || e.configured.stiffness <= 0.0 || plausible(e.ratio)) {
     return std::nullopt;
   }
   // A factor may be both; what gives no energy is the simpler one.
-  const UnitFactor* factor = unitFactorOf(e.ratio);
-  if ((factor == nullptr || e.givesEnergy()) && looksSwapped(component, record, e)) {
-    return swapFinding(record, e);
-  }
-  return ratioFinding(record.name, e.measured.stiffness, e.configured.stiffness,
-                      "name the unit, as in --unit force=kN");
-}
-
-// Dampers: forces that go together, hundreds of times apart.
-std::optional<RigFinding> forceFinding(const log::Record& record, const Evidence& e) {
-  if (e.isElastic() || e.force_correlation < 0.8) {
-    return std::nullopt;
-  }
-  const UnitFactor* factor = unitFactorOf(e.force_ratio);
-  if (factor == nullptr || std::abs(std::log(factor->factor)) < std::log(90.0)) {
-    return std::nullopt;
-  }
-  return fatal(
-      record, finding::kUnitFactor, e.force_ratio,
-      fmt::format("the measured force goes with the simulated one, but is {:.3g} times as large, as by the factor "
-                  "{:.4g} of a wrong unit: {}; or name the unit, as in --unit force=kN",
-                  e.force_ratio, factor->factor, factor->correction));
+  const bool exchanged = (!assumedFactorOf(e.ratio) || e.givesEnergy()) && looksSwapped(component, record, e);
+  return exchanged ? std::optional(swapFinding(record, e)) : std::nullopt;
 }
 
 Evidence evidenceOf(const log::Record& record, const VectorXd& simulated) {
+  constexpr double kLargestShare = 0.02;  // of a cycle
   Evidence e;
   e.measured = slopeOf(record.displacement, record.force);
   e.configured = slopeOf(record.displacement, simulated);
   e.ratio = e.configured.stiffness != 0.0 ? e.measured.stiffness / e.configured.stiffness : 0.0;
-  // A delay of the force within what sensors have is no fault of the bench.
-  constexpr double kForward = 1.5;  // samples
-  std::tie(e.loss, e.loss_deviation) = CrossSpectrum(record.displacement, record.force).loss(kForward);
-  const VectorXd one = record.force.array() - record.force.mean();
-  const VectorXd other = simulated.array() - simulated.mean();
-  const double scale = one.norm() * other.norm();
-  e.force_correlation = scale > 0.0 ? one.dot(other) / scale : 0.0;
-  e.force_ratio = other.norm() > 0.0 ? one.norm() / other.norm() : 0.0;
   e.period = 2.0 * element::kPi / typicalPhase(record.displacement);
+  const CrossSpectrum spectrum(record.displacement, record.force);
+  const double apart = e.measured.stiffness < 0.0 ? std::min(kForward, kLargestShare * e.period) : kForward;
+  e.work.recorded = spectrum.work(0.0).first;
+  e.work.backward = spectrum.work(-apart).first;
+  std::tie(e.work.forward, e.work.deviation) = spectrum.work(apart);
+  e.force_correlation = correlationOf(record.force, simulated);
+  const double simulated_deviation = deviationOf(simulated);
+  e.force_ratio = simulated_deviation > 0.0 ? deviationOf(record.force) / simulated_deviation : 0.0;
   return e;
+}
+
+// A channel that measured nothing, all along or in a part of the log.
+std::optional<RigFinding> constantFinding(const log::Record& record) {
+  constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest
+  constexpr double kFarther = 0.8;  // of the displacement's: less may be within a free play
+  for (const bool is_force : {false, true}) {
+    const VectorXd& channel = is_force ? record.force : record.raw_displacement;
+    const VectorXd& other = is_force ? record.raw_displacement : record.force;
+    const char* const name = is_force ? "force" : "displacement";
+    if (rangeOf(channel) <= 1e-12 * channel.cwiseAbs().maxCoeff()) {
+      return fatal(record, finding::kConstant, channel[0],
+                   fmt::format("the {} is {:.4g} {} from the first sample to the last: check the channel's cable, and "
+                               "which column it is, --columns {}=NAME",
+                               name, channel[0], is_force ? "N" : "m", name));
+    }
+    const DeadPart dead = deadPart(channel, other, is_force ? kFarther : kAsMuch);
+    if (dead.end > dead.begin) {
+      const auto time = [&](Index sample) { return static_cast<double>(sample) * record.dt; };
+      return fatal(
+          record, finding::kConstant, time(dead.end - dead.begin),
+          fmt::format("the {} stands still from {:.4g} to {:.4g} s of {:.4g} s, while the {} continues: check "
+                      "the channel's cable, and leave this part out",
+                      name, time(dead.begin), time(dead.end), record.duration(), is_force ? "displacement" : "force"));
+    }
+  }
+  return std::nullopt;
+}
+
+// By which a displacement changes over so many samples.
+VectorXd wayOver(const VectorXd& displacement, Index samples) {
+  const Index count = std::max<Index>(1, displacement.size() - samples);
+  return displacement.tail(count) - displacement.head(count);
+}
+
+// Noise alone, of next to nothing, neither with the displacement nor with its direction as friction is, where the
+// component has a force.
+std::optional<RigFinding> silenceFinding(const log::Record& record, const Evidence& e) {
+  constexpr double kNothing = 0.05;    // of the simulated force
+  constexpr double kUnrelated = 0.15;  // correlation
+  const VectorXd way = wayOver(record.displacement, std::max<Index>(1, std::lround(e.period / 8.0)));
+  const VectorXd force = record.force.tail(way.size());
+  const bool related = std::abs(e.force_correlation) > kUnrelated ||
+                       std::abs(correlationOf(record.displacement, record.force)) > kUnrelated ||
+                       std::abs(correlationOf(way, force)) > kUnrelated ||
+                       std::abs(correlationOf(way.cwiseSign(), force)) > kUnrelated;
+  if (related || e.force_ratio > kNothing) {
+    return std::nullopt;
+  }
+  return fatal(record, finding::kConstant, e.force_ratio,
+               fmt::format("the force does not answer to the displacement: it scatters by {:.3g} N, {:.2g} % of what "
+                           "the component gives: check the clamps and the channel's cable",
+                           record.force_deviation, 100.0 * e.force_ratio));
+}
+
+// A channel without its sign follows the magnitude of the other, and not the other.
+std::optional<RigFinding> rectifiedFinding(const log::Record& record, const VectorXd& simulated, const Evidence& e) {
+  constexpr double kFollows = 0.7;   // correlation
+  constexpr double kClearly = 0.35;  // of the variance: more than by the signal itself
+  const double of_force = correlationOf(record.force, simulated.cwiseAbs());
+  const VectorXd magnitude = (record.force.array() - record.force.mean()).abs();
+  const double of_displacement = correlationOf(record.displacement, magnitude);
+  const double as_recorded = std::max(std::pow(e.force_correlation, 2), std::pow(e.measured.correlation, 2));
+  for (const auto& [name, correlation] : {std::pair("force", of_force), {"displacement", of_displacement}}) {
+    if (correlation > kFollows && correlation * correlation > as_recorded + kClearly) {
+      return fatal(record, finding::kRectified, correlation,
+                   fmt::format("the {} has lost its sign: it follows the magnitude of what belongs to it (correlation "
+                               "{:.2f}, with the sign {:.2f}): record it unrectified",
+                               name, correlation, e.force_correlation));
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<RigFinding> lengthFinding(const log::Record& record) {
@@ -459,9 +394,16 @@ struct Checked {
   std::optional<RigFinding> finding;
   bool by_phase = false;
   bool as_by_mass = false;
+  std::optional<Evidence> evidence = std::nullopt;  // where its channels measured something
+  bool falls_without_work = false;                  // and is the simulated force with the other sign
 };
 
+bool asByMass(const Evidence& e) { return e.ratio > 0.1 && e.ratio < 1.0; }
+
 Checked checkRecord(const component::Component& component, const log::Record& record) {
+  if (auto constant = constantFinding(record)) {
+    return {constant};
+  }
   if (auto too_short = lengthFinding(record)) {
     return {too_short};
   }
@@ -470,22 +412,38 @@ Checked checkRecord(const component::Component& component, const log::Record& re
     return {};
   }
   const Evidence e = evidenceOf(record, simulated);
-  const bool falls = e.measured.stiffness < 0.0 && e.measured.correlation * e.measured.correlation > kElastic;
-  if (falls && e.configured.correlation > 0.0) {
-    return {signFinding(record, e), false, true};
+  if (auto rectified = rectifiedFinding(record, simulated, e)) {
+    return {rectified};
+  }
+  if (auto silent = record.units == log::UnitsAre::accepted ? std::nullopt : silenceFinding(record, e)) {
+    return {silent};
+  }
+  Checked checked;
+  checked.evidence = e;
+  if (e.falls()) {
+    checked.falls_without_work = !e.takesEnergy() && e.isMirrored();
+    if (e.surelyGivesEnergy()) {
+      checked.finding = signFinding(record, e);
+      checked.as_by_mass = true;
+    }
+    return checked;
   }
   // Columns of exchanged size first: their loops give energy, too.
-  if (auto stiffness = stiffnessFinding(component, record, e)) {
-    constexpr double kLeastBesideMass = 0.1;
-    const bool swapped = stiffness->finding == finding::kSwappedColumns;
-    return {stiffness, false, !swapped && e.ratio > kLeastBesideMass && e.ratio < 1.0};
+  if ((checked.finding = exchangeFinding(component, record, e))) {
+    return checked;
   }
-  if (e.givesEnergy()) {
-    auto finding = energyFinding(component, record, simulated, e);
-    const bool late = finding && finding->finding == finding::kDelay;
-    return {std::move(finding), late || (e.isElastic() && plausible(e.ratio))};
+  const auto assumed = record.units == log::UnitsAre::assumed && e.scale() && !plausible(*e.scale())
+                           ? assumedFactorOf(*e.scale())
+                           : std::nullopt;
+  if (assumed) {
+    checked.finding = unitFinding(record.name, *e.scale(), *assumed);
+    checked.as_by_mass = asByMass(e);
+  } else if (e.givesEnergy() && (!e.scale() || plausible(*e.scale()))) {
+    checked.finding = energyFinding(component, record, simulated, e);
+    const bool late = checked.finding && checked.finding->finding == finding::kDelay;
+    checked.by_phase = late || (e.isElastic() && plausible(e.ratio));
   }
-  return {forceFinding(record, e)};
+  return checked;
 }
 
 // A sign that is reversed, columns that are exchanged or a unit are so in all logs of a bench. Where fewer than half of
@@ -504,6 +462,91 @@ void leaveFastLogsToEffects(const std::vector<log::Record>& records, std::vector
   for (std::size_t i = 0; i < checked.size(); ++i) {
     if (checked[i].by_phase || (checked[i].as_by_mass && records[i].mean_frequency > typical)) {
       checked[i].finding.reset();
+    }
+  }
+}
+
+// A spring with next to no loss tells nothing by its work. Its force with the other sign is that of a reversed channel,
+// where no log that is slower has the right one: a mass would turn the fast logs first.
+void nameReversedSprings(const std::vector<log::Record>& records, std::vector<Checked>& checked) {
+  double slowest_right = HUGE_VAL;  // [Hz]
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    const bool right = checked[i].evidence && (checked[i].evidence->rises() || checked[i].evidence->takesEnergy());
+    slowest_right = right ? std::min(slowest_right, records[i].mean_frequency) : slowest_right;
+  }
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    if (checked[i].falls_without_work && !checked[i].finding && records[i].mean_frequency < slowest_right) {
+      checked[i].finding = signFinding(records[i], *checked[i].evidence);
+    }
+  }
+}
+
+// The scale of a log whose units the file or the user named.
+struct Scaled {
+  std::size_t log;
+  double scale;
+};
+
+std::vector<Scaled> scalesOf(const std::vector<log::Record>& records, const std::vector<Checked>& checked) {
+  std::vector<Scaled> scales;
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    const auto scale = checked[i].evidence && !checked[i].finding ? checked[i].evidence->scale() : std::nullopt;
+    if (scale && records[i].units != log::UnitsAre::accepted) {
+      scales.push_back({i, *scale});
+    }
+  }
+  return scales;
+}
+
+double medianScale(const std::vector<Scaled>& scales) {
+  std::vector<double> values;
+  std::transform(scales.begin(), scales.end(), std::back_inserter(values), [](const Scaled& s) { return s.scale; });
+  return medianOf(std::move(values));
+}
+
+bool isAboutTwo(double ratio) {
+  constexpr double kExactly = 1.04;
+  return std::abs(std::abs(std::log(ratio)) - std::log(kPeakToPeak)) < std::log(kExactly);
+}
+
+// One factor in all logs, which leaves the force like the configured one in all else.
+void nameCommonScale(const std::vector<Scaled>& scales, const std::vector<log::Record>& records,
+                     std::vector<Checked>& checked) {
+  constexpr double kOne = 1.5;         // between two logs: what frequency and amplitude make of it
+  constexpr double kLike = 0.8;        // correlation
+  constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
+  const double common = medianScale(scales);
+  const auto all = [&](const auto& holds) { return std::all_of(scales.begin(), scales.end(), holds); };
+  const auto likeness = [&](const Scaled& s) { return checked[s.log].evidence->force_correlation; };
+  const auto unit = exactFactorOf(common);
+  const bool one = all([&](const Scaled& s) {
+    return !plausible(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kLike;
+  });
+  const bool two = all([&](const Scaled& s) {
+    return isAboutTwo(s.scale) && std::abs(std::log(s.scale / common)) < std::log(kOne) && likeness(s) > kJustLike;
+  });
+  const std::string logs = scales.size() == 1 ? "" : fmt::format(", in all {} logs alike", scales.size());
+  for (const Scaled& s : scales) {
+    const std::string& name = records[s.log].name;
+    if (one) {
+      checked[s.log].finding = unit ? unitFinding(name, s.scale, *unit) : componentFinding(name, s.scale, logs);
+    } else if (two && isAboutTwo(common)) {
+      checked[s.log].finding = peakToPeakFinding(
+          name, s.scale, fmt::format("--columns {}=0.5*NAME", common > 1.0 ? "force" : "displacement"));
+    }
+  }
+}
+
+// A log among others that are plausible, off by hundreds: no effect does that.
+void nameOddScales(const std::vector<Scaled>& scales, const std::vector<log::Record>& records,
+                   std::vector<Checked>& checked) {
+  std::vector<Scaled> right;
+  std::copy_if(scales.begin(), scales.end(), std::back_inserter(right),
+               [](const Scaled& s) { return plausible(s.scale); });
+  for (const Scaled& s : scales) {
+    const auto unit = right.empty() ? std::nullopt : exactFactorOf(s.scale / medianScale(right));
+    if (unit && isLarge(unit->factor)) {
+      checked[s.log].finding = unitFinding(records[s.log].name, s.scale, *unit);
     }
   }
 }
@@ -536,13 +579,12 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
   if (finding.finding == finding::kSign) {
     correction.text = "force times -1";
     correction.record.force *= -1.0;
-  } else if (finding.finding == finding::kUnitFactor) {
-    const UnitFactor* factor = unitFactorOf(finding.value);
-    if (factor == nullptr) {
-      return std::nullopt;
-    }
-    correction.text = fmt::format("force divided by {:.4g}", factor->factor);
-    correction.record.force /= factor->factor;
+  } else if (finding.finding == finding::kUnitFactor || finding.finding == finding::kPeakToPeak) {
+    const auto unit = assumedFactorOf(finding.value);
+    const double two = finding.value > 1.0 ? kPeakToPeak : 1.0 / kPeakToPeak;
+    const double factor = unit ? unit->factor : two;
+    correction.text = fmt::format("force divided by {:.4g}", factor);
+    correction.record.force /= factor;
   } else if (finding.finding == finding::kSwappedColumns) {
     const auto units = unitsOfSwap(component::Component(elements), record);
     if (!units) {
@@ -563,10 +605,19 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
   return correction;
 }
 
-std::optional<RigFinding> checkStiffness(const std::string& table, double measured, double configured) {
-  return plausible(measured / configured)
-             ? std::nullopt
-             : std::optional(ratioFinding(table, measured, configured, "correct the unit in the header of the table"));
+std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
+                                         const std::vector<double>& configured) {
+  std::vector<double> ratios;
+  std::transform(measured.begin(), measured.end(), configured.begin(), std::back_inserter(ratios), std::divides<>());
+  const double ratio = medianOf(measured) / medianOf(configured);
+  if (std::all_of(ratios.begin(), ratios.end(), isAboutTwo) && isAboutTwo(ratio)) {
+    return peakToPeakFinding(table, ratio, "halve what is from peak to peak");
+  }
+  if (plausible(ratio)) {
+    return std::nullopt;
+  }
+  const auto unit = assumedFactorOf(ratio);
+  return unit ? unitFinding(table, ratio, *unit, kCorrectTable) : componentFinding(table, ratio, "");
 }
 
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
@@ -576,6 +627,11 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
   std::transform(records.begin(), records.end(), std::back_inserter(checked),
                  [&](const log::Record& record) { return checkRecord(component, record); });
   leaveFastLogsToEffects(records, checked);
+  nameReversedSprings(records, checked);
+  if (const std::vector<Scaled> scales = scalesOf(records, checked); !scales.empty()) {
+    nameCommonScale(scales, records, checked);
+    nameOddScales(scales, records, checked);
+  }
   std::vector<RigFinding> findings;
   for (const Checked& one : checked) {
     if (one.finding) {

@@ -58,6 +58,11 @@ PreparedLog prepare(const log::Log& log, Start start) {
     return {log::makeRecord(log), {}};  // which says what is missing
   }
   const Faults faults = findFaults(log);
+  if (start == Start::counts_at_rest) {
+    if (log::Record raw = log::rawRecord(log); !log::bothChange(raw)) {
+      return {std::move(raw), {}};  // the check of the bench names it
+    }
+  }
   PreparedLog prepared{log::makeRecord(repaired(log, faults)), faults.findings};
   log::Record& record = prepared.record;
   Eigen::VectorXd counts = resampled(faults.usable(), log, record).cast<double>();

@@ -32,6 +32,19 @@ double toNumber(const py::handle& value, const element::ParameterInfo& parameter
 std::vector<element::ElementDescription> toElements(const py::sequence& entries);
 py::list fromElements(const std::vector<element::ElementDescription>& elements);
 
+/// An object of a class, or of one that is derived from it, made by its own `__init__`. Throws py::type_error.
+py::object madeByInit(const py::handle& type, const py::handle& derived, const py::args& args,
+                      const py::kwargs& values);
+
+/// Let `__new__` of a class make it whole, as pickle, copy and the curious call it: what no `__init__` has made would
+/// be memory of nobody.
+template <class T>
+py::class_<T>& makeByNew(py::class_<T>& type) {
+  return type.def_static("__new__", [](const py::handle& derived, const py::args& args, const py::kwargs& values) {
+    return madeByInit(py::type::of<T>(), derived, args, values);
+  });
+}
+
 void addErrors(py::module_& module);
 void addLogs(py::module_& module);
 void addComponents(py::module_& module);

@@ -172,7 +172,8 @@ void addMotion(py::module_& module) {
 void addComponents(py::module_& module) {
   py::register_exception<io::ComponentFileError>(module, "ComponentFileError", PyExc_ValueError);
   addMotion(module);
-  py::class_<ComponentDescription>(module, "Component", "A component as a component file describes it.")
+  py::class_<ComponentDescription> type(module, "Component", "A component as a component file describes it.");
+  makeByNew(type)
       .def(py::init(&ofElements), py::arg("elements"), py::arg("name") = "component",
            "Of a list of elements, {'type': 'spring', 'stiffness': '3 kN/mm'}. Raises ValueError.")
       .def_readonly("name", &ComponentDescription::name)

@@ -1,6 +1,7 @@
 // The diagnosis in Python: one call, its result as plain values.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "python/bindings.h"
@@ -15,6 +16,14 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   if (threads < 1 || threads > 64) {
     throw std::invalid_argument("threads: " + std::to_string(threads) + "; accepted: 1 to 64");
   }
+  const auto is_same = [](const log::Log& one, const log::Log& other) {
+    return one.stamp == other.stamp && one.displacement == other.displacement && one.force == other.force;
+  };
+  for (const log::Log& log : hold_out) {
+    if (std::any_of(logs.begin(), logs.end(), [&](const log::Log& other) { return is_same(log, other); })) {
+      throw std::invalid_argument(log.name + ": is among the logs and held out; accepted: each log once");
+    }
+  }
   diagnosis::DiagnosisOptions options;
   options.threads = threads;
   const py::gil_scoped_release others_run;
@@ -28,7 +37,8 @@ py::object toReport(const Diagnosis& diagnosis) {
 }  // namespace
 
 void addDiagnosis(py::module_& module) {
-  py::class_<Diagnosis>(module, "Diagnosis", "What a diagnosis found.")
+  py::class_<Diagnosis> type(module, "Diagnosis", "What a diagnosis found.");
+  makeByNew(type)
       .def_property_readonly("verdict", [](const Diagnosis& diagnosis) { return toString(diagnosis.verdict); })
       .def_readonly("sentence", &Diagnosis::sentence, "The verdict for an engineer.")
       .def_readonly("effects", &Diagnosis::effects, "Those named, most important first.")

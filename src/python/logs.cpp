@@ -15,8 +15,10 @@ namespace {
 constexpr double kLongestTime = 9.0e9;  // [s]
 
 log::Log readLog(const std::string& path, const std::vector<std::string>& columns, const std::string& unit,
-                 double sampling_rate, const std::string& decimal, const std::string& segment, double bridge) {
-  const log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate, decimal, segment, bridge);
+                 double sampling_rate, const std::string& decimal, const std::string& segment, double bridge,
+                 bool accept_units) {
+  log::LogFormat format = log::makeLogFormat(columns, unit, sampling_rate, decimal, segment, bridge);
+  format.accept_units = accept_units;
   const py::gil_scoped_release others_run;
   return log::readLog(path, format);
 }
@@ -51,7 +53,8 @@ Array timeOf(const log::Log& log) {
 void addErrors(py::module_& module) { py::register_exception<log::LogError>(module, "LogError", PyExc_ValueError); }
 
 void addLogs(py::module_& module) {
-  py::class_<log::Log>(module, "Log", "A recorded log in SI units.")
+  py::class_<log::Log> type(module, "Log", "A recorded log in SI units.");
+  makeByNew(type)
       .def(py::init(&makeLog), py::arg("time"), py::arg("displacement"), py::arg("force") = py::none(),
            py::arg("name") = "log",
            "Of arrays: time [s], which increases, displacement [m] and, if measured, force [N]. Raises LogError and "
@@ -69,9 +72,9 @@ void addLogs(py::module_& module) {
       .def("__repr__", [](const log::Log& log) { return fmt::format("<Log {}, {} samples>", log.name, log.size()); });
   module.def("read_log", &readLog, py::arg("path"), py::arg("columns") = std::vector<std::string>(),
              py::arg("unit") = "", py::arg("sampling_rate") = 0.0, py::arg("decimal") = "", py::arg("segment") = "",
-             py::arg("bridge") = -1.0,
-             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment and bridge as the "
-             "options of the commands. Raises LogError.");
+             py::arg("bridge") = -1.0, py::arg("accept_units") = false,
+             "Read a log of text (CSV), .mat or HDF5; columns, unit, sampling_rate, decimal, segment, bridge and "
+             "accept_units as the options of the commands. Raises LogError.");
   module.def(
       "gap",
       [](const py::object& measured, const py::object& simulated) {

@@ -145,4 +145,17 @@ py::list fromElements(const std::vector<element::ElementDescription>& elements) 
   return result;
 }
 
+py::object madeByInit(const py::handle& type, const py::handle& derived, const py::args& args,
+                      const py::kwargs& values) {
+  if (PyType_Check(derived.ptr()) == 0 || PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(derived.ptr()),
+                                                           reinterpret_cast<PyTypeObject*>(type.ptr())) == 0) {
+    throw py::type_error("__new__: accepted: " + py::str(type.attr("__name__")).cast<std::string>() +
+                         " or a class that is derived from it");
+  }
+  auto object =
+      py::reinterpret_steal<py::object>(py::detail::make_new_instance(reinterpret_cast<PyTypeObject*>(derived.ptr())));
+  derived.attr("__init__")(object, *args, **values);
+  return object;
+}
+
 }  // namespace rubber_suspension::python

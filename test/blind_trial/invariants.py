@@ -41,6 +41,18 @@ def interval_holds_the_fraction(report):
     return low - SLACK <= report["closed"]["fraction"] <= high + SLACK
 
 
+def taken_out_adds_up(report):
+    """In squares: what a log leaves as recorded, less what was taken out of it, is what it leaves."""
+    if "taken_out" not in report or report["verdict"] == "check_bench":
+        return None
+    for log in report["admission"]:
+        shares = [t["share_of_force"] for t in report["taken_out"] if t["log"] == log["log"]]
+        left = log["gap_as_recorded"] ** 2 - sum(abs(s) * s for s in shares)
+        if abs(left - log["gap"] ** 2) > SLACK * (1.0 + left):
+            return False
+    return True
+
+
 def floor_is_least(report):
     """The floor is no more than the least gap of any model."""
     gap = report["gap"]
@@ -98,10 +110,13 @@ def alternatives_follow(report):
 
 def headline_is_the_largest(report):
     """Where the sentence says how far one of the specification's values is off, no other value is farther off beyond its
-    interval."""
+    interval, but for the band of frequencies and values at a bound of the fit."""
     far = []
     for size in report.get("model_sizes", []):
         given, value, (low, high) = size["configured"], size["value"], size["interval_95"]
+        if size["name"] in ("high_frequency", "low_frequency") or any(
+                bound and value == end for bound, end in zip(size["at_bound"], (low, high))):
+            continue
         if given and value and given > 0.0 and value > 0.0 and not low <= given <= high:
             far.append((abs(math.log(value / given)), given, value))
     far = sorted((f for f in far if f[0] > WORTH_SAYING), reverse=True)
@@ -137,6 +152,7 @@ CHECKS = {
     "named: the gap falls, and the interval excludes 0": named_closes,
     "closed is of the gaps": closed_is_of_the_gaps,
     "the interval holds what is closed": interval_holds_the_fraction,
+    "what was taken out adds up": taken_out_adds_up,
     "the floor is no more than any gap": floor_is_least,
     "the posterior adds up to 1": posterior_is_one,
     "the verdict is the likeliest": verdict_is_the_likeliest,

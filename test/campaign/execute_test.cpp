@@ -5,7 +5,8 @@
 
 #include "campaign/scratch_folder.h"
 #include "command/identify.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/results/rounding.h"
+#include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension {
@@ -57,12 +58,11 @@ TEST_F(ExecuteJob, DiagnosesAsTheCommandDoes) {
   settings.threads = 1;
   const diagnosis::Diagnosis expected = diagnosis::diagnose(component(), logs(), {}, settings);
   EXPECT_EQ(folder_.read(report_ + "report.json"), diagnosis::toJson(expected));
-  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), io::toYaml({expected.augmented}));
-  EXPECT_EQ(record.values.at("verdict"), expected.verdict);
+  EXPECT_EQ(folder_.read(report_ + "augmented.yaml"), diagnosis::augmentedYaml(expected));
+  EXPECT_EQ(record.values.at("verdict"), toString(expected.verdict));
   EXPECT_EQ(record.values.at("gap_augmented"), expected.gap.augmented);
   EXPECT_EQ(record.evidence.at("ratios_by_log").size(), 2U);
-  EXPECT_EQ(record.evidence.at("configured").at("static_stiffness"),
-            component().specification().at("static_stiffness"));
+  EXPECT_GT(record.evidence.at("ratios").at("static_stiffness"), 0.0);
   EXPECT_FALSE(folder_.holds(report_ + "evidence.json"));
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "io/temporary_file.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
@@ -59,7 +60,7 @@ TEST(IdentifyFromLogs, FindsTheStiffnessesAndKeepsTheBreakFrequencies) {
 // A reversed channel and a force in tonnes would be fitted all the same.
 TEST(IdentifyFromLogs, RefusesAReversedChannelAndAUnitThatIsOffByThousands) {
   for (const auto& [factor, reason] :
-       {std::pair(-1.0, "the sign of one is reversed"), {1.0 / 9806.65, "tonnes taken for N"}}) {
+       {std::pair(-1.0, "the sign of one channel is reversed"), {1.0 / 9806.65, "N and tonnes"}}) {
     log::Log log = measuredLog();
     for (double& force : log.force) {
       force *= factor;
@@ -72,6 +73,57 @@ TEST(IdentifyFromLogs, RefusesAReversedChannelAndAUnitThatIsOffByThousands) {
       EXPECT_THAT(error.what(), HasSubstr(reason));
     }
   }
+}
+
+// Stiffness of the spring as the file is read with what a refusal advises.
+double springOf(const std::string& path, const log::LogFormat& format) {
+  return command::identifyFromLogs(description(), {log::readLog(path, format)}, {}).elements[0].value("stiffness");
+}
+
+std::string refusalOf(const std::string& path) {
+  try {
+    springOf(path, {});
+  } catch (const log::LogError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+log::LogFormat withColumns(const std::string& assignment) { return log::makeLogFormat({assignment}, "", 0.0); }
+
+// The file of a log whose force was multiplied, under a header that says newtons.
+class AdviceOfTheBench : public ::testing::Test {
+ protected:
+  void write(double factor) {
+    log::Log log = measuredLog();
+    for (double& force : log.force) {
+      force *= factor;
+    }
+    log::writeLogCsv(file_.path(), log);
+  }
+
+  TemporaryFile file_{"log.csv", ""};
+  const double spring_ = 1.2 * description().allElements()[0].value("stiffness");
+};
+
+TEST_F(AdviceOfTheBench, TurnsASign) {
+  write(-1.0);
+  EXPECT_THAT(refusalOf(file_.path()), HasSubstr("--columns force=-NAME"));
+  EXPECT_NEAR(springOf(file_.path(), withColumns("force=-force_N")), spring_, 1e-4 * spring_);
+}
+
+TEST_F(AdviceOfTheBench, NamesScalesOrAcceptsAUnit) {
+  write(1e-3);
+  const std::string advice = refusalOf(file_.path());
+  EXPECT_THAT(advice, HasSubstr("--unit force=kN"));
+  EXPECT_NEAR(springOf(file_.path(), log::makeLogFormat({}, "force=kN", 0.0)), spring_, 1e-4 * spring_);
+  EXPECT_THAT(advice, HasSubstr("--columns force=1000*NAME or displacement=0.001*NAME"));
+  EXPECT_NEAR(springOf(file_.path(), withColumns("force=1000*force_N")), spring_, 1e-4 * spring_);
+  EXPECT_NEAR(springOf(file_.path(), withColumns("displacement=0.001*displacement_m")), spring_, 1e-4 * spring_);
+  EXPECT_THAT(advice, HasSubstr("--accept-units"));
+  log::LogFormat accepted;
+  accepted.accept_units = true;
+  EXPECT_NEAR(springOf(file_.path(), accepted), 1e-3 * spring_, 1e-7 * spring_);
 }
 
 TEST(IdentifyFromLogs, ComponentWithTheValuesFoundReproducesTheLog) {

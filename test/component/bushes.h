@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "rubber_suspension/component/six_directions.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension {
 
@@ -98,10 +100,9 @@ inline component::SixNumbers loopAt(double time, unsigned seed = 1) {
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   component::SixNumbers numbers;
   for (Eigen::Index i = 0; i < 6; ++i) {
-    const double phase = 6.28 * time;
-    numbers[i] = share(random) * (std::sin(2.0 * M_PI * time)) + share(random) * std::sin(4.0 * M_PI * time) +
-                 share(random) * (std::cos(6.0 * M_PI * time) - 1.0);
-    static_cast<void>(phase);
+    numbers[i] = share(random) * (std::sin(2.0 * element::kPi * time)) +
+                 share(random) * std::sin(4.0 * element::kPi * time) +
+                 share(random) * (std::cos(6.0 * element::kPi * time) - 1.0);
   }
   numbers.head<3>() *= 1.5e-3;
   numbers.tail<3>() *= 0.2;

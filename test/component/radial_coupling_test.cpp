@@ -75,7 +75,7 @@ TEST(RadialCoupling, SlidersFollowTheReference) {
   constexpr int kSteps = 200000;
   Vector3d force;
   for (int i = 1; i < 3 * kSteps; ++i) {
-    const double angle = 2.0 * M_PI * i / kSteps;
+    const double angle = 2.0 * element::kPi * i / kSteps;
     force = bush.step(state, 1e-3, poseAt(1e-3 * Vector3d(std::cos(angle), std::sin(angle), 0.0), Vector3d::Zero()))
                 .wrench.force;
   }
@@ -85,7 +85,7 @@ TEST(RadialCoupling, SlidersFollowTheReference) {
   bush.initialise(state, poseAt(last, Vector3d::Zero()));
   force.setZero();
   for (int i = 1; i <= kSteps; ++i) {
-    const double angle = 2.0 * M_PI * i / kSteps;
+    const double angle = 2.0 * element::kPi * i / kSteps;
     const Vector3d at(0.8e-3 * std::cos(angle) + 2e-4, 0.5e-3 * std::sin(angle) + 1e-4, 0.0);
     const Vector3d now = bush.step(state, 1e-3, poseAt(at, Vector3d::Zero())).wrench.force;
     work += 0.5 * (force + now).dot(at - last);
@@ -234,7 +234,7 @@ TEST(RadialCoupling, NamesTheIwanOfBergsNumbers) {
     auto state = component.makeState();
     double last = 0.0;
     for (int i = 1; i <= 40250; ++i) {  // ends at a maximum
-      last = component.step(state, 1e-3, 2.2e-3 * std::sin(2.0 * M_PI * i / 1000.0)).total;
+      last = component.step(state, 1e-3, 2.2e-3 * std::sin(2.0 * element::kPi * i / 1000.0)).total;
     }
     return last;
   };

@@ -202,24 +202,24 @@ TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
       {"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}},
       {"variable_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"growth_displacement", {0.01}}}},
       {"viscoplastic_friction", {{"stiffness", {5e5}}, {"yield_displacement", {2e-3}}, {"half_rate", {0.1}}}}};
-  const auto values = diagnosis::shortHeadlineOf(friction);
+  const auto values = diagnosis::headlineValuesOf(friction);
   ASSERT_EQ(values.size(), 2U);
   EXPECT_DOUBLE_EQ(named(values, "maximum_force"), 4000.0);
   EXPECT_DOUBLE_EQ(named(values, "displacement"), 1e-3);
   EXPECT_DOUBLE_EQ(named(diagnosis::headlineValuesOf(friction), "maximum_force"), 4000.0);
-  const auto alone = diagnosis::shortHeadlineOf({friction.back()});
+  const auto alone = diagnosis::headlineValuesOf({friction.back()});
   EXPECT_DOUBLE_EQ(named(alone, "maximum_force"), 1000.0);
 }
 
 // What people read is few numbers: seven terms of one effect are one, and what no fit moves is left out.
 TEST(Headline, IsShortForPeople) {
   const auto softening =
-      diagnosis::shortHeadlineOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
+      diagnosis::headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
                                   {"stress_softening", {{"reduction", {0.3}}, {"width", {0.5}}, {"path", {2.0}}}}});
   ASSERT_EQ(softening.size(), 1U);
   EXPECT_EQ(softening[0].name, "total_reduction");
   EXPECT_DOUBLE_EQ(softening[0].value, 0.5);
-  const auto stop = diagnosis::shortHeadlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.002}}}}});
+  const auto stop = diagnosis::headlineValuesOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {0.002}}}}});
   EXPECT_DOUBLE_EQ(named(stop, "stiffness"), 1e6);
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/rig.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
 

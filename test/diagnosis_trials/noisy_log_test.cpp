@@ -7,7 +7,7 @@
 #include <random>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/rig.h"
 
 namespace rubber_suspension {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/rig.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension::diagnosis {
@@ -18,7 +18,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 // Logs of the same component: its force under a motion through all amplitudes and frequencies, with noise of about 1 %.
@@ -38,9 +37,26 @@ std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
   return logs;
 }
 
-// The effect named first, and with it what cannot be told from it.
-std::vector<std::string> firstSet(const Diagnosis& diagnosis) {
-  return diagnosis.confounded.empty() ? std::vector<std::string>{} : diagnosis.confounded.front();
+// The sets that may be, one after the other.
+std::vector<std::string> listed(const Diagnosis& diagnosis) {
+  std::vector<std::string> effects;
+  for (const std::vector<std::string>& set : diagnosis.confounded) {
+    effects.insert(effects.end(), set.begin(), set.end());
+  }
+  return effects;
+}
+
+// Told, or among what else may be.
+bool mayBeValues(const Diagnosis& diagnosis) {
+  const auto is = [](const Alternative& other) { return other.verdict == Verdict::parameter_error; };
+  return diagnosis.verdict == Verdict::parameter_error ||
+         std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
+}
+
+bool mayBe(const Diagnosis& diagnosis, const std::string& effect) {
+  const auto is = [&](const Alternative& other) { return other.effects == std::vector<std::string>{effect}; };
+  return diagnosis.effects == std::vector<std::string>{effect} ||
+         std::any_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), is);
 }
 
 struct Case {
@@ -56,8 +72,8 @@ TEST_P(BothShow, TheSameEffectInATableAndInLogs) {
   const io::ComponentDescription truth = with(model, entry);
   const Diagnosis by_table = checkedTable(without(model), Laboratory(1).table(truth));
   const Diagnosis by_logs = checkedDiagnosis(without(model), logsOf(truth), {});
-  EXPECT_THAT(firstSet(by_table), Contains(effect)) << by_table.sentence;
-  EXPECT_THAT(firstSet(by_logs), Contains(effect)) << by_logs.sentence;
+  EXPECT_THAT(listed(by_table), Contains(effect)) << by_table.sentence;
+  EXPECT_THAT(listed(by_logs), Contains(effect)) << by_logs.sentence;
   EXPECT_EQ(by_table.effects.size(), 1U) << by_table.sentence;
   // Most of the gap goes.
   EXPECT_GT(by_table.closed, 0.8);
@@ -76,12 +92,11 @@ INSTANTIATE_TEST_SUITE_P(
                          "{type: nonlinear_maxwell, stiffness: 6.0e5, break_frequency: 3, displacement: 2.0e-4}"}),
     [](const auto& test) { return std::string(test.param.effect); });
 
-// On a linear model a compliance is seen through the values that it would take to imitate it, which stay in the set.
+// On a linear model a compliance is seen through the values that it would take to imitate it: these may be as well.
 TEST(TableDiagnosis, FindsASeriesCompliance) {
   const Diagnosis found = checkedTable(
       without(kManyMaxwell), Laboratory(1).table(with(kManyMaxwell, "{type: series_compliance, stiffness: 3.0e7}")));
-  EXPECT_THAT(firstSet(found), Contains("series_compliance")) << found.sentence;
-  EXPECT_THAT(found.sentence, HasSubstr("This table cannot tell apart"));
+  EXPECT_TRUE(mayBe(found, "series_compliance") || mayBeValues(found)) << found.sentence;
 }
 
 TEST(TableDiagnosis, FindsNothingWhereNothingIsMissing) {
@@ -112,16 +127,15 @@ TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   EXPECT_THAT(found.effects, ElementsAre("friction")) << found.sentence;
 }
 
-// Half as much again of all forces is a gain, or values that are all off by as much: further than specifications are.
-TEST(TableDiagnosis, TellsAGainBesideWrongValues) {
+// Half as much again of all forces is a gain, or values that are all off by as much.
+TEST(TableDiagnosis, TellsAGainOrWrongValues) {
   fit::MeasuredTable table = Laboratory(1).table(without(kZener));
   for (fit::TablePoint& point : table.points) {
     point.stiffness *= 1.5;
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_THAT(firstSet(found), ElementsAre("sensor_gain", "parameter_error")) << found.sentence;
-  EXPECT_THAT(found.sentence, HasSubstr("this table cannot tell apart sensor_gain and parameter_error"));
-  EXPECT_THAT(found.next_experiment, HasSubstr("No row tells a gain from wrong values"));
+  EXPECT_TRUE(found.verdict == Verdict::parameter_error || found.effects == std::vector<std::string>{"sensor_gain"})
+      << found.sentence;
 }
 
 // A fluid mount: a resonance of stiffness at 6 Hz is in no law of the list.
@@ -150,7 +164,7 @@ TEST(TableDiagnosis, TakesRowsAboutMeanDisplacements) {
     }
   }
   const Diagnosis found = checkedTable(without(kZener), table);
-  EXPECT_THAT(firstSet(found), Contains("progressive_stiffness")) << found.sentence;
+  EXPECT_THAT(listed(found), Contains("progressive_stiffness")) << found.sentence;
   EXPECT_GT(found.gap.as_configured, 0.3);
   EXPECT_LT(found.gap.augmented, 0.03);
 }

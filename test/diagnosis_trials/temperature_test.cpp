@@ -8,6 +8,7 @@
 
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/warm_rig.h"
+#include "rubber_suspension/gap/gap.h"
 #include "rubber_suspension/gap/replay.h"
 
 namespace rubber_suspension {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diagnosis/checked_diagnosis.h"
-#include "diagnosis/prepare/rig.h"
+#include "diagnosis/rig.h"
 
 namespace rubber_suspension {
 namespace {

@@ -60,16 +60,12 @@ class FleetTest(unittest.TestCase):
         self.assertIsNone(out[0].changed_to)
         self.assertEqual(self.result["stand_outs"]["others that stand out"]["hits"], 0)
 
-    def test_two_types_tell_that_their_rig_gives_way(self):
-        self.assertEqual(dict(self.result["rigs"]["soft"]["decided"]), {"compliance": 1})
-        self.assertEqual(self.result["rigs"]["soft"]["covered"], 1)
-        for kind in ("soft_rig_soft", "soft_rig_stiff"):
-            row = self.result["changes"][kind]
-            self.assertGreaterEqual(row["right"], PIECES - 1, row)  # one may be within the noise
-            self.assertEqual((row["wrong"], row["left"]), ({}, 0))
-
-    def test_the_other_rig_is_not_taken_for_soft(self):
-        self.assertEqual(self.result["rigs"]["good"]["decided"]["compliance"], 0)
+    def test_a_rig_that_gives_way_takes_more_of_the_stiff_type(self):
+        means = {row["type"].rsplit("_", 1)[0]: row["mean"] for row in self.fleet["rigs"]
+                 if row["parameter"] == "static_stiffness"}
+        # 2.5e-8 m/N take log(1 + 2.5e-8 K): 2.5 % of 1 MN/m, 11.8 % of 5 MN/m, the scatter of eight pieces aside.
+        self.assertLess(means["soft_rig_stiff"], means["soft_rig_soft"] - 0.05)
+        self.assertEqual(self.result["changes"]["soft_rig_stiff"]["wrong"], {})
 
 
 class ScoreTest(unittest.TestCase):

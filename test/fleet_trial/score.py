@@ -14,9 +14,7 @@ from generate import FLEETS, SCATTER  # noqa: E402
 
 STIFFNESSES = tuple(SCATTER)
 WORTH_SAYING = 0.02  # as `campaign` has it: a logarithm below it is within what a bench can hold
-RIGHT_CAUSE = {"good": "own_values", "soft": "compliance", "gain": "one_factor", "own": "own_values"}
 SCATTERS, COMMON = "scatter between test pieces", "wrong values common to the type"
-RIG, FACTOR = "series_compliance of the rig", "one factor common to the types on this rig"
 
 
 def read_json(path):
@@ -46,10 +44,8 @@ class Piece:
         """What the fleet should say of a verdict of wrong values; None: it should stay."""
         if self.label["outlier"] or self.label["effect"]:
             return None
-        if self.plan["rig"] == "soft":
-            return RIG
-        if self.plan["rig"] == "gain":
-            return FACTOR
+        if self.plan["rig"] in ("soft", "gain"):
+            return COMMON  # what the rig takes of all of them
         return COMMON if max(abs(v) for v in self.label["wrong"].values()) > WORTH_SAYING else SCATTERS
 
 
@@ -78,7 +74,7 @@ def share(flags):
 
 
 def true_mean(plan, label, parameter):
-    """Of the logarithms of a type; behind a soft rig, what the rig took is to be given back."""
+    """Of the logarithms of a type."""
     return label["wrong"].get(parameter, 0.0) + math.log(plan.get("gain", 1.0))
 
 
@@ -88,7 +84,7 @@ def true_scatter(plan, parameter):
 
 
 def coverage(pieces, fleet):
-    """By parameter: intervals of mean and scatter that hold the truth, where there is scatter and no outlier."""
+    """By parameter: intervals of mean and scatter that hold the truth, where there is scatter, no outlier, no soft rig."""
     labels = {f"{p.fleet}_{p.label['draw']}": p.label for p in pieces}
     out = {}
     for parameter in STIFFNESSES:
@@ -96,7 +92,8 @@ def coverage(pieces, fleet):
         for kind in fleet["types"]:
             plan = FLEETS[kind_of(kind["name"])[0]]
             for found in kind["parameters"]:
-                if found["name"] == parameter and "mean" in found and "scatter" in plan and "outliers" not in plan:
+                plain = "scatter" in plan and "outliers" not in plan and "compliance" not in plan
+                if found["name"] == parameter and "mean" in found and plain:
                     low, high = found["mean_interval_95"]
                     means.append(low <= true_mean(plan, labels[kind["name"]], parameter) <= high)
                     low, high = found["scatter_interval_95"]
@@ -139,24 +136,9 @@ def stand_outs(pieces):
             "fleets in which another stands out": share(fleets.values())}
 
 
-def rigs(pieces, fleet):
-    out = {}
-    for rig in fleet["rigs"]:
-        kind = kind_of(rig["name"])[0]
-        row = out.setdefault(kind, {"rigs": 0, "decided": collections.Counter(), "covered": 0})
-        row["rigs"] += 1
-        cause = max(rig["probability"], key=rig["probability"].get)
-        row["decided"][cause if rig["probability"][cause] >= 0.95 else "open"] += 1
-        low, high = rig["compliance_interval_95"]
-        true = next((p.label["compliance"] for p in pieces if p.plan["rig"] == kind and p.label["compliance"]), None)
-        row["covered"] += true is not None and low <= true <= high
-    return out
-
-
 def score(pieces, fleet):
     return {"pieces": len(pieces), "failed": sum(p.row["status"] != "done" for p in pieces), "causes": causes(pieces),
-            "coverage": coverage(pieces, fleet), "changes": changes(pieces), "stand_outs": stand_outs(pieces),
-            "rigs": rigs(pieces, fleet)}
+            "coverage": coverage(pieces, fleet), "changes": changes(pieces), "stand_outs": stand_outs(pieces)}
 
 
 # ---- output ----------------------------------------------------------------------------------------------------------
@@ -177,11 +159,6 @@ def markdown(result):
     for name, row in result["changes"].items():
         wrong = ", ".join(f"{k}: {v}" for k, v in row["wrong"].items())
         out.append(f"| `{name}` | {row['pieces']} | {row['changed']} | {row['right']} | {row['left']} | {wrong} |")
-    out += ["", "| rig | rigs | right | decided | intervals of the compliance that hold it |", "|---|---|---|---|---|"]
-    for name, row in result["rigs"].items():
-        decided = ", ".join(f"{k} {v}" for k, v in row["decided"].items())
-        covered = f"{row['covered']} of {row['rigs']}" if name == "soft" else ""
-        out.append(f"| `{name}` | {row['rigs']} | {row['decided'][RIGHT_CAUSE[name]]} | {decided} | {covered} |")
     return "\n".join(out) + "\n"
 
 

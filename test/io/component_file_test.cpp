@@ -2,6 +2,8 @@
 #include "rubber_suspension/io/component_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <limits>
@@ -148,6 +150,10 @@ TEST(ComponentFile, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(io::loadComponentFile("/nonexistent/file.yaml"), io::ComponentFileError);
   EXPECT_THROW(io::loadComponentFile("/"), io::ComponentFileError);
   EXPECT_THROW(io::loadComponentFile("/dev/zero"), io::ComponentFileError);
+  const TemporaryFile pipe("pipe.yaml", "");
+  ASSERT_EQ(unlink(pipe.path().c_str()), 0);
+  ASSERT_EQ(mkfifo(pipe.path().c_str(), 0600), 0);
+  EXPECT_THROW(io::loadComponentFile(pipe.path()), io::ComponentFileError);  // and waits for nobody
 }
 
 // What was estimated cannot go stale: the specification is read-only, and replaced as a whole.

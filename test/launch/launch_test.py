@@ -58,6 +58,20 @@ class Launch(unittest.TestCase):
             self.assertGreater(max(forces), 300.0)  # of 0.1 mm of 4.2 kN/mm
             self.assertEqual(bag.exists(), bool(more), said)
 
+    def test_replay_reads_as_it_is_told(self):
+        """The second of two logs in a file, whose numbers may have decimals or thousands, and one of which is missing."""
+        config, log, output = (self.folder / name for name in ("components.yaml", "two.csv", "forces.csv"))
+        config.write_text(CONFIG)
+        head = "Time [ms];Travel [um]\n"
+        rows = [f"{5 * i};{1 + i // 100},{10 * (i % 100):03d}\n" for i in range(100, 160)]
+        rows[20] = f"{5 * 120};\n"
+        log.write_text(head + "0;1\n5;2\n" + "\n" + head + "".join(rows))
+        said = self.launch("replay.launch", config=config, component="left_secondary", log=log, output=output,
+                           decimal=",", segment=2, bridge=1)
+        displacements = self.forces(output, said, "displacement_m")
+        self.assertEqual(len(displacements), 59, said)
+        self.assertAlmostEqual(displacements[0], 2.0e-6, delta=1e-12)
+
     def test_vehicle(self):
         output, plot = self.folder / "vehicle.csv", self.folder / "vehicle.svg"
         for more in ({}, {"output": output, "plot": plot}):

@@ -21,7 +21,7 @@ PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # of formulas, and
 SAID = re.compile(r"(?<!Verdict )\b(?:verdict\w*\s*=|return)\s+(?:diagnosis::)?Verdict::|\?\s*Verdict::")
 INCLUDE = re.compile(r'^#include "([^"]+)"')
 COMPARISON = re.compile(r" (?:<|>|<=|>=|==|!=) ")
-COUNTS = re.compile(r"\bfor \(|\.size\(\)|\.end\(\)|\.at\(\)")  # loops, sizes, what is found or not, texts
+COUNTS = re.compile(r"\bfor \(|\.size\(\)|\.end\(\)|\.at\(\)|\.terms")  # loops, sizes, what is found or not, texts
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 namespace rubber_suspension {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string refusalOfBytes(const std::string& name, const std::string& bytes) {
@@ -203,9 +205,9 @@ class Hdf5Writer {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
-  // Of kRows numbers; nothing is written where there are none.
+  // Nothing is written where there are no values.
   void dataset(const std::string& name, const std::vector<double>& values, hid_t properties = H5P_DEFAULT) const {
-    const hsize_t size = kRows;
+    const hsize_t size = values.empty() ? kRows : values.size();
     const hid_t space = H5Screate_simple(1, &size, nullptr);
     const hid_t dataset =
         H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
@@ -247,6 +249,33 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
   EXPECT_THAT(refusalOfHdf5(file.path()), HasSubstr("2 logs in one file: 'a', 'b'"));
   expectChannels(log::readLog(file.path(), log::makeLogFormat({}, "", 0.0, "", "1", -1.0)));
   EXPECT_EQ(log::readLogs(file.path(), log::makeLogFormat({}, "", 0.0, "", "all", -1.0)).size(), 2U);
+}
+
+// As converters of MDF files write them: groups of a rate of their own.
+TEST(Hdf5File, OfGroupsOfOneRateIsALogOfTwoRatesIsRefusedWithTheLineThatConvertsIt) {
+  for (const std::size_t forces : {std::size_t{100}, std::size_t{50}}) {
+    const TemporaryFile file("log.h5", "");
+    {
+      const Hdf5Writer writer(file.path());
+      std::vector<double> values(100);
+      std::iota(values.begin(), values.end(), 0.0);
+      writer.group("a");
+      writer.dataset("a/time_s", values);
+      writer.dataset("a/displacement_mm", values);
+      values.resize(forces);
+      writer.group("b");
+      writer.dataset("b/time_s", values);
+      writer.dataset("b/force_N", values);
+    }
+    if (forces == 100) {
+      EXPECT_EQ(log::readLog(file.path()).force.back(), 99.0);
+    } else {
+      EXPECT_THAT(refusalOfHdf5(file.path()),
+                  AllOf(HasSubstr("b/force_N has 50 values, a/displacement_mm has 100; accepted: as many in each"),
+                        HasSubstr("n.interp(t, f['a/time_s'], f['a/displacement_mm']), f['b/force_N']"),
+                        HasSubstr("header='time_s,displacement_mm,force_N'")));
+    }
+  }
 }
 
 TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {

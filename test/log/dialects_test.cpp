@@ -241,8 +241,15 @@ TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   const std::string head = "Time [s];Travel [mm];Force [N]\n";
   EXPECT_EQ(readBy(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
   EXPECT_EQ(readBy(head + "0.005;1.25;1\n0.010;1.5;1.125\n", {}).force[1], 1.125);
-  EXPECT_THAT(refusalOf(head + "0.005;1.25;998\n0.010;1.5;1.002\n"),
-              HasSubstr("a file without marks between thousands"));
+  const std::string both = head + "0.005;1.25;998\n0.010;1.5;1.002\n";
+  const std::string error = refusalOf(both);
+  EXPECT_THAT(error, HasSubstr("or --decimal force=, (it stands between thousands)"));
+  EXPECT_EQ(readBy(both, adviceOf(error, "--decimal")).force[1], 1.002);
+  EXPECT_EQ(readBy(both, log::makeLogFormat({}, "", 0.0, "force=,", "", -1.0)).force[1], 1002.0);
+  EXPECT_EQ(readBy("time_s,displacement_mm,force_N\n0.0,1.5,998\n0.1,1.6,1.002\n",
+                   log::makeLogFormat({}, "", 0.0, "force=,", "", -1.0))
+                .force[1],
+            1002.0);
 }
 
 // The mark that a late number tells holds for those before, too.

@@ -47,6 +47,18 @@ class Components(unittest.TestCase):
     def test_is_made_whole(self):
         with self.assertRaises(TypeError):
             rs.Motion.__new__(rs.Motion)
+        for made in (rs.Log, rs.Component, rs.Diagnosis):
+            with self.assertRaises(TypeError):
+                made.__new__(made)
+            with self.assertRaises(TypeError):
+                made.__new__(int)
+        log = rs.Log.__new__(rs.Log, [0.0, 1.0], [0.0, 1e-3])
+        self.assertEqual(len(log), 2)
+
+        class Named(rs.Component):
+            def __init__(self, stiffness):
+                super().__init__([{"type": "spring", "stiffness": stiffness}], name="named")
+        self.assertEqual(Named(1e6).name, "named")
         with self.assertRaises(ValueError):
             rs.Component([{"type": "spring", "stiffness": 1e6}], name="a: b\n  c: {")
 

@@ -16,7 +16,7 @@ struct ImplantedEffect {
   double nothing_named = 0.0;          ///< share for which none would
   double visible_share = 0.0;          ///< of its force, the part that re-estimated model parameters do not hide
   double least_size = 0.0;  ///< RMS force over the force's standard deviation from which half of the shapes are found,
-                            ///< alone or in a set; infinite where that is more than all of the force
+                            ///< alone or in a set without wrong values; infinite where that is more than all of it
 };
 
 struct CouldShow {

@@ -104,7 +104,18 @@ struct Admission {
   double highest_frequency = 0.0;     ///< [Hz]
   double noise = 0.0;                 ///< floor in units of the force's standard deviation
   double repeats = 0.0;               ///< share of the log that repeats an earlier motion
+  double recorded = 0.0;              ///< gap of the augmented component to the log as recorded
+  double left = 0.0;                  ///< the same once what the rig did to the log is taken out
   std::vector<std::string> notes;
+};
+
+/// What of one kind was taken out of a log before a model was held against it.
+struct TakenOut {
+  std::string log;
+  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state, displacement_noise
+  /// Root of what it has of the mean squared residual, over the force's standard deviation; less than 0 where the
+  /// residual grew. The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
+  double share = 0.0;
 };
 
 /// Re-estimated over configured value, by the parameter's name.
@@ -142,6 +153,15 @@ struct SizedValue {
   double value = 0.0;
   std::array<double, 2> interval_95{};  ///< posterior predictive: logs, form of the law and choice of the law
   std::array<bool, 2> at_bound{};       ///< whether an end of it is a bound of the fit
+};
+
+/// The whole component at one point, as configured and as augmented.
+struct WholeStiffness {
+  double frequency = 0.0;              ///< [Hz]
+  double amplitude = 0.0;              ///< [m]
+  bool nominal_amplitude = false;      ///< it is that of the specification; else the logs' median
+  std::array<double, 2> stiffness{};   ///< K before and after [N/m]
+  std::array<double, 2> loss_angle{};  ///< likewise [rad]
 };
 
 /// An experiment to play on the bench.
@@ -216,7 +236,13 @@ struct Diagnosis {
   ProposedExperiment proposed;  ///< its displacement
   io::ComponentDescription configured;
   io::ComponentDescription re_estimated;
-  io::ComponentDescription augmented;  ///< re-estimated, with the effects named
+  /// Re-estimated, with the simplest law of each effect named, rounded: as augmented.yaml has it.
+  io::ComponentDescription augmented;
+  io::ComponentDescription augmented_full;  ///< the same with the laws that were judged, all their numbers in full
+  bool write_full_law = false;              ///< the report has augmented_full.yaml
+  double gap_of_full_law = 0.0;             ///< of that one, as `gap.augmented` is of the simplest law
+  std::vector<SizedValue> written;          ///< numbers of `augmented` in full, by their places (io::numberPlace)
+  int finer = 0;                            ///< digits to which they are rounded, beyond a tenth of half the interval
 
   std::optional<Surrogate> surrogate;  ///< for the verdicts unknown and partly
 
@@ -227,10 +253,12 @@ struct Diagnosis {
   std::size_t samples = 0;           ///< that the search took
   std::size_t recorded_samples = 0;  ///< that the logs have; more than `samples` where it took excerpts
   std::vector<Admission> admission;
+  std::vector<TakenOut> taken_out;  ///< log by log
   ParameterRatios parameter_ratios;
   std::vector<ParameterByLog> by_log;
   std::vector<SizedValue> model_sizes;   ///< of the judged model's own parameters
   std::vector<SizedValue> effect_sizes;  ///< of the effects named
+  std::optional<WholeStiffness> whole;   ///< nothing where a component has no settled loop
   CharacteristicErrors errors_re_estimated;
   CharacteristicErrors errors_augmented;
 
@@ -267,7 +295,8 @@ std::string toHtml(const Diagnosis& diagnosis);
 /// Names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Write the report into a folder, which is made: report.json, augmented.yaml, next_experiment.csv, surrogate.yaml and
+/// Write the report into a folder, which is made: report.json, augmented.yaml, augmented_full.yaml where it was asked
+/// for, next_experiment.csv, surrogate.yaml and
 /// missing_force.csv where there is a surrogate, evidence.json where it was asked for, the numbers of its figures, and
 /// report.html last. Nothing takes its name before all are written; what an earlier report left there and this one
 /// lacks is removed. Throws std::runtime_error.

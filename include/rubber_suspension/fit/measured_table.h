@@ -28,6 +28,7 @@ struct MeasuredTable {
   std::vector<std::string> notes;  ///< of its reading: columns that were ignored
   /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it.
   std::optional<double> uncertainty = std::nullopt;
+  bool accept_units = false;  ///< no check shall doubt the units of its stiffness
 };
 
 /// Throws std::invalid_argument for a point that is no loop, by its numbers and what would be accepted.

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -41,6 +43,8 @@ class ComponentDescription {
   /// A wlf_shift or arrhenius_shift: how it follows a temperature, where given.
   std::optional<element::ElementDescription> temperature;
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
+  /// In which its file gives numbers, by the SI unit; of several the first.
+  std::map<std::string, std::string> units;
   /// Of a component of six directions, which has nothing of its own but a name; nullptr for any other.
   std::shared_ptr<const SixDirectionsDescription> six;
 
@@ -141,7 +145,18 @@ std::vector<ComponentDescription> parseComponentFile(const std::string& text, co
 const ComponentDescription& selectComponent(const std::vector<ComponentDescription>& components,
                                             const std::string& name, const std::string& source = "");
 
-/// YAML that parseComponentFile reads back to the same numbers, bit by bit.
-std::string toYaml(const std::vector<ComponentDescription>& components);
+/// How numbers are written for people; a place is as of numberPlace(), or "specification.static_stiffness".
+struct YamlStyle {
+  std::string head;  ///< lines of comment before all
+  /// The text of a number [SI] at a place; where not given, the shortest that reads back as the same number.
+  std::function<std::string(const std::string& place, double value)> number;
+  std::function<std::string(const std::string& place)> note;  ///< a comment on it; may be empty
+};
+
+/// "add[0].stiffness", or "add[0].stiffness[1]" in a list; an index below 0: no list.
+std::string numberPlace(const std::string& entry, const std::string& key, int index);
+
+/// YAML that parseComponentFile reads back to the same numbers, bit by bit, unless the style says otherwise.
+std::string toYaml(const std::vector<ComponentDescription>& components, const YamlStyle& style = {});
 
 }  // namespace rubber_suspension::io

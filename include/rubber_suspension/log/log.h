@@ -15,6 +15,13 @@ namespace rubber_suspension::log {
 
 class NewFile;
 
+/// How sure the units of displacement and force are.
+enum class UnitsAre {
+  named,     ///< by the file or the user
+  assumed,   ///< SI, because neither names that of the one or of the other
+  accepted,  ///< right, as the user says: no check doubts them
+};
+
 /// A log in SI units; all vectors that are not empty have the same length.
 struct Log {
   std::string name;                  ///< file name without folder and extension
@@ -23,6 +30,7 @@ struct Log {
   std::vector<double> force;         ///< measured [N]; empty if the log has none
   std::vector<double> temperature;   ///< [degC]; empty if the log has none
   std::vector<std::string> notes;    ///< what was ignored and why
+  UnitsAre units = UnitsAre::named;
 
   std::size_t size() const { return stamp.size(); }
   double time(std::size_t i) const { return static_cast<double>(stamp[i]) * 1e-9; }  ///< [s]
@@ -44,6 +52,7 @@ struct LogFormat {
     std::string column;   ///< empty: by name or unit
     std::string unit;     ///< empty: that of the file
     double factor = 1.0;  ///< times what the file has
+    char decimal = '\0';  ///< its own decimal mark; '\0': that of the format
   };
 
   std::array<Channel, 4> of;     ///< time, displacement, force, temperature
@@ -53,6 +62,7 @@ struct LogFormat {
   bool turns = false;            ///< the displacement is an angle [rad] and the force a moment [N m]
   std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
                                  ///< where 99 of 100 rows have their numbers
+  bool accept_units = false;     ///< no check shall doubt the units
 };
 
 /// The format that options of a command describe: `--columns displacement=D force=-0.001*F`, or the quantities in the
@@ -61,8 +71,8 @@ struct LogFormat {
 /// accepted.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 
-/// The same with `--decimal ,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty, or less than 0: not
-/// given.
+/// The same with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, and `--bridge SECONDS`; empty,
+/// or less than 0: not given.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
                         const std::string& decimal, const std::string& segment, double bridge);
 

@@ -27,6 +27,7 @@ struct Record {
   double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
   double lowest_frequency = 0.0;     ///< below this the displacement has no power to speak of [Hz]
   double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, by 2 pi [Hz]
+  UnitsAre units = UnitsAre::named;  ///< of displacement and force
   std::vector<std::string> notes;    ///< what was found and done: time base, saturation, smoothing
   /// Of an excerpt, the motion that leads to its first sample [m], at even steps of `lead_in_dt` [s]: coarse, it is for
   /// what the component remembers, and compared with nothing. Empty where the component rested before the record.
@@ -65,6 +66,12 @@ void requireForce(const Log& log);
 /// Even time steps and nothing else: the displacement as recorded, no noise nor frequencies known.
 /// Throws LogError as makeRecord() does.
 Record evenRecord(const Log& log);
+
+/// The same of channels that need not change.
+Record rawRecord(const Log& log);
+
+/// True where both channels change by more than numbers do.
+bool bothChange(const Record& record);
 
 /// The displacement with noise drawn as its sensor has it. The same numbers at every call with the same draw.
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);

@@ -11,25 +11,34 @@
 
 namespace rubber_suspension::measurement {
 
-/// Compare each record with the configured component. Every finding is fatal and has evidence and correction in its
-/// text:
-/// - sign: the force falls where the displacement rises, and the loops give energy;
+/// Compare the records of one bench with the configured component. Every finding is fatal and has evidence and
+/// correction in its text:
+/// - constant: a channel does not change, stands still for a tenth of the log or more while the other continues, or is
+///   noise alone of next to nothing;
+/// - rectified: a channel follows the magnitude of the other;
+/// - sign: the force falls where the displacement rises, and the loops give energy, which no mass in fast motion does;
+///   of a spring without loss, where no slower log has the right sign;
 /// - swapped_columns: the loops give energy while the stiffness is positive, or the stiffness is that of force and
 ///   displacement exchanged;
 /// - delay: the loops give energy because the force is late by an eighth of a period or more;
-/// - unit_factor: the stiffness is off by a factor that a wrong unit makes (1000, 9.81, 25.4, 4.448, 10, ...);
-/// - other_component: the stiffness is off by more than the specification's tolerance of 15 % and all effects of rubber
-///   can explain together, and by no such factor;
+/// - unit_factor: the stiffness is off by a factor that a wrong unit makes (1000, 9.81, 25.4, 4.448, 10, ...): about,
+///   where units are assumed (log::UnitsAre); where they are named within the specification's tolerance of 15 %, by
+///   hundreds 50 %, in all logs alike, or in one log among others by hundreds;
+/// - other_component: the stiffness of all logs is off by one other factor, more than this tolerance and all effects of
+///   rubber can explain together;
+/// - peak_to_peak: the force is that of the component times 2, or 1/2, in all logs;
 /// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
 ///
-/// Stiffness is judged only where the measured force goes with the displacement; a damper or a seal, whose component
-/// has hardly any spring, is left to the diagnosis. Throws std::invalid_argument for elements that make no component.
+/// The factors are not doubted where the user accepts the units. Stiffness is judged only where the measured
+/// force goes with the displacement; a damper or a seal, whose component has hardly any spring, is left to the
+/// diagnosis. Throws std::invalid_argument for elements that make no component.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records);
 
-/// Of a table, whose name the finding has, the same by a typical stiffness [N/m], measured and configured: unit_factor
-/// or other_component; nothing where effects may explain the ratio.
-std::optional<RigFinding> checkStiffness(const std::string& table, double measured, double configured);
+/// Of a table, whose name the finding has, the same by the stiffness [N/m] of its rows, measured and configured:
+/// unit_factor, other_component or peak_to_peak; nothing where effects may explain their ratio.
+std::optional<RigFinding> checkStiffness(const std::string& table, const std::vector<double>& measured,
+                                         const std::vector<double>& configured);
 
 /// A record as it would be with the correction of a finding.
 struct BenchCorrection {

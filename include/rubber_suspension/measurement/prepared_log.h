@@ -18,8 +18,9 @@ struct PreparedLog {
 };
 
 /// Make a log ready: samples that a channel did not measure are bridged and do not count, nor does the first cycle of a
-/// log that starts in motion, in which friction remembers what came before. Throws LogError as makeRecord() does, and
-/// where fewer than half of the samples are left.
+/// log that starts in motion, in which friction remembers what came before. Of a log with a channel that does not
+/// change the record is raw: checkBench() names it. Throws LogError as makeRecord() does, and where fewer than half of
+/// the samples are left.
 PreparedLog prepareLog(const log::Log& log);
 
 /// The same of a piece of a longer log, all of which the component has taken: its first cycle counts.

@@ -23,6 +23,10 @@ inline constexpr const char* kSign = "sign";
 inline constexpr const char* kUnitFactor = "unit_factor";
 inline constexpr const char* kSwappedColumns = "swapped_columns";
 inline constexpr const char* kOtherComponent = "other_component";
+inline constexpr const char* kRectified = "rectified";
+inline constexpr const char* kConstant = "constant";
+inline constexpr const char* kPeakToPeak = "peak_to_peak";
+inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kTooShort = "too_short";
 }  // namespace finding
 

@@ -39,12 +39,19 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   if (answer.effects.empty()) {
     return answer.verdict == Verdict::unknown ? Outcome::unexplained : Outcome::out_of_reach;
   }
-  if (has(answer.effects, effect) && answer.verdict != Verdict::confounded) {
+  if (has(answer.effects, effect) && answer.alternatives.empty()) {
     return Outcome::found;
   }
   const bool listed = std::any_of(answer.confounded.begin(), answer.confounded.end(),
                                   [&](const std::vector<int>& set) { return has(set, effect); });
   return listed ? Outcome::confounded : Outcome::taken_for;
+}
+
+// Effects are named, and wrong values may be all the same.
+bool valuesWouldDo(const Answer& answer) {
+  return !answer.effects.empty() &&
+         std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
+                     [](const Explained& other) { return other.verdict == Verdict::parameter_error; });
 }
 
 // The implants of one effect.
@@ -108,9 +115,7 @@ class EffectRow {
       std::copy_if(set.begin(), set.end(), std::inserter(others, others.end()),
                    [&](int other) { return other != effect_; });
     }
-    const bool values = std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
-                                    [](const Explained& e) { return e.verdict == Verdict::parameter_error; });
-    if (values && !answer.effects.empty()) {
+    if (valuesWouldDo(answer)) {
       others.insert(kWrongValues);
     }
     return others;
@@ -135,8 +140,10 @@ class EffectRow {
   bool halfIsFound(double size) const {
     std::size_t found = 0;
     for (const Implant* implant : implants_) {
-      const Outcome outcome = outcomeOf(answerTo(*implant, size), effect_);
-      found += outcome == Outcome::found || outcome == Outcome::confounded ? 1 : 0;
+      const Answer answer = answerTo(*implant, size);
+      const Outcome outcome = outcomeOf(answer, effect_);
+      const bool listed = outcome == Outcome::found || outcome == Outcome::confounded;
+      found += listed && !valuesWouldDo(answer) ? 1 : 0;
     }
     return 2 * found >= implants_.size();
   }

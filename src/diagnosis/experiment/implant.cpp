@@ -23,7 +23,8 @@ class Projected {
       : fitter_(fitter),
         model_(screening.modelSize()),
         size_(screening.blocks().sum.rows() - 1),
-        plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)) {
+        plain_((screening.blocks().sum - screening.blocks().prior).topLeftCorner(size_, size_)),
+        squares_(screening.blocks().squares) {
     const Eigen::MatrixXd gram = screening.blocks().sum.topLeftCorner(size_, size_);
     Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
     base.diagonal().array() *= 1.0 + 1e-9;  // parameters of which the logs tell nothing
@@ -33,7 +34,8 @@ class Projected {
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }
 
-  double gapOf(Eigen::Index column) const { return std::sqrt(std::max(0.0, plain_(column, column))); }
+  // Of what the rig may do to a log, too.
+  double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
   // What is left of `scale` times a column by the model parameters and the columns of a candidate.
   Leaves leave(Eigen::Index column, double scale, const std::vector<Eigen::Index>& columns,
@@ -73,6 +75,7 @@ class Projected {
   Eigen::Index model_;
   Eigen::Index size_;
   Eigen::MatrixXd plain_;      // without priors
+  Eigen::VectorXd squares_;    // of each column
   Eigen::MatrixXd taken_;      // of each column, by each model parameter
   Eigen::MatrixXd projected_;  // of basis terms and what is free in each log
 };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
 constexpr double kWithin = 1.0 - 1e-6;        // of a bound, so that rounding does not exceed it
-constexpr double kMostSamplesOfMotion = 5e5;  // of one motion
+constexpr double kMostSamplesOfMotion = 1e5;  // beyond, every second or third step of the bench will do
 constexpr double kCyclesOfMotion =
     40.0;                            // of a motion, where there is room: a fit to part of it has to predict the rest
 constexpr double kPerPeriod = 40.0;  // samples of the highest frequency by which models are compared
@@ -55,9 +55,10 @@ class Menu {
 
   /// Left out where it takes longer than there is room.
   void add(const Shape& shape) {
-    const double dt = std::max(bounds_.dt, 1.0 / (200.0 * shape.frequency));
     const double whole = shape.length + 2.0 * travel_;
-    if (!(shape.length > 0.0) || whole > bounds_.duration - 2.0 * dt || whole / dt > kMostSamplesOfMotion) {
+    const double dt = bounds_.dt * std::max(1.0, std::ceil(whole / (kMostSamplesOfMotion * bounds_.dt)));
+    const bool too_coarse = dt > bounds_.dt && dt > 1.0 / (kPerPeriod * shape.frequency);
+    if (!(shape.length > 0.0) || whole > bounds_.duration - 2.0 * dt || too_coarse) {
       return;
     }
     const auto size = static_cast<Eigen::Index>(whole / dt) + 2;

@@ -13,6 +13,8 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
+constexpr double kSure = 0.95;  // probability of a verdict that no further experiment is proposed for
+
 // A wider limit, and what it would be called.
 struct Relaxation {
   std::string text;
@@ -129,6 +131,9 @@ NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& working
                               int threads) {
   if (workings.answer.verdict == Verdict::none) {
     return {"None is needed: the model agrees with the measurement as far as these logs can show.", {}};
+  }
+  if (workings.answer.probability > kSure && !leavesRest(workings.answer.verdict)) {
+    return {fmt::format("None is needed: the verdict stands at {} %.", chance(workings.answer.probability)), {}};
   }
   return Proposer(fitter, workings, limits, threads).run();
 }

@@ -66,9 +66,14 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   std::vector<log::Record> records(simulated.size());
   fit::parallelFor(records.size(), options.threads,
                    [&](std::size_t i) { records[i] = measurement::prepareLog(simulated[i]).record; });
+  for (const log::Record& record : records) {
+    if (!log::bothChange(record)) {
+      throw log::LogError(record.name + ": the displacement does not change; accepted: a programme that moves");
+    }
+  }
   std::vector<log::Record> none;
   const fit::ModelParameters model(component, fit::Level::specification);
-  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none);
+  setRigPriors(model, component.rig.value_or(io::RigTolerances{}), records, none, RigScatter::as_tolerated);
   fit::Fitter fitter(records, model);
   Search search;
   search.excitation = fit::summarise(fitter.records());

@@ -28,12 +28,21 @@ double takenInLog(fit::FreeInLog free, const log::Record& record, const Eigen::V
   return std::max(0.0, meanSquare(record, residual) - meanSquare(freed, residual));
 }
 
+// Of a force, without its mean in the log where it belongs to the rubber: a zero of the force takes that.
+double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_rig) {
+  const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
+  const double mean = on_rig ? 0.0 : force.dot(counts) / record.counted();
+  return (force.array() - mean).square().matrix().dot(counts) / record.counted() / std::pow(record.force_deviation, 2);
+}
+
+// `added`: what the member adds to the force; `with`: the force with it, for what is free in a log.
 std::vector<double> sizesOfMember(const fit::Candidate& candidate, const std::vector<log::Record>& records,
-                                  const gap::Forces& with, const gap::Forces& without) {
+                                  const gap::Forces& added, const gap::Forces& with) {
+  const fit::FreeInLog free = candidate.free_in_log;
   std::vector<double> sizes;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const double taken = candidate.free_in_log.any() ? takenInLog(candidate.free_in_log, records[r], with[r]) : 0.0;
-    const double size = meanSquare(records[r], with[r] - without[r]) + taken;
+    const double size = sizeOf(records[r], added[r], candidate.on_rig) +
+                        (free.any() ? takenInLog(free, records[r], with[r]) : 0.0);
     sizes.push_back(std::isfinite(size) ? size : std::numeric_limits<double>::infinity());
   }
   return sizes;
@@ -124,7 +133,8 @@ class LogTable {
                bool unseen) {
     for (std::size_t r = 0; r < records.size(); ++r) {
       const double uncertainty = floorUncertainty(records[r], records[r].force - forces[r]);
-      evidence_.logs.push_back({floors[r], uncertainty, records[r].weight, unseen, 0});
+      const double floor = std::hypot(floors[r], rigCost(records[r], records[r].force - forces[r]));
+      evidence_.logs.push_back({floor, uncertainty, records[r].weight, unseen, 0});
     }
   }
 
@@ -184,12 +194,14 @@ fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates
 
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted) {
-  const gap::Forces with = *forces.at(fitted.hypothesis, fitted.fit.parameters);
   std::vector<std::vector<double>> sizes;
   for (std::size_t m = 0; m < fitted.hypothesis.members.size(); ++m) {
-    const auto without = forces.at(fitted.hypothesis, withoutMember(candidates, fitted, m));
-    const auto candidate = static_cast<std::size_t>(fitted.hypothesis.members[m]);
-    sizes.push_back(sizesOfMember(candidates[candidate], forces.records(), with, *without));
+    const fit::Candidate& candidate = candidates[static_cast<std::size_t>(fitted.hypothesis.members[m])];
+    const Eigen::VectorXd others = withoutMember(candidates, fitted, m).scales;
+    const gap::Forces added = forces.moreThanWith(others, fitted.hypothesis, fitted.fit.parameters);
+    const bool frees = candidate.free_in_log.any();
+    sizes.push_back(sizesOfMember(candidate, forces.records(), added,
+                                  frees ? *forces.at(fitted.hypothesis, fitted.fit.parameters) : gap::Forces()));
   }
   return sizes;
 }

@@ -17,8 +17,9 @@ fit::ParameterVector withoutMember(const std::vector<fit::Candidate>& candidates
                                    std::size_t member);
 
 /// Mean square of the force that each member of a fitted hypothesis adds to each record, in units of the variance of
-/// its force: of the force with the member less that without it, all other numbers as fitted, what the rig may have
-/// added taken out. What a member frees in each log counts as its own. Members without any force there have 0.
+/// its force: of the force with the member less that without it, all other numbers as fitted; without its mean, which
+/// is a zero, where the member belongs to the rubber. What a member frees in each log counts as its own. Members
+/// without any force there have 0.
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 

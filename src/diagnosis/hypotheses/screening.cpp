@@ -173,7 +173,7 @@ void Screening::measureVisibility(double noise, Search& result) const {
     bool testable = false;
     for (const Eigen::Index j : columns) {
       const Eigen::VectorXd cross = total.col(j).head(model_size_);
-      const double whole = total(j, j);
+      const double whole = blocks_.squares[j];
       const double rest = std::max(0.0, whole - cross.dot(numerics::solveLeastNorm(base, cross)));
       const double visible = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
       share = std::max(share, visible);

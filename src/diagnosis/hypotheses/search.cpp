@@ -20,14 +20,15 @@ namespace {
 
 constexpr int kBaseIterations = 14;
 constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
-constexpr std::size_t kMostStarts = 4;     // hypotheses that further effects are added to
+constexpr std::size_t kMostStarts = 3;     // hypotheses that further effects are added to
+constexpr std::size_t kAtOnce = 4;         // sets that are fitted before those that are left are looked at again
 constexpr std::size_t kMostEffects = 3;
 // Logarithm of odds: what is less likely than the best by so much is not fitted, and nothing is added to it. Screening
-// takes laws for linear: its odds are off by about as much.
+// takes laws for linear: its odds are off by some more.
 constexpr double kWithinReach = 4.6;
-constexpr double kScreeningKnown = 4.6;
+constexpr double kScreeningKnown = 2.3;
 // Fits that promise no less than so many times the error of the best of their size end: that, too, is by screening.
-constexpr double kHopeless = 3.0;
+constexpr double kHopeless = 2.0;
 
 void sortByScore(std::vector<FittedHypothesis>& list) {
   std::stable_sort(list.begin(), list.end(),
@@ -131,7 +132,7 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  Odds odds() const { return {result_.candidates, result_.noise, result_.re_estimated.fit.score()}; }
+  Odds odds() const { return {result_.candidates, result_.least, result_.re_estimated.fit.score()}; }
 
   double oddsOf(const FittedHypothesis& fitted) const {
     return odds().of(fitted.hypothesis.members, fitted.fit.score());
@@ -209,20 +210,22 @@ class Searcher {
     return sets;
   }
 
-  // Fits those that may be as likely as the best; false where none is.
-  bool fitSets(std::vector<Planned> planned, std::vector<FittedHypothesis>& list) {
-    const double best = std::max(bestOdds(), planned.empty() ? 0.0 : planned.front().odds);
-    std::size_t count = 0;
-    while (count < std::min(kMostOfOneSize, planned.size()) &&
-           planned[count].odds > best - kWithinReach - kScreeningKnown) {
-      ++count;
+  // Fits those that may be as likely as the best, some at once; false where none is.
+  bool fitSets(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
+    const std::size_t most = std::min(kMostOfOneSize, planned.size());
+    std::size_t fitted = 0;
+    while (fitted < most && planned[fitted].odds > bestOdds() - kWithinReach - kScreeningKnown) {
+      const double least_odds = bestOdds() - kWithinReach - kScreeningKnown;
+      std::vector<Planned> some;
+      while (fitted < most && some.size() < kAtOnce && planned[fitted].odds > least_odds) {
+        some.push_back(planned[fitted++]);
+      }
+      fitAll(some, list);
     }
-    planned.resize(count);
-    fitAll(planned, list);
-    if (count > 0) {
+    if (fitted > 0) {
       measured_.estimateNoise(*bestOfAll(), result_);
     }
-    return count > 0;
+    return fitted > 0;
   }
 
   void fitAll(const std::vector<Planned>& planned, std::vector<FittedHypothesis>& list) {
@@ -308,7 +311,7 @@ std::vector<const FittedHypothesis*> Search::withEffects() const {
 }
 
 const FittedHypothesis& Search::likeliestBeside(const FittedHypothesis& one) const {
-  const Odds odds(candidates, noise, re_estimated.fit.score());
+  const Odds odds(candidates, least, re_estimated.fit.score());
   const auto oddsOf = [&](const FittedHypothesis& fitted) {
     return odds.of(fitted.hypothesis.members, fitted.fit.score());
   };

@@ -36,6 +36,8 @@ struct Search {
   std::vector<double> record_rest;    ///< of each log, noise of the least that models leave, in these units
   std::vector<double> record_caused;  ///< of each log, what the noise of the displacement causes in the model
   std::vector<double> record_noise;   ///< of each log, in units of its force's standard deviation
+  std::vector<double> record_rig;     ///< of each log, what the rig's errors cost the best model (rigCost())
+  double least = 0.0;                 ///< what no model leaves less than, of all logs: noise and the rig's errors
   std::string noise_source;
   std::vector<double> visible_share;  ///< per candidate: part of its force that re-estimation does not hide [-]
   std::vector<Implant> implants;      ///< each candidate implanted into these logs; empty unless asked for

@@ -1,6 +1,8 @@
 // Numbers of a search for the judgement.
 #include "diagnosis/hypotheses/search_evidence.h"
 
+#include <limits>
+
 namespace rubber_suspension::diagnosis {
 namespace {
 
@@ -10,7 +12,8 @@ HypothesisEvidence evidenceOf(const FittedHypothesis& fitted) {
   evidence.terms = fitted.hypothesis.terms.size();
   evidence.free_trends = fitted.hypothesis.free_in_log.trend;
   evidence.free_gains = fitted.hypothesis.free_in_log.gain;
-  evidence.penalty = fitted.fit.penalty;
+  const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
+  evidence.penalty = applies ? fitted.fit.penalty : std::numeric_limits<double>::infinity();  // nothing was fitted
   return evidence;
 }
 

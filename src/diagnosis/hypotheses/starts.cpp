@@ -21,11 +21,14 @@ void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   }
 }
 
-// From a start, then once more with zeros of the displacement where what was found depends on them.
+// From a start, with zeros of the displacement where what is at work there depends on them; once more with them where
+// only what was found does.
 void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& start, const fit::FitLimits& limits,
              FittedHypothesis& best) {
-  FittedHypothesis fitted{best.hypothesis, fitter.fit(best.hypothesis, start, limits)};
-  if (fitted.fit.gap <= limits.reach) {
+  FittedHypothesis fitted{best.hypothesis, {}};
+  fitter.freeZeros(start, fitted.hypothesis);
+  fitted.fit = fitter.fit(fitted.hypothesis, start, limits);
+  if (!fitted.hypothesis.free_in_log.zero && fitted.fit.gap <= limits.reach) {
     FittedHypothesis with_zeros = fitted;
     fitter.freeZeros(fitted.fit.parameters, with_zeros.hypothesis);
     if (with_zeros.hypothesis.free_in_log.zero) {
@@ -36,11 +39,17 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::ParameterVector& st
   keepBetter(std::move(fitted), best);
 }
 
-// Terms that are additive, or at work already: others have to be simulated.
-std::vector<bool> atWork(const fit::Hypothesis& hypothesis, const fit::ParameterVector& start) {
+// Terms of new members, and those of others that are additive or at work: what was left at nothing has to be simulated.
+std::vector<bool> mayMove(const std::vector<fit::Candidate>& candidates, const FittedHypothesis& from,
+                          const fit::Hypothesis& hypothesis, const fit::ParameterVector& start) {
+  const std::vector<int>& fitted = from.hypothesis.members;
   std::vector<bool> active;
-  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
-    active.push_back(hypothesis.terms[t].additive || start.scales[static_cast<Eigen::Index>(t)] != 0.0);
+  for (const int member : hypothesis.members) {
+    const bool known = std::find(fitted.begin(), fitted.end(), member) != fitted.end();
+    for (const fit::BasisTerm& term : candidates[static_cast<std::size_t>(member)].terms) {
+      const double scale = start.scales[static_cast<Eigen::Index>(active.size())];
+      active.push_back(!known || term.additive || scale != 0.0);
+    }
   }
   return active;
 }
@@ -117,7 +126,7 @@ void fitFurther(const fit::HypothesisFitter& fitter, const std::vector<fit::Cand
   const fit::ParameterVector as_fitted = taken(fitter, candidates, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
-  fitFrom(fitter, first, {kFurtherIterations, reach, atWork(hypothesis, first)}, further);
+  fitFrom(fitter, first, {kFurtherIterations, reach, mayMove(candidates, from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
     FittedHypothesis again{hypothesis, {}};
     fitFrom(fitter, fitter.scalesAlone(hypothesis, fitter.configured(hypothesis), 1), {kSingleIterations, reach}, again);

@@ -16,24 +16,6 @@
 #include "rubber_suspension/measurement/noise_floor.h"
 
 namespace rubber_suspension::diagnosis {
-namespace {
-
-// The hypothesis with what zeros of the displacement do to these records.
-fit::Hypothesis withZerosOf(const fit::ModelParameters& model, const FittedHypothesis& fitted,
-                            const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
-  fit::Hypothesis hypothesis = fitted.hypothesis;
-  if (hypothesis.free_in_log.zero) {
-    const auto elements = *fit::elementsOf(model, hypothesis, fitted.fit.parameters);
-    std::vector<Eigen::VectorXd> columns;
-    for (std::size_t r = 0; r < records.size(); ++r) {
-      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
-    }
-    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
-  }
-  return hypothesis;
-}
-
-}  // namespace
 
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<log::Record>& records) {
@@ -48,8 +30,21 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros) {
-  UnseenErrors errors =
-      partErrorsOf(withZerosOf(model, fitted, records, zeros), records, predict(model, fitted, records));
+  return unseenErrors(fitted.hypothesis, *fit::elementsOf(model, fitted.hypothesis, fitted.fit.parameters),
+                      predict(model, fitted, records), records, zeros);
+}
+
+UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
+                          const gap::Forces& predicted, const std::vector<log::Record>& records,
+                          const std::vector<fit::DisplacementZero>& zeros) {
+  if (hypothesis.free_in_log.zero) {
+    std::vector<Eigen::VectorXd> columns;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      columns.push_back(fit::byZero(elements, {records[r]}, {zeros[r]}).front());
+    }
+    hypothesis.by_zero = std::make_shared<const std::vector<Eigen::VectorXd>>(std::move(columns));
+  }
+  UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
   for (gap::PartError& part : errors) {  // a law that gives way under some motion explains none of it
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }

@@ -27,6 +27,11 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<log::Record>& records, const std::vector<fit::DisplacementZero>& zeros);
 
+/// Of forces that elements predict, under a hypothesis that says what is free in each log.
+UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
+                          const gap::Forces& predicted, const std::vector<log::Record>& records,
+                          const std::vector<fit::DisplacementZero>& zeros);
+
 /// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each
 /// log, which is what such a hypothesis says of a log and no simulation predicts.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis, const std::vector<log::Record>& records,

@@ -11,7 +11,7 @@ namespace rubber_suspension::diagnosis {
 /// follows is infinite.
 struct HypothesisEvidence {
   std::vector<int> members;        ///< effects at work, ascending
-  std::size_t terms = 0;           ///< numbers that they add to the model
+  std::size_t terms = 0;           ///< numbers that they add to the model; 0: the logs lack what they need
   bool free_trends = false;        ///< a slow trend per log is free, too
   bool free_gains = false;         ///< a gain per log is free, too
   double penalty = 0.0;            ///< regularisation penalty of changed model parameters, as a gap
@@ -22,7 +22,7 @@ struct HypothesisEvidence {
 
 /// A log that hypotheses are judged on, or a row of a table.
 struct LogEvidence {
-  double floor = 0.0;              ///< noise, as a gap
+  double floor = 0.0;              ///< noise and what the rig did within its tolerances, as a gap
   double floor_uncertainty = 0.0;  ///< standard error of its logarithm
   double weight = 1.0;             ///< of the log (Record::weight)
   bool unseen = false;             ///< took no part in the fit

@@ -46,6 +46,9 @@ void fillErrors(const HypothesisEvidence& hypothesis, Index row, ScoreTable& tab
   const ArrayXd beyond = (arrayOf(hypothesis.log_errors) - table.floor).max(0.0);
   table.left.row(row) = 0.5 * (beyond + (beyond * table.weight).sum());
   table.moved[row] = hypothesis.penalty * hypothesis.penalty;
+  if (!hypothesis.members.empty() && hypothesis.terms == 0) {  // the logs lack what it needs
+    table.left.row(row) = std::numeric_limits<double>::infinity();
+  }
 }
 
 void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {

@@ -123,6 +123,11 @@ void MeasuredLogs::estimateNoise(const FittedHypothesis& best, Search& result) c
     }
     result.noise /= too_much;
   }
+  result.record_rig.clear();
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    result.record_rig.push_back(rigCost(records[r], records[r].force - forces[r]));
+  }
+  result.least = std::hypot(result.noise, commonFloor(result.record_rig, records));
   result.noise_source = by_displacement
                             ? "spectrum of the residual outside the band of the excitation, and noise of the "
                               "displacement through the model"

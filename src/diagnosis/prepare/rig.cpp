@@ -21,9 +21,9 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-constexpr int kIterations = 8;              // of the fit by which a start in motion is told
-constexpr double kChanceOfNewZeros = 1e-3;  // that zeros which are new in each log look common
-constexpr std::size_t kFewestLogs = 3;      // that tell how zeros scatter
+constexpr int kIterations = 8;               // of the fit by which a start in motion is told
+constexpr double kBeyondDeviation = 0.1587;  // of a normal variable, beyond one standard deviation to one side
+constexpr std::size_t kFewestLogs = 3;       // that tell how zeros scatter
 
 std::vector<measurement::Mask> masksOf(const std::vector<log::Record>& records) {
   std::vector<measurement::Mask> masks;
@@ -83,8 +83,8 @@ bool agrees(const measurement::RigFinding& finding, const std::vector<measuremen
   });
 }
 
-// Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not (Student's t). So
-// many times their scatter, the mean of which is two of these where it is beyond chance, are the standard deviation.
+// Zeros and lags that are new in each log scatter as much as they are large; those of a cause do not. Their standard
+// deviation is that about their mean, wider the fewer there are: two in three are within it (Student's t).
 double deviationBy(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.size() < kFewestLogs) {
@@ -93,8 +93,7 @@ double deviationBy(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   const double scatter = std::sqrt((all.array() - all.mean()).square().sum() / (count - 1.0));
   const boost::math::students_t distribution(count - 1.0);
-  const double beyond = boost::math::quantile(boost::math::complement(distribution, 0.5 * kChanceOfNewZeros));
-  return scatter * std::max(1.0, beyond / std::sqrt(count) / io::kTolerated);
+  return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyondDeviation));
 }
 
 // How far zeros [N] and lags [s] may go by what they are in all logs.
@@ -118,6 +117,12 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
   return force;
 }
 
+// Whether a log tells anything of what adds this where it is one standard deviation: a slow one knows no lags.
+bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
+  constexpr double kLeast = 0.01;  // of the force
+  return deviation.norm() > kLeast * record.force_deviation * std::sqrt(static_cast<double>(record.size()));
+}
+
 // Pieces of one recording have one zero: only whole logs tell how zeros scatter.
 void addValues(const io::RigTolerances& tolerances, const std::vector<log::Record>& records,
                const gap::Forces& simulated, std::vector<double>& zeros, std::vector<double>& lags) {
@@ -128,12 +133,14 @@ void addValues(const io::RigTolerances& tolerances, const std::vector<log::Recor
       continue;
     }
     const measurement::RigFit fit = rig.fit(r, columns[r], 0);
-    const auto value = [&](measurement::Nuisance nuisance) {
+    const auto add = [&](measurement::Nuisance nuisance, std::vector<double>& values) {
       const Eigen::Index column = fit.column(nuisance);
-      return column >= 0 ? fit.values[column] : 0.0;
+      if (column >= 0 && shows(records[r], fit.rig.columns.col(column) * fit.rig.priors[column])) {
+        values.push_back(fit.values[column]);
+      }
     };
-    zeros.push_back(value(measurement::Nuisance::force_zero));
-    lags.push_back(value(measurement::Nuisance::delay));
+    add(measurement::Nuisance::force_zero, zeros);
+    add(measurement::Nuisance::delay, lags);
   }
 }
 
@@ -262,7 +269,7 @@ std::vector<fit::DisplacementZero> zerosOf(const std::vector<log::Record>& recor
 }  // namespace
 
 ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                        std::vector<log::Record>& training, std::vector<log::Record>& held_out) {
+                        std::vector<log::Record>& training, std::vector<log::Record>& held_out, RigScatter scatter) {
   const std::size_t logs = training.size();
   const auto configured = model.apply(Eigen::VectorXd::Zero(model.size())).allElements();
   setNuisances(configured, gap::simulate(configured, training), tolerances, {},
@@ -272,7 +279,8 @@ ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigToleranc
   const fit::ParameterVector parameters = fitter.fit(alone, fitter.configured(alone), {kIterations}).parameters;
   const auto elements = model.apply(parameters.model).allElements();
   const Noise noise = noiseOf(elements, training, held_out);
-  const Limits limits = limitsBy(elements, tolerances, training, held_out);
+  const Limits limits =
+      scatter == RigScatter::as_found ? limitsBy(elements, tolerances, training, held_out) : Limits();
   const std::vector<double> of_training = oneDeviations(noise.training, logs);
   const std::vector<double> of_held_out = oneDeviations(noise.held_out, logs);
   setNuisances(elements, gap::simulate(elements, training), tolerances, limits, of_training, training);

@@ -19,13 +19,17 @@ struct ZeroPriors {
   std::vector<fit::DisplacementZero> held_out;
 };
 
+/// Whether zeros and lags of the logs tell how they scatter; those that are simulated do not.
+enum class RigScatter { as_found, as_tolerated };
+
 /// Give each record what the rig may have added to it (Record::nuisances): zero, lag, clock, gain, what a motion before
 /// the log left, and noise slower than the motion as a random walk, each as wide as its tolerance. One standard
 /// deviation of any of them counts as much as an error that an engineer accepts. Zeros and lags that are much alike in
 /// all logs are no scatter of the rig: then they are no wider than they differ, and what they have in common is left to
 /// the effects. The model is re-estimated for that, and for how much each log counts (weighByNoise()).
 ZeroPriors setRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
-                        std::vector<log::Record>& training, std::vector<log::Record>& held_out);
+                        std::vector<log::Record>& training, std::vector<log::Record>& held_out,
+                        RigScatter scatter = RigScatter::as_found);
 
 /// What the rig did to each record by what `judged` leaves of it: the values that the priors and the accepted error
 /// allow, each with the uncertainty that the accepted error leaves it. Not told where `rival`, the next likely elements,

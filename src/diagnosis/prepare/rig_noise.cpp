@@ -21,6 +21,13 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::R
   return {kScatter * measurement::medianOf(forces), kScatter * measurement::medianOf(noise)};
 }
 
+// Of r'(I + C C')^-1 r, the part of the values: what is not that of (I + C C')^-1 r, which they leave.
+double rigCost(const log::Record& record, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd white = record.withoutRig(residual);
+  const double squares = white.squaredNorm() - record.withoutRig(white).squaredNorm();
+  return std::sqrt(std::max(0.0, squares) / record.counted()) / record.force_deviation;
+}
+
 void weighByNoise(const std::vector<double>& noise, std::vector<log::Record>& records) {
   constexpr double kAccepted = 0.02;  // of the force, by an engineer
   const double accepted = std::max(kAccepted, *std::min_element(noise.begin(), noise.end()));

@@ -20,6 +20,10 @@ struct NoiseLimit {
 /// 1.5 times the median of the logs' noise, given as gaps: noise of 1/f differs by that much from log to log.
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<log::Record>& records);
 
+/// What the rig did to a record beside a residual of it [N], as a gap: that of an error as large as its values, in
+/// standard deviations, count as. Any model leaves it.
+double rigCost(const log::Record& record, const Eigen::VectorXd& residual);
+
 /// Let logs whose force is little more than noise, as of a hold, count less (Record::weight): one with more noise than
 /// an engineer accepts of a model, and than the quietest log, counts as if it had so much. In the mean square over all
 /// logs it would hide what the others show, and be the larger part of what is left. `noise`: of each log, as a gap.

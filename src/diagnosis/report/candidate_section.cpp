@@ -22,7 +22,7 @@ bool isNamed(const Diagnosis& d, const CandidateResult& candidate) { return cont
 
 std::string parametersText(const CandidateResult& candidate) {
   std::string text;
-  for (const HeadlineValue& value : shortHeadlineOf(candidate.add)) {
+  for (const HeadlineValue& value : headlineValuesOf(candidate.add)) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", spoken(value.name), quantity(value.value, value.unit));
   }
   return text;

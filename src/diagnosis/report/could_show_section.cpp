@@ -91,7 +91,8 @@ std::string couldShowHtml(const CouldShow& could_show) {
              "<p class=\"note screen\">Each effect is implanted into this component, motion and noise, in several "
              "shapes of its "
              "law, with an RMS force of {} % of the force's standard deviation ({}; noise floor {} %), and judged as "
-             "the logs are. The least size is that from which half of the shapes are found, alone or in a set.</p>\n",
+             "the logs are. The least size is that from which half of the shapes are found, alone or in a set without "
+             "wrong values.</p>\n",
              fmt::format("{:.2g}", 100.0 * could_show.size), escape(could_show.why),
              fmt::format("{:.2g}", 100.0 * could_show.noise)) +
          "<p>" + escape(outcomesInWords(could_show)) + "</p>\n<div class=screen>" + outcomeTable(could_show) +

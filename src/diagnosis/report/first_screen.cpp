@@ -11,6 +11,7 @@
 #include "diagnosis/report/finding_advice.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
+#include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/workings.h"
 
 namespace rubber_suspension::diagnosis {
@@ -52,16 +53,16 @@ std::string effectsHtml(const Diagnosis& d) {
 std::string sizesHtml(const Diagnosis& d) {
   std::string html;
   for (const SizedValue& size : d.effect_sizes) {
-    const std::string name =
-        size.owner == "friction" && size.name == "displacement" ? "half of the force at" : escape(spoken(size.name));
     html += fmt::format("{}{}{} {}", html.empty() ? "" : "<br>",
-                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", name, quantity(size));
+                        d.effects.size() > 1 ? escape(spoken(size.owner)) + ": " : "", escape(sizeName(size)),
+                        quantity(size));
   }
   for (const SizedValue* size : changedValues(d)) {
     html += (html.empty() ? "" : "<br>") + escape(d.effects.empty() ? offText(*size) : besideText(*size)) +
             "; 95 %: " + intervalText(*size);
   }
-  return html;
+  const std::string whole = escape(wholeText(d));
+  return html + (html.empty() || whole.empty() ? "" : "<br>") + whole;
 }
 
 std::string sureHtml(const Diagnosis& d) {
@@ -102,11 +103,21 @@ std::string leftHtml(const Diagnosis& d) {
   std::string html = fmt::format("gap {} as configured, {} re-estimated, <b>{} after</b>; noise floor {}",
                                  percent(d.gap.as_configured), percent(d.gap.re_estimated), percent(d.gap.augmented),
                                  percent(d.gap.noise_floor));
+  html += d.effects.empty() ? "" : fmt::format("; {} with all numbers of the law", percent(d.gap_of_full_law));
   if (!d.effects.empty()) {
-    html +=
-        fmt::format("<br>closes {} % (95 % on further logs: {} to {} %) of what re-estimation leaves above the noise",
-                    wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
-                    wholePercent(std::min(1.0, d.closed_interval[1])));
+    html += fmt::format(
+        "<br>removes {} % (95 % on further logs: {} to {} %) of the error that other parameter values "
+        "cannot remove",
+        wholePercent(d.closed), wholePercent(std::min(1.0, d.closed_interval[0])),
+        wholePercent(std::min(1.0, d.closed_interval[1])));
+  }
+  return html;
+}
+
+std::string takenOutHtml(const Diagnosis& d) {
+  std::string html;
+  for (const std::string& phrase : describeTakenOut(d.taken_out)) {
+    html += (html.empty() ? "" : "<br>") + escape(phrase);
   }
   return html;
 }
@@ -151,7 +162,8 @@ std::string firstScreen(const Diagnosis& d, const std::string& loop) {
   const std::string facts =
       fact("Verdict", fmt::format("<b>{}</b>: {}", toString(d.verdict), meaningOf(d.verdict))) +
       fact("What is wrong", benchHtml(d)) + fact("Which", effectsHtml(d)) + fact("How large", sizesHtml(d)) +
-      fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) + fact("Where", whereHtml(d)) +
+      fact("How sure", sureHtml(d)) + fact("What is left", leftHtml(d)) +
+      fact("Taken out before, in % of the force", takenOutHtml(d)) + fact("Where", whereHtml(d)) +
       fact("Next experiment", escape(d.next_experiment) + (play.empty() ? "" : " To do so, " + play + "."));
   return fmt::format("<p class=kicker>Gap report: {}{}</p>\n<h1>{}</h1>\n<div class=first>\n<dl>\n{}</dl>\n{}</div>\n",
                      escape(d.component), d.run.date.empty() ? "" : ", " + escape(d.run.date), escape(d.sentence),

@@ -14,6 +14,7 @@
 #include "diagnosis/report/figure_data.h"
 #include "diagnosis/report/report_figures.h"
 #include "diagnosis/results/missing_force.h"
+#include "diagnosis/results/rounding.h"
 #include "diagnosis/results/workings.h"
 #include "log/new_file.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr const char* kExperiment = "next_experiment.csv";
 constexpr const char* kComponent = "augmented.yaml";
+constexpr const char* kFullComponent = "augmented_full.yaml";
 constexpr const char* kSurrogate = "surrogate.yaml";
 constexpr const char* kMissingForce = "missing_force.csv";
 constexpr const char* kEvidence = "evidence.json";
@@ -91,7 +93,8 @@ std::string evidenceJson(const Diagnosis& diagnosis) {
 }
 
 std::vector<std::string> reportFiles() {
-  std::vector<std::string> names = {"report.json", kComponent, kExperiment, kSurrogate, kMissingForce, kEvidence};
+  std::vector<std::string> names = {"report.json", kComponent,    kFullComponent, kExperiment,
+                                    kSurrogate,    kMissingForce, kEvidence};
   const std::vector<std::string> figures = figureDataFiles();
   names.insert(names.end(), figures.begin(), figures.end());
   names.emplace_back(kPage);
@@ -107,7 +110,10 @@ void writeReport(const Diagnosis& diagnosis, const std::string& folder) {
   NewReport report(folder);
   report.write("report.json", toJson(diagnosis));
   if (diagnosis.workings) {
-    report.write(kComponent, io::toYaml({diagnosis.augmented}));
+    report.write(kComponent, augmentedYaml(diagnosis));
+  }
+  if (diagnosis.write_full_law && diagnosis.workings) {
+    report.write(kFullComponent, fullYaml(diagnosis));
   }
   if (diagnosis.surrogate) {
     report.write(kSurrogate, io::toYaml({diagnosis.surrogate->component}));

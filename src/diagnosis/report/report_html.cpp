@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "diagnosis/prepare/bench_evidence.h"
@@ -16,6 +17,7 @@
 #include "diagnosis/report/table_section.h"
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
+#include "diagnosis/results/rounding.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "rubber_suspension/element/constants.h"
@@ -190,9 +192,9 @@ std::string parameterTable(const Diagnosis& d) {
 
 std::string componentFile(const Diagnosis& d) {
   return heading("Component file before and after") + componentChanges(d) +
-         "<p class=screen>All digits are in <a href=\"augmented.yaml\">augmented.yaml</a>, which node and "
-         "<code>replay</code> run as it is.</p>\n" +
-         folded("augmented.yaml", "<pre>" + escape(io::toYaml({d.augmented})) + "</pre>\n") +
+         "<p class=screen>Node and <code>replay</code> run <a href=\"augmented.yaml\">augmented.yaml</a> as it is: the "
+         "simplest law of each effect, rounded to what is known of it. All digits are in report.json.</p>\n" +
+         folded("augmented.yaml", "<pre>" + escape(augmentedYaml(d)) + "</pre>\n") +
          (d.by_log.empty() ? "" : folded("Which value each log alone would want", parameterTable(d)));
 }
 
@@ -206,16 +208,38 @@ std::string findingText(const measurement::RigFinding& finding) {
          (finding.beyond_tolerance && !finding.fatal ? " <b>beyond the rig's tolerance</b>" : "");
 }
 
+// Those that are sure: not where the interval holds 0, nor what a rig does to all logs alike where logs contradict each
+// other in its sign.
+std::vector<measurement::RigFinding> sureFindings(const Diagnosis& d) {
+  const auto holdsZero = [](const measurement::RigFinding& finding) {
+    return finding.interval_95[0] < finding.interval_95[1] && finding.interval_95[0] <= 0.0 &&
+           finding.interval_95[1] >= 0.0;
+  };
+  const auto contradicted = [&](const measurement::RigFinding& finding) {
+    const bool of_rig = finding.finding == measurement::finding::kDelay ||
+                        finding.finding == measurement::finding::kSensorGain ||
+                        finding.finding == measurement::finding::kClock;
+    return of_rig && std::any_of(d.rig_findings.begin(), d.rig_findings.end(), [&](const auto& other) {
+             return other.finding == finding.finding && !holdsZero(other) && other.value * finding.value < 0.0;
+           });
+  };
+  std::vector<measurement::RigFinding> sure;
+  std::copy_if(d.rig_findings.begin(), d.rig_findings.end(), std::back_inserter(sure),
+               [&](const auto& finding) { return finding.fatal || (!holdsZero(finding) && !contradicted(finding)); });
+  return sure;
+}
+
 // One row per kind of finding: what it means and how to mend it is the same for all logs.
 std::string findings(const Diagnosis& d) {
   std::string html = heading("What the rig did to the logs");
-  if (d.rig_findings.empty()) {
-    return html + "<p>Nothing beyond chance.</p>\n";
+  const std::vector<measurement::RigFinding> found = sureFindings(d);
+  if (found.empty()) {
+    return html + "<p>Nothing that is sure.</p>\n";
   }
   std::vector<std::string> kinds;
   std::map<std::string, std::string> values;
   std::map<std::string, std::string> texts;
-  for (const measurement::RigFinding& finding : d.rig_findings) {
+  for (const measurement::RigFinding& finding : found) {
     std::string& value = values[finding.finding];
     if (value.empty()) {
       kinds.push_back(finding.finding);
@@ -235,6 +259,24 @@ std::string findings(const Diagnosis& d) {
                escape(advice.remedy)});
   }
   return html + table.html();
+}
+
+// One row per log, so that what was taken out can be added up.
+std::string takenOut(const Diagnosis& d) {
+  Table table({"log", "#gap as recorded", "taken out, in % of the force", "#gap"});
+  for (const Admission& log : d.admission) {
+    std::string parts;
+    for (const TakenOut& part : d.taken_out) {
+      constexpr double kShown = 5e-4;
+      if (part.log == log.log && std::abs(part.share) > kShown) {
+        parts += fmt::format("{}{} {:.2g}", parts.empty() ? "" : ", ", escape(spoken(part.kind)), 100.0 * part.share);
+      }
+    }
+    table.add({escape(log.log), percent(log.recorded), parts.empty() ? "nothing" : parts, percent(log.left)});
+  }
+  return "<p>What was taken out of each log before the model with its effects was held against it. In squares it adds "
+         "up: gap as recorded less what was taken out is the gap; less than 0 where the gap grew.</p>\n" +
+         table.html();
 }
 
 std::string excerptsTaken(const Diagnosis& d) {
@@ -333,8 +375,8 @@ std::string toHtml(const Diagnosis& d) {
   const DrawnFigures figures(d);
   return page(d, firstScreen(d, firstLoop(figures)) + comparisonSection(d.comparison) + howFar(d) + heading("Which") +
                      candidateSection(d) + where(d, figures) + furtherFigures(figures) + componentFile(d) +
-                     nextExperiment(d) + couldShow(d) + (d.table ? tableSection(d) : findings(d) + admission(d)) +
-                     runRecord(d));
+                     nextExperiment(d) + couldShow(d) +
+                     (d.table ? tableSection(d) : findings(d) + takenOut(d) + admission(d)) + runRecord(d));
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -61,7 +61,13 @@ ordered_json admissionJson(const Admission& log) {
           {"highest_frequency_hz", log.highest_frequency},
           {"noise_floor", number(log.noise)},
           {"repeats", number(log.repeats)},
+          {"gap_as_recorded", number(log.recorded)},
+          {"gap", number(log.left)},
           {"notes", log.notes}};
+}
+
+ordered_json takenOutJson(const TakenOut& part) {
+  return {{"log", part.log}, {"kind", part.kind}, {"share_of_force", number(part.share)}};
 }
 
 ordered_json findingJson(const measurement::RigFinding& finding) {
@@ -141,6 +147,17 @@ ordered_json sizeJson(const SizedValue& size) {
           {"at_bound", size.at_bound}};
 }
 
+ordered_json wholeJson(const WholeStiffness& whole) {
+  const auto at = [&](std::size_t i) {
+    return ordered_json{{"stiffness", number(whole.stiffness[i])}, {"loss_angle_rad", number(whole.loss_angle[i])}};
+  };
+  return {{"frequency_hz", whole.frequency},
+          {"amplitude_m", whole.amplitude},
+          {"amplitude_from", whole.nominal_amplitude ? "nominal_amplitude" : "median of the logs"},
+          {"before", at(0)},
+          {"after", at(1)}};
+}
+
 // What made the report; nothing where it was made by a program that says nothing of itself.
 ordered_json metaJson(const RunRecord& run) {
   ordered_json files = ordered_json::array();
@@ -193,6 +210,7 @@ std::string toJson(const Diagnosis& diagnosis) {
        {{"as_configured", number(diagnosis.gap.as_configured)},
         {"re_estimated", number(diagnosis.gap.re_estimated)},
         {"augmented", number(diagnosis.gap.augmented)},
+        {"full_law", number(diagnosis.gap_of_full_law)},
         {"noise_floor", number(diagnosis.gap.noise_floor)},
         {"noise_source", diagnosis.noise_source}}},
       {"gap_as_recorded",
@@ -200,6 +218,7 @@ std::string toJson(const Diagnosis& diagnosis) {
         {"re_estimated", number(diagnosis.gap_as_recorded.re_estimated)},
         {"augmented", number(diagnosis.gap_as_recorded.augmented)}}},
       {"rig_findings", list(diagnosis.rig_findings, findingJson)},
+      {"taken_out", list(diagnosis.taken_out, takenOutJson)},
       {"closed", {{"fraction", number(diagnosis.closed)}, {"interval_95", interval(diagnosis.closed_interval)}}},
       {"confounded", diagnosis.confounded},
       {"alternatives", list(diagnosis.alternatives, alternativeJson)},
@@ -214,6 +233,9 @@ std::string toJson(const Diagnosis& diagnosis) {
       {"next_experiment", diagnosis.next_experiment},
       {"model_sizes", list(diagnosis.model_sizes, sizeJson)},
       {"effect_sizes", list(diagnosis.effect_sizes, sizeJson)},
+      {"written", list(diagnosis.written, sizeJson)},
+      {"whole_component", diagnosis.whole ? wholeJson(*diagnosis.whole) : ordered_json(nullptr)},
+      {"augmented_full_add", entries(diagnosis.augmented_full.add)},
       {"errors",
        {{"re_estimated", errorsJson(diagnosis.errors_re_estimated)},
         {"augmented", errorsJson(diagnosis.errors_augmented)}}},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/model_values.h"
@@ -38,22 +39,34 @@ std::string otherwise(const Diagnosis& diagnosis) {
 
 std::string gapText(double gap) { return fmt::format("{:.1f} %", 100.0 * gap); }
 
-// "friction (maximum force 199 N)" and the like, each with its first number.
+// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers.
 std::string effectsText(const Diagnosis& diagnosis) {
+  constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.effects) {
-    const auto size = std::find_if(diagnosis.effect_sizes.begin(), diagnosis.effect_sizes.end(),
-                                   [&](const SizedValue& value) { return value.owner == effect; });
-    texts.push_back(size == diagnosis.effect_sizes.end()
-                        ? effect
-                        : fmt::format("{} ({} {})", effect, spoken(size->name), quantity(size->value, size->unit)));
+    std::vector<std::string> sizes;
+    for (const SizedValue& size : diagnosis.effect_sizes) {
+      if (size.owner == effect && sizes.size() < kMost) {
+        sizes.push_back(sizeName(size) + " " + quantity(size.value, size.unit));
+      }
+    }
+    texts.push_back(sizes.empty() ? effect : fmt::format("{} ({})", effect, fmt::join(sizes, ", ")));
   }
   return enumerated(texts);
 }
 
+// What few numbers cost, where that shows.
+std::string priceText(const Diagnosis& diagnosis) {
+  const std::string simple = gapText(diagnosis.gap.augmented);
+  const std::string full = gapText(diagnosis.gap_of_full_law);
+  return simple == full
+             ? ""
+             : fmt::format(" The simple law of augmented.yaml leaves {} instead of {} with all numbers.", simple, full);
+}
+
 std::string ownValuesText(const Diagnosis& diagnosis) {
-  const auto changed = changedValues(diagnosis);
-  return changed.empty() ? "The model's parameters are off" : offText(*changed.front());
+  const SizedValue* const value = headlineValue(diagnosis);
+  return value == nullptr ? "The model's parameters are off" : offText(*value);
 }
 
 std::string capitalised(std::string text) {
@@ -64,17 +77,14 @@ std::string capitalised(std::string text) {
 }
 
 // The largest fact first: the model's own values, where these alone close most of the squared gap that is closed and
-// more than the effects alone do; else the effects. Otherwise they only make room for the effects.
+// more than the effects alone do; else the effects alone. Otherwise values only make room for the effects.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
-  const auto changed = changedValues(diagnosis);
-  if (changed.empty()) {
-    return capitalised(effects);
-  }
   const auto closes = [&](double gap) { return std::pow(diagnosis.gap.as_configured, 2) - std::pow(gap, 2); };
-  const bool values_first = closes(diagnosis.gap_of_values) > 0.5 * closes(diagnosis.gap.augmented) &&
+  const SizedValue* const value = headlineValue(diagnosis);
+  const bool values_first = value != nullptr &&
+                            closes(diagnosis.gap_of_values) > 0.5 * closes(diagnosis.gap.augmented) &&
                             closes(diagnosis.gap_of_values) > closes(diagnosis.gap_of_effects);
-  return values_first ? offText(*changed.front()) + "; besides, " + effects
-                      : capitalised(effects) + "; with that, " + besideText(*changed.front());
+  return values_first ? offText(*value) + ". Besides, " + effects : capitalised(effects);
 }
 
 // The gain of the force channel, where that is named: values of the model may be off by as much.
@@ -91,6 +101,27 @@ std::string gainText(const Diagnosis& diagnosis) {
   return "";
 }
 
+// Where all stiffnesses are off by one factor that the tolerance of the force channel allows.
+std::string withinGain(const Diagnosis& diagnosis) {
+  constexpr double kAlike = 0.01;  // of the factor
+  const double tolerance = diagnosis.configured.rig.value_or(io::RigTolerances{}).gain.value;
+  std::vector<double> ratios;
+  for (const SizedValue& size : diagnosis.model_sizes) {
+    if (size.unit == "N/m" && size.configured > 0.0) {
+      ratios.push_back(size.value / size.configured);
+    }
+  }
+  const auto ends = std::minmax_element(ratios.begin(), ratios.end());
+  const bool alike = ratios.size() > 1 && *ends.second - *ends.first < kAlike;
+  const double off = alike ? 0.5 * (*ends.first + *ends.second) - 1.0 : 0.0;
+  return std::abs(off) > kAlike && std::abs(off) <= io::kTolerated * tolerance
+             ? fmt::format(
+                   " All its stiffnesses are off by the same {:.1f} %, which the force channel's tolerance of {:g} % "
+                   "allows: a known weight on the load cell tells.",
+                   100.0 * std::abs(off), 100.0 * tolerance)
+             : "";
+}
+
 std::string agreement(const Gap& gap) {
   return fmt::format("The model agrees with the measurement: gap {}, noise floor {}.", gapText(gap.as_configured),
                      gapText(gap.noise_floor));
@@ -101,28 +132,26 @@ std::string agreement(const Gap& gap) {
 std::string sentence(const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gap;
   const std::string lacks = "the model lacks " + effectsText(diagnosis);
-  const std::string closes =
-      fmt::format("adding {} closes {} % of what re-estimation leaves (gap {} to {}, noise floor {})",
-                  diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed),
-                  gapText(gap.re_estimated), gapText(gap.augmented), gapText(gap.noise_floor));
+  const std::string closes = fmt::format(
+      " Adding {} removes {} % of the error that other parameter values cannot remove: gap {} to {}, noise {}.{}",
+      diagnosis.effects.size() == 1 ? "it" : "them", wholePercent(diagnosis.closed), gapText(gap.re_estimated),
+      gapText(gap.augmented), gapText(gap.noise_floor), priceText(diagnosis));
   switch (diagnosis.verdict) {
     case Verdict::none:
       return agreement(gap);
     case Verdict::parameter_error:
-      return fmt::format("{}: re-estimating reduces the gap from {} to {} (noise floor {}).{}",
+      return fmt::format("{}. Other parameter values reduce the gap from {} to {} (noise {}).{}",
                          ownValuesText(diagnosis), gapText(gap.as_configured), gapText(gap.re_estimated),
-                         gapText(gap.noise_floor), otherwise(diagnosis));
+                         gapText(gap.noise_floor), withinGain(diagnosis) + otherwise(diagnosis));
     case Verdict::named:
-      return withOwnValues(diagnosis, fmt::format("{}: {}", lacks, closes)) + "." + gainText(diagnosis);
+      return withOwnValues(diagnosis, lacks) + "." + closes + gainText(diagnosis);
     case Verdict::confounded:
-      return withOwnValues(diagnosis, fmt::format("most probably {}: {}", lacks, closes)) + ". " +
+      return withOwnValues(diagnosis, "most probably " + lacks) + "." + closes + " " +
              capitalised(sourceOf(diagnosis)) + " cannot tell apart: " + setsText(diagnosis.confounded) + "." +
              gainText(diagnosis);
     case Verdict::partly:
-      return withOwnValues(diagnosis, fmt::format("{}, and something else: {}; a significant part of the gap remains "
-                                                  "unexplained",
-                                                  lacks, closes)) +
-             ".";
+      return withOwnValues(diagnosis, lacks + ", and something else") + "." + closes +
+             " A significant part of the gap remains unexplained.";
     default:
       return fmt::format(
           "The gap of {} is real (noise floor {}) and no effect of the list explains it: see where it lies before you "

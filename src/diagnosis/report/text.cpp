@@ -26,6 +26,7 @@ const Display& displayOf(const std::string& unit, double size) {
       {"N/m", {{1e5, 1e6, "kN/mm"}, {0.0, 1e3, "N/mm"}}},
       {"s", {{0.1, 1.0, "s"}, {0.0, 1e-3, "ms"}}},
       {"N s/m", {{1e3, 1e3, "kN s/m"}, {0.0, 1.0, "N s/m"}}},
+      {"1/K", {{0.0, 0.01, "%/K"}}},
       {"J", {{1e3, 1e3, "kJ"}, {0.0, 1.0, "J"}}},
   };
   static const Display as_it_is{0.0, 1.0, ""};
@@ -109,6 +110,10 @@ std::string spoken(const std::string& name) {
   std::string result = name;
   std::replace(result.begin(), result.end(), '_', ' ');
   return result;
+}
+
+std::string sizeName(const SizedValue& size) {
+  return size.owner == "friction" && size.name == "displacement" ? "half of it at" : spoken(size.name);
 }
 
 std::string symbolOf(const std::string& name) {

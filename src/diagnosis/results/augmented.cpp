@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "rubber_suspension/element/catalogue.h"
@@ -35,43 +38,136 @@ void writeCommonCompliance(std::vector<element::ElementDescription>& entries) {
   }
 }
 
-// Laws of a spring that yields at a displacement: the terms of one friction.
-bool yields(const element::ElementDescription& entry) {
+bool isSlider(const element::ElementDescription& entry) {
   return entry.type == "iwan_table" || entry.type == "variable_friction" || entry.type == "viscoplastic_friction";
 }
 
-// Force and displacement at half force of springs in parallel that yield, from rest: F(z) = sum k_i min(z, y_i). Limits
-// that grow or wear count as they begin, those that a rate brings up as they end.
-struct SliderFriction {
-  double maximum_force = 0.0;
-  double displacement = 0.0;
-};
+// Laws of a force with a limit: the terms of one friction.
+bool yields(const element::ElementDescription& entry) {
+  return isSlider(entry) || entry.type == "friction" || entry.type == "bouc_wen";
+}
 
-SliderFriction frictionOf(const std::vector<element::ElementDescription>& entries) {
-  std::vector<std::pair<double, double>> sliders;  // yield displacement, stiffness
-  SliderFriction friction;
-  double slope = 0.0;
-  for (const element::ElementDescription& entry : entries) {
-    for (std::size_t i = 0; yields(entry) && i < entry.list("stiffness").size(); ++i) {
-      sliders.emplace_back(entry.list("yield_displacement")[i], entry.list("stiffness")[i]);
-      friction.maximum_force += sliders.back().first * sliders.back().second;
-      slope += sliders.back().second;
-    }
+bool isStop(const element::ElementDescription& entry) { return entry.type == "bump_stop"; }
+
+bool followsTemperature(const element::ElementDescription& entry) { return entry.values.count("reference") != 0; }
+
+double valueOr(const element::ElementDescription& entry, const std::string& name, double otherwise) {
+  return entry.values.count(name) != 0 ? entry.value(name) : otherwise;
+}
+
+// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count as
+// they begin, those that a rate brings up as they end.
+double frictionAt(const element::ElementDescription& entry, double z) {
+  if (entry.type == "friction") {
+    return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);
   }
-  std::sort(sliders.begin(), sliders.end());
+  if (entry.type == "bouc_wen") {  // of n = 1, as Dahl's
+    const double beta = entry.value("beta") + entry.value("gamma");
+    return entry.value("stiffness") / beta * (1.0 - std::exp(-beta * z));
+  }
   double force = 0.0;
-  double travel = 0.0;
-  for (const auto& [yield, stiffness] : sliders) {
-    const double next = force + slope * (yield - travel);
-    if (next >= 0.5 * friction.maximum_force) {
-      break;
-    }
-    force = next;
-    travel = yield;
-    slope -= stiffness;
+  for (std::size_t i = 0; i < entry.list("stiffness").size(); ++i) {
+    force += entry.list("stiffness")[i] * std::min(z, entry.list("yield_displacement")[i]);
   }
-  friction.displacement = slope > 0.0 ? travel + (0.5 * friction.maximum_force - force) / slope : travel;
-  return friction;
+  return force;
+}
+
+// Limit of all together, and the displacement from rest at half of it.
+std::vector<HeadlineValue> frictionOf(const std::vector<element::ElementDescription>& entries) {
+  const auto at = [&](double z) {
+    return std::accumulate(entries.begin(), entries.end(), 0.0,
+                           [&](double sum, const auto& entry) { return sum + frictionAt(entry, z); });
+  };
+  const double maximum = at(std::numeric_limits<double>::infinity());
+  double low = 0.0;
+  double high = 1e-9;
+  while (at(high) < 0.5 * maximum) {
+    low = std::exchange(high, 2.0 * high);
+  }
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (at(middle) < 0.5 * maximum ? low : high) = middle;
+  }
+  return {{"maximum_force", "N", maximum, true}, {"displacement", "m", high, false}};
+}
+
+// Where the force of each side begins, and how it rises once all stops of that side are met.
+std::vector<HeadlineValue> stopsOf(const std::vector<element::ElementDescription>& stops) {
+  std::vector<HeadlineValue> result;
+  for (const auto& [side, suffix] :
+       {std::pair(0.0, ""), std::pair(1.0, "_at_z_above_0"), std::pair(-1.0, "_at_z_below_0")}) {
+    double gap = std::numeric_limits<double>::infinity();
+    double stiffness = 0.0;
+    for (const element::ElementDescription& stop : stops) {
+      if (valueOr(stop, "side", 0.0) == side) {
+        gap = std::min(gap, stop.value("gap"));
+        stiffness += stop.value("stiffness");
+      }
+    }
+    if (stiffness > 0.0) {
+      result.push_back({std::string("gap") + suffix, "m", gap, false});
+      result.push_back({std::string("stiffness") + suffix, "N/m", stiffness, true});
+    }
+  }
+  return result;
+}
+
+// Derivatives by the temperature at the reference.
+std::vector<HeadlineValue> changesWithTemperature(const std::vector<element::ElementDescription>& entries) {
+  constexpr double kGas = 8.314462618;  // [J/(mol K)]
+  constexpr double kZero = 273.15;      // [K]
+  double stiffness = 0.0;
+  double rates = 0.0;
+  for (const element::ElementDescription& entry : entries) {
+    const double reference = entry.value("reference") + kZero;
+    stiffness += valueOr(entry, "coefficient", 0.0) + valueOr(entry, "vertical", 0.0) -
+                 valueOr(entry, "share", 0.0) / valueOr(entry, "width", 1.0);
+    rates += valueOr(entry, "activation_energy", 0.0) / (kGas * reference * reference) +
+             std::log(10.0) * valueOr(entry, "c1", 0.0) / valueOr(entry, "c2", 1.0);
+  }
+  std::vector<HeadlineValue> result;
+  for (const auto& [name, value] : {std::pair("stiffness", stiffness), std::pair("rates", rates)}) {
+    if (value != 0.0) {
+      result.push_back(
+          {fmt::format("change_of_{}_at_{:g}_degC", name, entries.front().value("reference")), "1/K", value, true});
+    }
+  }
+  return result;
+}
+
+// What a fit moves of entries of one type; of several, how much there is of all.
+std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription>& group) {
+  std::vector<HeadlineValue> result;
+  const std::vector<element::ParameterInfo>& table = element::findElementType(group.front().type)->parameters;
+  for (const element::ParameterInfo& parameter : table) {
+    const bool is_size = &parameter == &table.front();  // the first of a table is how much there is of the law
+    double sum = 0.0;
+    bool given = false;
+    for (const element::ElementDescription& entry : group) {
+      const auto found = entry.values.find(parameter.name);
+      given = given || (found != entry.values.end() && element::isFree(parameter, found->second));
+      sum += found == entry.values.end() ? 0.0 : found->second.at(0);
+    }
+    if (given && (group.size() == 1 || is_size)) {
+      result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum,
+                        is_size || parameter.role == element::Role::scale});
+    }
+  }
+  return result;
+}
+
+// Stiffnesses in series do not add up.
+std::vector<HeadlineValue> compliancesOf(const std::vector<element::ElementDescription>& group) {
+  std::vector<HeadlineValue> result;
+  for (const element::ElementDescription& entry : group) {
+    for (HeadlineValue value : movedOf({entry})) {
+      const double side = valueOr(entry, "side", 0.0);
+      value.name += side > 0.0 ? "_at_F_above_0" : side < 0.0 ? "_at_F_below_0" : "";
+      value.name += entry.values.count("closing_force") != 0 && group.size() > 1 ? "_that_closes" : "";
+      result.push_back(value);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -102,73 +198,18 @@ std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitte
 }
 
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries) {
-  std::vector<HeadlineValue> result;
-  const auto add = [&](const std::string& name, const element::ParameterInfo& parameter, double value) {
-    const auto taken = [&](const std::string& key) {
-      return std::any_of(result.begin(), result.end(), [&](const HeadlineValue& other) { return other.name == key; });
-    };
-    std::string key = name;
-    for (int i = 2; taken(key); ++i) {
-      key = fmt::format("{}_{}", name, i);
-    }
-    result.push_back({key, parameter.unit, value, parameter.role == element::Role::scale});
-  };
-  if (std::any_of(entries.begin(), entries.end(), yields)) {
-    const SliderFriction friction = frictionOf(entries);
-    result.push_back({"maximum_force", "N", friction.maximum_force, true});
-    result.push_back({"displacement", "m", friction.displacement, false});
-  }
+  std::map<std::string, std::vector<element::ElementDescription>> groups;
   for (const element::ElementDescription& entry : entries) {
-    if (entry.type == "iwan_table") {
-      continue;
-    }
-    for (const element::ParameterInfo& parameter : element::findElementType(entry.type)->parameters) {
-      const auto found = entry.values.find(parameter.name);
-      if (found != entry.values.end()) {
-        add(parameter.name, parameter, found->second.at(0));
-      }
-    }
+    groups[yields(entry) ? "" : followsTemperature(entry) ? "temperature" : entry.type].push_back(entry);
   }
-  return result;
-}
-
-std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries) {
-  std::map<std::string, std::vector<element::ElementDescription>> by_type;
   std::vector<HeadlineValue> result;
-  for (const element::ElementDescription& entry : entries) {
-    if (!yields(entry)) {
-      by_type[entry.type].push_back(entry);
-    } else if (result.empty()) {
-      const SliderFriction friction = frictionOf(entries);
-      result = {{"maximum_force", "N", friction.maximum_force, true},
-                {"displacement", "m", friction.displacement, false}};
-    }
-  }
-  for (const auto& [type, group] : by_type) {
-    if (type == "series_compliance") {  // stiffnesses in series do not add up
-      const auto values = headlineValuesOf(group);
-      result.insert(result.end(), values.begin(), values.end());
-      continue;
-    }
-    const std::vector<element::ParameterInfo>& table = element::findElementType(type)->parameters;
-    for (const element::ParameterInfo& parameter : table) {
-      const bool is_size = &parameter == &table.front();  // the first of a table is how much there is of the law
-      const bool is_moved = parameter.role == element::Role::scale || parameter.role == element::Role::shape;
-      if (!is_moved || (group.size() > 1 && !is_size)) {
-        continue;
-      }
-      double sum = 0.0;
-      bool given = false;
-      for (const element::ElementDescription& entry : group) {
-        const auto found = entry.values.find(parameter.name);
-        given = given || (found != entry.values.end() && element::isFree(parameter, found->second));
-        sum += found == entry.values.end() ? 0.0 : found->second.at(0);
-      }
-      if (given) {
-        result.push_back({(group.size() > 1 ? "total_" : "") + parameter.name, parameter.unit, sum,
-                          is_size || parameter.role == element::Role::scale});
-      }
-    }
+  for (const auto& [name, group] : groups) {
+    const auto values = yields(group.front())               ? frictionOf(group)
+                        : isStop(group.front())             ? stopsOf(group)
+                        : followsTemperature(group.front()) ? changesWithTemperature(group)
+                        : name == "series_compliance"       ? compliancesOf(group)
+                                                            : movedOf(group);
+    result.insert(result.end(), values.begin(), values.end());
   }
   return result;
 }

@@ -22,15 +22,14 @@ struct HeadlineValue {
   bool is_scale = false;  ///< the effect is gone at 0
 };
 
-/// Headline numbers of an effect: the parameters of its entries; of all that yields in a friction together its maximum
-/// force and the displacement at which half of it is reached from rest, as of the element `friction`.
+/// Headline numbers of an effect, as an engineer says them: what a fit moved, without choices and references. Of all
+/// that yields in a friction together the maximum force and the displacement at which half of it is reached from rest,
+/// as of the element `friction`; of stops the gap and the stiffness of each side; of what follows the temperature the
+/// change of stiffness and of rates per kelvin at the reference; of other entries of one type the sum of the first
+/// parameter of their law, as total_NAME.
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
-/// The same in few numbers, for people: what a fit moved, without choices and references; entries of one type together
-/// by the sum of the first parameter of their law, as total_NAME.
-std::vector<HeadlineValue> shortHeadlineOf(const std::vector<element::ElementDescription>& entries);
-
-/// headlineValuesOf() by name, as report.json has them.
+/// The same by name, as report.json has them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
 /// The model with the parameters of a fit and its entries on top.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -20,20 +21,26 @@
 #include "diagnosis/results/model_parameters_by_log.h"
 #include "diagnosis/results/predictive.h"
 #include "diagnosis/results/recorded_gap.h"
-#include "diagnosis/results/sizes.h"
 #include "diagnosis/results/surrogate.h"
+#include "diagnosis/results/taken_out.h"
+#include "diagnosis/results/whole_stiffness.h"
+#include "diagnosis/results/written_law.h"
 #include "fit/parallel.h"
 #include "rubber_suspension/gap/gap.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
 
+constexpr double kHidesTheRig = 0.1;  // of the force: a rest in which what rigs do gets lost
+
 class Describer {
  public:
   Describer(const PreparedCase& prepared, std::shared_ptr<Workings> workings, const std::vector<LogSurvey>& recorded,
-            std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options)
+            const std::vector<RawChannels>& raw, std::vector<measurement::RigFinding> findings,
+            const DiagnosisOptions& options)
       : prepared_(prepared),
         recorded_(recorded),
+        raw_(raw),
         options_(options),
         workings_(std::move(workings)),
         search_(workings_->search),
@@ -46,7 +53,12 @@ class Describer {
     result_.component = prepared_.component.name;
     result_.configured = prepared_.component;
     result_.re_estimated = prepared_.model.apply(search_.re_estimated.fit.parameters.model);
-    result_.augmented = augmentedDescription(prepared_.model, judged_);
+    before_ = hasUnseenLogs() ? unseenParts(Evidence::kReEstimated) : search_.re_estimated.fit.blocks;
+    law_ = writtenLaw(prepared_, search_.candidates, judged_, gap::gapOfParts(before_), options_);
+    result_.augmented = law_.component;
+    result_.augmented_full = law_.full;
+    result_.gap_of_full_law = law_.full_gap;
+    result_.finer = law_.finer;
     simulateAll();
     measureCandidates();
     measureGap();
@@ -54,6 +66,7 @@ class Describer {
     mapGap();
     describeRig();
     describeLogs();
+    accountForTheRig();
     describeCandidates();
     describeParameters();
     describeAnswer();
@@ -118,7 +131,7 @@ class Describer {
   // Noise is no more than what any of the models leaves.
   void boundFloor() {
     Gap& gap = result_.gap;
-    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented});
+    gap.noise_floor = std::min({gap.noise_floor, gap.as_configured, gap.re_estimated, gap.augmented, law_.full_gap});
     for (const auto& errors : of_candidates_) {
       gap.noise_floor = std::min(gap.noise_floor, gap::gapOfParts(errors));
     }
@@ -126,20 +139,17 @@ class Describer {
 
   void measureGap() {
     noise_ = search_.record_noise;
+    after_ = law_.errors;
     result_.noise_source = search_.noise_source;
     if (hasUnseenLogs()) {
-      before_ = unseenParts(Evidence::kReEstimated);
-      after_ = unseenParts(answer_.model);
       const std::vector<double> floors =
-          noiseFloors(result_.augmented.allElements(), freeOfNoise(judged_.hypothesis),
+          noiseFloors(law_.full.allElements(), freeOfNoise(judged_.hypothesis),
                       predict(prepared_.model, judged_, prepared_.held_out), prepared_.held_out,
                       noiseLimit(search_.record_noise, prepared_.training));
       noise_.insert(noise_.end(), floors.begin(), floors.end());
       result_.gap = {gap::gapOfParts(unseenParts(Evidence::kAsConfigured)), gap::gapOfParts(before_),
                      gap::gapOfParts(after_), commonFloor(floors, prepared_.held_out)};
     } else {
-      before_ = search_.re_estimated.fit.blocks;
-      after_ = judged_.fit.blocks;
       result_.gap = {search_.configured_gap, gap::gapOfParts(before_), gap::gapOfParts(after_), search_.noise};
     }
     boundFloor();
@@ -214,17 +224,27 @@ class Describer {
     fit::parallelFor(tasks.size(), options_.threads, [&](std::size_t i) { tasks[i](); });
   }
 
-  // What the rig did to each log, by what the judged model and the next likely one leave of it.
+  // What the rig did to each log, by what the judged model and the next likely one leave of it; of a model that leaves
+  // more than it explains it is the model's.
   void describeRig() {
+    if (leavesMoreThanItExplains()) {
+      return;
+    }
     const io::RigTolerances tolerances = prepared_.component.rig.value_or(io::RigTolerances{});
-    const auto elements = result_.augmented.allElements();
+    const auto elements = law_.full.allElements();
     const auto rival = augmentedDescription(prepared_.model, search_.likeliestBeside(judged_)).allElements();
     for (const bool held_out : {false, true}) {
-      const auto found =
-          rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
-                      held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
+      const auto found = rigFindings(elements, rival, tolerances, held_out ? prepared_.held_out : prepared_.training,
+                                     held_out ? prepared_.zeros.held_out : prepared_.zeros.training);
       result_.rig_findings.insert(result_.rig_findings.end(), found.begin(), found.end());
     }
+  }
+
+  bool leavesMoreThanItExplains() const {
+    const auto squared = [](double gap) { return gap * gap; };
+    const double left = squared(result_.gap.augmented) - squared(result_.gap.noise_floor);
+    const double noise = std::max(kHidesTheRig, result_.gap.noise_floor);
+    return left > squared(result_.gap.as_configured) - squared(result_.gap.augmented) && left > squared(noise);
   }
 
   void describeLogs() {
@@ -232,6 +252,18 @@ class Describer {
     fit::parallelFor(noise_.size(), options_.threads, [&](std::size_t r) {
       result_.admission[r] = admit(workings_->records[r], r >= prepared_.training.size(), noise_[r]);
     });
+  }
+
+  void accountForTheRig() {
+    const std::vector<LogAccount> accounts =
+        accountsOf(result_.augmented.allElements(), prepared_.training, prepared_.held_out, raw_,
+                   judged_.hypothesis.free_in_log, prepared_.zeros);
+    for (std::size_t r = 0; r < accounts.size(); ++r) {
+      result_.admission[r].recorded = std::sqrt(accounts[r].recorded());
+      result_.admission[r].left = std::sqrt(accounts[r].left());
+      const std::vector<TakenOut> entries = accounts[r].entries();
+      result_.taken_out.insert(result_.taken_out.end(), entries.begin(), entries.end());
+    }
   }
 
   void describeCandidates() {
@@ -269,9 +301,10 @@ class Describer {
     const fit::Fit& joint = search_.re_estimated.fit;
     result_.parameter_ratios = prepared_.model.ratios(joint.parameters.model);
     result_.by_log = parametersByLog(prepared_.fitter, joint);
-    Sizes sizes = sizesOf(prepared_.fitter, search_.candidates, judged_, options_);
-    result_.model_sizes = std::move(sizes.model);
-    result_.effect_sizes = std::move(sizes.effects);
+    result_.model_sizes = law_.sizes.model;
+    result_.effect_sizes = law_.sizes.effects;
+    result_.written = law_.sizes.written;
+    result_.whole = wholeStiffness(prepared_.component, result_.augmented, prepared_.training);
   }
 
   void describeAnswer() {
@@ -304,11 +337,13 @@ class Describer {
 
   const PreparedCase& prepared_;
   const std::vector<LogSurvey>& recorded_;
+  const std::vector<RawChannels>& raw_;
   const DiagnosisOptions& options_;
   std::shared_ptr<Workings> workings_;
   const Search& search_;
   const Answer& answer_;
   const FittedHypothesis& judged_;
+  WrittenLaw law_;
   std::vector<double> noise_;  // floor of each record
   std::vector<gap::PartError> before_;
   std::vector<gap::PartError> after_;
@@ -319,9 +354,9 @@ class Describer {
 }  // namespace
 
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
-                   const DiagnosisOptions& options) {
-  return Describer(prepared, std::move(workings), recorded, std::move(findings), options).run();
+                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+                   std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options) {
+  return Describer(prepared, std::move(workings), recorded, raw, std::move(findings), options).run();
 }
 
 }  // namespace rubber_suspension::diagnosis

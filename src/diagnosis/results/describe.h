@@ -5,15 +5,17 @@
 #include <memory>
 
 #include "diagnosis/prepare/log_survey.h"
+#include "diagnosis/results/taken_out.h"
 #include "diagnosis/results/workings.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 namespace rubber_suspension::diagnosis {
 
 /// Fills in the records and forces of the workings, which have search and judgement. `recorded`: the logs that the gaps
-/// are of with all that the rig did to them; `findings`: what single samples of the logs told.
+/// are of with all that the rig did to them; `raw`: of each record; `findings`: what single samples of the logs
+/// told.
 Diagnosis describe(const PreparedCase& prepared, std::shared_ptr<Workings> workings,
-                   const std::vector<LogSurvey>& recorded, std::vector<measurement::RigFinding> findings,
-                   const DiagnosisOptions& options);
+                   const std::vector<LogSurvey>& recorded, const std::vector<RawChannels>& raw,
+                   std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

@@ -9,6 +9,7 @@
 
 #include "diagnosis/report/text.h"
 #include "diagnosis/results/augmented.h"
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::diagnosis {
 namespace {
@@ -25,10 +26,31 @@ std::string nameOf(const SizedValue& size) {
   return size.owner == "specification" ? symbolOf(size.name) : spoken(size.owner) + " " + spoken(size.name);
 }
 
+// A value that the fit would have moved on: it is not told what it is.
+bool isAtBound(const SizedValue& size) {
+  return (size.at_bound[0] && size.value == size.interval_95[0]) ||
+         (size.at_bound[1] && size.value == size.interval_95[1]);
+}
+
+std::string boundText(const SizedValue& size) {
+  return isAtBound(size) ? ", a bound of the fit: these logs do not tell it" : "";
+}
+
+bool isBand(const SizedValue& size) { return size.name == "high_frequency" || size.name == "low_frequency"; }
+
+// Where the effects follow the temperature, all values hold at their reference.
+std::string referenceText(const Diagnosis& d) {
+  const auto& added = d.augmented.add;
+  const auto found = std::find_if(added.begin(), added.end(), [](const element::ElementDescription& entry) {
+    return entry.values.count("reference") != 0;
+  });
+  return found == added.end() ? "" : fmt::format(" at {:g} °C", found->value("reference"));
+}
+
 // Entries of one type, which stand in the file one by one.
 std::string addedText(const std::vector<element::ElementDescription>& entries) {
   std::string values;
-  for (const HeadlineValue& value : shortHeadlineOf(entries)) {
+  for (const HeadlineValue& value : headlineValuesOf(entries)) {
     const bool half = entries.front().type == "iwan_table" && value.name == "displacement";
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", half ? "half of it at" : spoken(value.name),
                           quantity(value.value, value.unit));
@@ -51,16 +73,37 @@ std::vector<const SizedValue*> changedValues(const Diagnosis& d) {
   return changed;
 }
 
+const SizedValue* headlineValue(const Diagnosis& d) {
+  const std::vector<const SizedValue*> changed = changedValues(d);
+  const auto found = std::find_if(changed.begin(), changed.end(),
+                                  [](const SizedValue* size) { return !isBand(*size) && !isAtBound(*size); });
+  return found == changed.end() ? nullptr : *found;
+}
+
+std::string wholeText(const Diagnosis& d) {
+  if (!d.whole) {
+    return "";
+  }
+  constexpr double kDegree = 180.0 / element::kPi;
+  const WholeStiffness& whole = *d.whole;
+  return fmt::format(
+      "At {:.3g} Hz and {}{}{} the whole component has K = {} ({} as configured) and a loss angle of "
+      "{:.1f}° ({:.1f}°).",
+      whole.frequency, quantity(whole.amplitude, "m"), whole.nominal_amplitude ? "" : " (median amplitude of the logs)",
+      referenceText(d), quantity(whole.stiffness[1], "N/m"), quantity(whole.stiffness[0], "N/m"),
+      kDegree * whole.loss_angle[1], kDegree * whole.loss_angle[0]);
+}
+
 std::string offText(const SizedValue& size) {
   const double off = size.configured / size.value - 1.0;
-  return fmt::format("{} is {} % too {} in the component file ({} instead of {})", nameOf(size),
+  return fmt::format("{} is {} % too {} in the component file ({} instead of {}{})", nameOf(size),
                      wholePercent(std::abs(off)), off < 0.0 ? "low" : "high", quantity(size.configured, size.unit),
-                     quantity(size.value, size.unit));
+                     quantity(size.value, size.unit), boundText(size));
 }
 
 std::string besideText(const SizedValue& size) {
-  return fmt::format("{} becomes {} ({} in the component file)", nameOf(size), quantity(size.value, size.unit),
-                     quantity(size.configured, size.unit));
+  return fmt::format("{} becomes {} ({} in the component file){}", nameOf(size), quantity(size.value, size.unit),
+                     quantity(size.configured, size.unit), boundText(size));
 }
 
 std::string componentChanges(const Diagnosis& d) {

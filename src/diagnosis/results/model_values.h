@@ -12,6 +12,14 @@ namespace rubber_suspension::diagnosis {
 /// one out; the farthest off first.
 std::vector<const SizedValue*> changedValues(const Diagnosis& diagnosis);
 
+/// The first of them that says something of the rubber: no band of frequencies, which whoever wrote the file chose, and
+/// no value at the bound of the fit. Null where there is none.
+const SizedValue* headlineValue(const Diagnosis& diagnosis);
+
+/// "At 4 Hz and 0.35 mm (median amplitude of the logs) the whole component has K = 2.43 kN/mm (2.5 kN/mm as configured)
+/// and a loss angle of 5.1 deg (4.2 deg)."; empty where nothing is known of it.
+std::string wholeText(const Diagnosis& diagnosis);
+
 /// "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".
 std::string offText(const SizedValue& size);
 

@@ -1,9 +1,10 @@
 // How large the named effects and the model's parameters are, with what the logs leave open.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/results/law_fit.h"
 #include "fit/hypothesis_fitter.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
@@ -11,12 +12,14 @@ namespace rubber_suspension::diagnosis {
 
 struct Sizes {
   std::vector<SizedValue> model;    ///< numbers of the specification, or of the elements where there is none
-  std::vector<SizedValue> effects;  ///< headline numbers of each member of the hypothesis, in their order
+  std::vector<SizedValue> effects;  ///< headline numbers of each member of the law, in their order
+  std::vector<SizedValue> written;  ///< every number of its component, by its place there (io::numberPlace)
 };
 
-/// Sizes of a fitted hypothesis. Intervals are percentiles over resampled blocks of the logs: each resample moves the
-/// fit by one step of its own normal equations, within the bounds of the fit.
-Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<fit::Candidate>& candidates,
-              const FittedHypothesis& fitted, const DiagnosisOptions& options);
+/// Sizes of a fitted law. Intervals are percentiles over resampled blocks of the logs: each resample moves the fit by
+/// one step of its own normal equations, within the bounds of the fit, and the numbers of each member by what its form
+/// error may be mistaken for. `effects`: names of the members.
+Sizes sizesOf(const fit::HypothesisFitter& fitter, const FittedLaw& fitted, const std::vector<double>& form_error,
+              const std::vector<std::string>& effects, const DiagnosisOptions& options);
 
 }  // namespace rubber_suspension::diagnosis

@@ -9,6 +9,7 @@
 #include "diagnosis/results/answered.h"
 #include "diagnosis/results/augmented.h"
 #include "diagnosis/results/predictive.h"
+#include "diagnosis/results/simplest_law.h"
 #include "diagnosis/results/sizes.h"
 #include "diagnosis/table/next_row.h"
 #include "rubber_suspension/gap/gap.h"
@@ -50,8 +51,10 @@ class TableDescriber {
     result_.configured = component_;
     result_.re_estimated = measured_.model().apply(search_.re_estimated.fit.parameters.model);
     result_.augmented = augmentedDescription(measured_.model(), judged_);
+    result_.augmented_full = result_.augmented;
     describeRows();
     measureGap();
+    result_.gap_of_full_law = result_.gap.augmented;
     mapGap();
     describeCandidates();
     describeParameters();
@@ -174,9 +177,11 @@ class TableDescriber {
 
   void describeParameters() {
     result_.parameter_ratios = measured_.model().ratios(search_.re_estimated.fit.parameters.model);
-    Sizes sizes = sizesOf(measured_.fitter(), search_.candidates, judged_, options_);
+    const FittedLaw law = fullLaw(judged_, search_.candidates);
+    Sizes sizes = sizesOf(measured_.fitter(), law, {}, effectsOf(law.law, search_.candidates), options_);
     result_.model_sizes = std::move(sizes.model);
     result_.effect_sizes = std::move(sizes.effects);
+    result_.written = std::move(sizes.written);
   }
 
   void describeAnswer() {

@@ -69,6 +69,7 @@ void MeasuredRows::estimateNoise(const FittedHypothesis& best, Search& result) c
   result.noise = std::min(scatter_.level, best.fit.held_out);
   result.noise_source = scatter_.source + (result.noise < scatter_.level ? ", no more than what a model leaves" : "");
   result.record_noise.assign(loops_->points().size(), result.noise);
+  result.least = result.noise;
 }
 
 }  // namespace rubber_suspension::diagnosis

@@ -48,21 +48,23 @@ void checkRows(const io::ComponentDescription& component, const fit::MeasuredTab
   }
 }
 
-double medianStiffness(const std::vector<std::complex<double>>& stiffness) {
+std::vector<double> magnitudesOf(const std::vector<std::complex<double>>& stiffness) {
   std::vector<double> magnitudes;
   std::transform(stiffness.begin(), stiffness.end(), std::back_inserter(magnitudes),
                  [](std::complex<double> k) { return std::abs(k); });
-  return measurement::medianOf(std::move(magnitudes));
+  return magnitudes;
 }
 
 std::optional<measurement::RigFinding> benchFinding(const io::ComponentDescription& component,
                                                     const fit::MeasuredTable& table, const MeasuredRows& measured) {
-  std::vector<std::complex<double>> of_table;
-  for (const fit::TablePoint& point : table.points) {
-    of_table.push_back(point.complexStiffness());
+  if (table.accept_units) {
+    return std::nullopt;
   }
-  return measurement::checkStiffness(table.name, medianStiffness(of_table),
-                                     medianStiffness(measured.loops().stiffnessOf(component.allElements())));
+  std::vector<double> of_table;
+  std::transform(table.points.begin(), table.points.end(), std::back_inserter(of_table),
+                 [](const fit::TablePoint& point) { return point.stiffness; });
+  return measurement::checkStiffness(table.name, of_table,
+                                     magnitudesOf(measured.loops().stiffnessOf(component.allElements())));
 }
 
 }  // namespace

@@ -9,9 +9,11 @@ fit::Candidate bumpStop(const fit::Excitation& excitation) {
       "bump_stop", "stop beyond a gap on one or both sides: a knee, error only beyond it", false, {}};
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
-      candidate.terms.push_back(
-          fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness,
-                            {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}}));
+      const element::ParameterValues place = {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}};
+      candidate.terms.push_back(fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness, place));
+      element::ParameterValues of_rubber = place;
+      of_rubber["exponent"] = {1.5};
+      candidate.laws.push_back(fit::additiveTerm("bump_stop", "stiffness", excitation.stiffness, of_rubber));
     }
   }
   return candidate;

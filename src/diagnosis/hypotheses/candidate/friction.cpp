@@ -44,6 +44,12 @@ fit::Candidate friction(const fit::Excitation& excitation) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
+  for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {  // laws of two numbers: Berg's, and Dahl's
+    candidate.laws.push_back(fit::additiveTerm("friction", "maximum_force", typical * share * largest,
+                                               {{"displacement", {share * largest}}}));
+    candidate.laws.push_back(
+        fit::additiveTerm("bouc_wen", "stiffness", typical, {{"beta", {1.0 / (share * largest)}}, {"gamma", {0.0}}}));
+  }
   return candidate;
 }
 

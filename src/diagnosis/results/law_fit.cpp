@@ -1,0 +1,226 @@
+// Laws with few numbers as unknowns of a fit.
+#include "diagnosis/results/law_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "diagnosis/results/augmented.h"
+#include "rubber_suspension/element/catalogue.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr double kFarthest = 5.0;     // logarithm of a number over its start: a factor of 150
+constexpr double kNumberStep = 1e-3;  // of such a logarithm, for difference quotients
+constexpr double kModelStep = 1e-4;
+constexpr double kTermStep = 0.02;  // of the typical scale
+
+const element::ParameterInfo& infoOf(const element::ElementDescription& entry, const std::string& key) {
+  return *element::findParameter(element::findElementType(entry.type)->parameters, key);
+}
+
+double& numberAt(Entries& entries, const NumberPlace& place) {
+  return entries[place.entry].values[place.key][place.index];
+}
+
+double startOf(const Entries& entries, const NumberPlace& place) {
+  return entries[place.entry].list(place.key)[place.index];
+}
+
+// The bounds of a number, as the fit moves it.
+fit::BasisTerm unknownOf(const Entries& start, const NumberPlace& place) {
+  const element::Range& range = infoOf(start[place.entry], place.key).range;
+  const double value = startOf(start, place);
+  const double least = value > 0.0 ? range.lower / value : range.upper / value;
+  const double most = value > 0.0 ? range.upper / value : range.lower / value;
+  fit::BasisTerm unknown;
+  unknown.lower = least > 0.0 ? std::max(-kFarthest, std::log(least)) : -kFarthest;
+  unknown.upper = std::min(kFarthest, std::log(most));
+  return unknown;
+}
+
+bool addsUp(const element::ElementDescription& entry) {
+  const element::ElementPointer element = element::makeElement(entry);
+  return std::holds_alternative<std::shared_ptr<const element::ParallelElement>>(element);
+}
+
+}  // namespace
+
+std::vector<NumberPlace> numbersOf(const Entries& entries) {
+  std::vector<NumberPlace> places;
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    for (const auto& [key, values] : entries[e].values) {
+      element::ParameterInfo info = infoOf(entries[e], key);
+      info.is_list = false;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (element::isFree(info, {values[i]})) {
+          places.push_back({e, key, i});
+        }
+      }
+    }
+  }
+  return places;
+}
+
+Entries MemberLaw::at(const Eigen::VectorXd& scales) const {
+  if (!terms.empty()) {
+    FittedHypothesis alone;
+    alone.hypothesis.terms = terms;
+    alone.fit.parameters.scales = scales;
+    return entriesOf(alone);
+  }
+  Entries entries = start;
+  Eigen::Index next = 0;
+  for (const NumberPlace& place : numbersOf(start)) {
+    numberAt(entries, place) *= std::exp(scales[next++]);
+  }
+  return entries;
+}
+
+fit::Hypothesis Law::hypothesis() const {
+  fit::Hypothesis result = about;
+  for (const MemberLaw& law : members) {
+    result.members.push_back(law.member);
+    result.terms.insert(result.terms.end(), law.terms.begin(), law.terms.end());
+    for (const NumberPlace& place : law.terms.empty() ? numbersOf(law.start) : std::vector<NumberPlace>()) {
+      result.terms.push_back(unknownOf(law.start, place));
+    }
+  }
+  return result;
+}
+
+std::vector<Entries> Law::at(const Eigen::VectorXd& scales) const {
+  std::vector<Entries> result;
+  Eigen::Index first = 0;
+  for (const MemberLaw& law : members) {
+    const auto size = static_cast<Eigen::Index>(law.size());
+    result.push_back(law.at(scales.segment(first, size)));
+    first += size;
+  }
+  return result;
+}
+
+LawForces::LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model,
+                     const Law& law)
+    : forces_(std::move(records), model), law_(law) {
+  Eigen::Index place = 0;
+  adds_up_ = forces_.isAdditive();
+  for (const MemberLaw& member : law.members) {
+    for (const fit::BasisTerm& term : member.terms) {
+      terms_.terms.push_back(term);
+      places_.push_back(place++);
+      adds_up_ = adds_up_ && term.additive;
+    }
+    place += member.terms.empty() ? static_cast<Eigen::Index>(member.size()) : 0;
+    adds_up_ = adds_up_ && std::all_of(member.start.begin(), member.start.end(), addsUp);
+  }
+}
+
+fit::ParameterVector LawForces::ofTerms(const fit::ParameterVector& parameters) const {
+  fit::ParameterVector result{parameters.model, Eigen::VectorXd(static_cast<Eigen::Index>(places_.size()))};
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    result.scales[static_cast<Eigen::Index>(i)] = parameters.scales[places_[i]];
+  }
+  return result;
+}
+
+const std::optional<gap::Forces>& LawForces::restAt(const fit::ParameterVector& of_terms) const {
+  if (!rest_ || rest_->first.model != of_terms.model || rest_->first.scales != of_terms.scales) {
+    rest_ = {of_terms, forces_.at(terms_, of_terms)};
+  }
+  return rest_->second;
+}
+
+const gap::Forces& LawForces::addedAt(const Eigen::VectorXd& scales) const {
+  if (!added_ || added_->first != scales) {
+    added_ = {scales, gap::simulate(entriesAt(scales), forces_.records())};
+  }
+  return added_->second;
+}
+
+Entries LawForces::entriesAt(const Eigen::VectorXd& scales) const {
+  Entries entries;
+  const std::vector<Entries> of_members = law_.at(scales);
+  for (std::size_t m = 0; m < of_members.size(); ++m) {
+    if (law_.members[m].terms.empty()) {
+      entries.insert(entries.end(), of_members[m].begin(), of_members[m].end());
+    }
+  }
+  return entries;
+}
+
+std::optional<gap::Forces> LawForces::at(const fit::ParameterVector& parameters) const {
+  const Entries entries = entriesAt(parameters.scales);
+  if (adds_up_ || entries.empty()) {
+    auto forces = restAt(ofTerms(parameters));
+    for (std::size_t r = 0; forces && !entries.empty() && r < forces->size(); ++r) {
+      (*forces)[r] += addedAt(parameters.scales)[r];
+    }
+    return forces;
+  }
+  auto elements = fit::elementsOf(forces_.model(), terms_, ofTerms(parameters));
+  if (!elements) {
+    return std::nullopt;
+  }
+  elements->insert(elements->end(), entries.begin(), entries.end());
+  return gap::simulate(*elements, forces_.records());
+}
+
+fit::ForceColumn LawForces::difference(const fit::ParameterVector& parameters, const gap::Forces& base,
+                                       Eigen::Index unknown, double step) const {
+  const Eigen::Index of_model = parameters.model.size();
+  fit::ParameterVector moved = parameters;
+  (unknown < of_model ? moved.model[unknown] : moved.scales[unknown - of_model]) += step;
+  auto forces = at(moved);
+  if (!forces) {
+    forces = base;  // no model there: the parameter cannot move
+  }
+  for (std::size_t r = 0; r < base.size(); ++r) {
+    (*forces)[r] = ((*forces)[r] - base[r]) / step;
+  }
+  return std::make_shared<const gap::Forces>(std::move(*forces));
+}
+
+std::vector<fit::ForceColumn> LawForces::columns(const fit::ParameterVector& parameters,
+                                                 const gap::Forces& base) const {
+  const Eigen::Index of_model = parameters.model.size();
+  const fit::Hypothesis all = law_.hypothesis();
+  std::vector<fit::ForceColumn> columns;
+  for (Eigen::Index j = 0; j < of_model; ++j) {
+    columns.push_back(difference(parameters, base, j, kModelStep));
+  }
+  for (Eigen::Index t = 0; t < parameters.scales.size(); ++t) {
+    const fit::BasisTerm& term = all.terms[static_cast<std::size_t>(t)];
+    double step = kNumberStep;
+    if (std::find(places_.begin(), places_.end(), t) != places_.end()) {
+      step = (parameters.scales[t] == 0.0 ? 1.0 : kTermStep) * term.typical;
+    }
+    const double direction = parameters.scales[t] + step > term.upper ? -1.0 : 1.0;
+    columns.push_back(difference(parameters, base, of_model + t, direction * step));
+  }
+  return columns;
+}
+
+LawFitter::LawFitter(const fit::Fitter& fitter, const Law& law)
+    : HypothesisFitter(fitter.model()), fitter_(fitter), forces_(fitter.sharedRecords(), fitter.model(), law) {
+  setNoise(fitter.noise());
+}
+
+gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
+                    const std::vector<log::Record>& records) {
+  gap::Forces forces;
+  for (const log::Record& record : records) {
+    auto one = std::make_shared<const std::vector<log::Record>>(1, record);
+    Law law = fitted.law;
+    for (MemberLaw& member : law.members) {
+      fit::Hypothesis terms;
+      terms.terms = member.terms;
+      member.terms = fit::aboutOtherRecords(terms, *one).terms;
+    }
+    forces.push_back(LawForces(one, model, law).at(fitted.fit.parameters)->front());
+  }
+  return forces;
+}
+
+}  // namespace rubber_suspension::diagnosis

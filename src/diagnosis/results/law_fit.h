@@ -1,0 +1,121 @@
+// Fits of laws with few numbers, all of which are free: shapes as well as scales.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/fitter.h"
+#include "gap/simulate.h"
+#include "rubber_suspension/element/parameter.h"
+
+namespace rubber_suspension::diagnosis {
+
+using Entries = std::vector<element::ElementDescription>;
+
+/// A number of a list of entries that a fit moves, by the logarithm of its ratio to the start: it keeps its sign.
+struct NumberPlace {
+  std::size_t entry = 0;
+  std::string key;
+  std::size_t index = 0;  ///< in the list of that key
+};
+
+/// The numbers of entries that count: scales and shapes that are given, each of a list; not choices and references, nor
+/// a value at the end of its range.
+std::vector<NumberPlace> numbersOf(const Entries& entries);
+
+/// One member of a hypothesis: by its basis terms, or by entries whose numbers are free.
+struct MemberLaw {
+  int member = 0;                     ///< by its index among the candidates
+  std::vector<fit::BasisTerm> terms;  ///< empty where entries stand for it
+  Entries start;
+
+  std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
+
+  /// Its entries where its part of the scales is this.
+  Entries at(const Eigen::VectorXd& scales) const;
+};
+
+/// All members of a hypothesis.
+struct Law {
+  std::vector<MemberLaw> members;
+  fit::Hypothesis about;  ///< what is free in each log; without terms
+
+  /// What the fit needs of it: bounds of each unknown.
+  fit::Hypothesis hypothesis() const;
+
+  /// Entries of each member at these scales.
+  std::vector<Entries> at(const Eigen::VectorXd& scales) const;
+};
+
+/// A law and where its fit ended.
+struct FittedLaw {
+  Law law;
+  fit::Fit fit;
+};
+
+/// Forces of a law about a model over some records [N]. Not for several threads at once: it keeps what it simulated
+/// last.
+class LawForces {
+ public:
+  /// The model has to outlive it.
+  LawForces(std::shared_ptr<const std::vector<log::Record>> records, const fit::ModelParameters& model, const Law& law);
+
+  /// Nothing where the model has no solution.
+  std::optional<gap::Forces> at(const fit::ParameterVector& parameters) const;
+
+  /// Derivatives by the model's parameters and by the scales, `base` being the forces there.
+  std::vector<fit::ForceColumn> columns(const fit::ParameterVector& parameters, const gap::Forces& base) const;
+
+ private:
+  // Scales of the members that have terms, in the order of terms_.
+  fit::ParameterVector ofTerms(const fit::ParameterVector& parameters) const;
+  Entries entriesAt(const Eigen::VectorXd& scales) const;
+  const std::optional<gap::Forces>& restAt(const fit::ParameterVector& of_terms) const;
+  const gap::Forces& addedAt(const Eigen::VectorXd& scales) const;
+  fit::ForceColumn difference(const fit::ParameterVector& parameters, const gap::Forces& base, Eigen::Index unknown,
+                              double step) const;
+
+  fit::HypothesisForces forces_;
+  Law law_;
+  fit::Hypothesis terms_;             // of the members that have terms
+  std::vector<Eigen::Index> places_;  // of these among all scales
+  bool adds_up_ = false;              // the entries' force is added to that of the rest
+  mutable std::optional<std::pair<fit::ParameterVector, std::optional<gap::Forces>>> rest_;
+  mutable std::optional<std::pair<Eigen::VectorXd, gap::Forces>> added_;
+};
+
+/// Fits a law to the records of a fitter, which has to outlive it.
+class LawFitter final : public fit::HypothesisFitter {
+ public:
+  LawFitter(const fit::Fitter& fitter, const Law& law);
+
+ private:
+  std::optional<gap::Forces> simulate(const fit::Hypothesis& /*hypothesis*/,
+                                      const fit::ParameterVector& parameters) const override {
+    return forces_.at(parameters);
+  }
+  double gapOf(const fit::Hypothesis& hypothesis, const gap::Forces& forces) const override {
+    return fitter_.gapOf(hypothesis, forces);
+  }
+  /// Few unknowns, all of which move.
+  fit::BlockGrams normalEquationsAbout(const fit::Hypothesis& hypothesis, const fit::ParameterVector& parameters,
+                                       const gap::Forces& base, fit::FreeInLog free,
+                                       const std::vector<bool>& /*active*/, int threads) const override {
+    return fit::normalEquations(fitter_.records(), fitter_.weights(), base, forces_.columns(parameters, base), free,
+                                threads, nullptr, hypothesis.by_zero);
+  }
+
+  const fit::Fitter& fitter_;
+  LawForces forces_;
+};
+
+/// Force of a fitted law over records, each of them recorded on a new component [N], from the displacement smoothed as
+/// for the fits: the noise of its sensor is the rig's.
+gap::Forces predict(const fit::ModelParameters& model, const FittedLaw& fitted,
+                    const std::vector<log::Record>& records);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,354 @@
+// The choice among laws with few numbers.
+#include "diagnosis/results/simplest_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "diagnosis/hypotheses/unseen_logs.h"
+#include "diagnosis/judge/numbers.h"
+#include "fit/bounded_least_squares.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+constexpr std::size_t kMostTerms = 3;    // of a law
+constexpr std::size_t kMostNumbers = 6;  // likewise
+constexpr int kSteps = 12;               // of a fit
+constexpr double kOfTypical = 1e-6;      // a scale below this is none
+
+using Indices = std::vector<Eigen::Index>;
+
+Eigen::VectorXd pick(const Eigen::VectorXd& vector, const Indices& rows) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result[static_cast<Eigen::Index>(i)] = vector[rows[i]];
+  }
+  return result;
+}
+
+Eigen::MatrixXd pick(const Eigen::MatrixXd& matrix, const Indices& rows, const Indices& columns) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    result.col(static_cast<Eigen::Index>(j)) = pick(Eigen::VectorXd(matrix.col(columns[j])), rows);
+  }
+  return result;
+}
+
+// A law before its fit, and the squared gap that it leaves by the normal equations about the full law.
+struct Start {
+  Entries entries;
+  double square = std::numeric_limits<double>::infinity();
+};
+
+// Least squares over some of the terms of a member, all else being free.
+class Subsets {
+ public:
+  // `from`: the normal equations' column of each term; `free`: columns of all else that is free; `moment` and `square`:
+  // of the residual without the member.
+  Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, const Indices& from, const Indices& free,
+          const Eigen::VectorXd& moment, double square)
+      : terms_(std::move(terms)), square_(square) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Eigen::MatrixXd of_free = pick(gram, free, free);
+    const auto unbounded = Eigen::VectorXd::Constant(of_free.rows(), kInfinity).eval();
+    const auto solve = [&](const Eigen::VectorXd& right) {
+      return fit::boundedLeastSquares(of_free, right, -unbounded, unbounded);
+    };
+    const Eigen::MatrixXd across = pick(gram, free, from);
+    const Eigen::VectorXd of_moment = solve(pick(moment, free));
+    gram_ = pick(gram, from, from);
+    for (Eigen::Index j = 0; j < gram_.cols(); ++j) {
+      gram_.col(j) -= across.transpose() * solve(across.col(j));
+    }
+    moment_ = pick(moment, from) - across.transpose() * of_moment;
+    square_ -= of_moment.dot(pick(moment, free));
+    for (const fit::BasisTerm& term : terms_) {
+      const Entries one = {term.at(term.typical)};
+      numbers_.push_back(numbersOf(one).size());
+      types_.push_back(one.front().type);
+    }
+  }
+
+  // The best one of each number of numbers.
+  std::map<std::size_t, Start> best() {
+    tryFrom(0, {}, 0);
+    return std::move(best_);
+  }
+
+ private:
+  void tryFrom(std::size_t first, const Indices& chosen, std::size_t numbers) {
+    for (std::size_t t = first; t < terms_.size(); ++t) {
+      const bool of_one_kind = chosen.empty() || types_[t] == types_[static_cast<std::size_t>(chosen.front())];
+      if (numbers + numbers_[t] > kMostNumbers || (terms_[t].additive && !of_one_kind)) {
+        continue;
+      }
+      Indices more = chosen;
+      more.push_back(static_cast<Eigen::Index>(t));
+      rate(more, best_[numbers + numbers_[t]]);
+      if (more.size() < kMostTerms) {
+        tryFrom(t + 1, more, numbers + numbers_[t]);
+      }
+    }
+  }
+
+  void rate(const Indices& chosen, Start& best) const {
+    const auto count = static_cast<Eigen::Index>(chosen.size());
+    Eigen::VectorXd lower(count);
+    Eigen::VectorXd upper(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      lower[i] = term(chosen, i).lower;
+      upper[i] = term(chosen, i).upper;
+    }
+    const Eigen::VectorXd moment = pick(moment_, chosen);
+    const Eigen::MatrixXd gram = pick(gram_, chosen, chosen);
+    const Eigen::VectorXd scales = fit::boundedLeastSquares(gram, moment, lower, upper);
+    const double square = square_ - 2.0 * scales.dot(moment) + scales.dot(gram * scales);
+    if (!(square < best.square)) {
+      return;
+    }
+    MemberLaw law;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (std::abs(scales[i]) < kOfTypical * term(chosen, i).typical) {
+        return;  // a law of fewer terms
+      }
+      law.terms.push_back(term(chosen, i));
+    }
+    best = {law.at(scales), square};
+  }
+
+  const fit::BasisTerm& term(const Indices& chosen, Eigen::Index i) const {
+    return terms_[static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)])];
+  }
+
+  std::vector<fit::BasisTerm> terms_;
+  std::vector<std::size_t> numbers_;  // of each term
+  std::vector<std::string> types_;    // likewise
+  Eigen::MatrixXd gram_;
+  Eigen::VectorXd moment_;
+  double square_;
+  std::map<std::size_t, Start> best_;
+};
+
+class Chooser {
+ public:
+  Chooser(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates, const FittedHypothesis& judged,
+          const HeldOut& held_out, double before, int threads)
+      : fitter_(fitter),
+        candidates_(candidates),
+        judged_(judged),
+        held_out_(held_out),
+        before_(before),
+        threads_(threads) {}
+
+  SimplestLaw run() {
+    result_.fitted = fullLaw(judged_, candidates_);
+    if (result_.fitted.law.members.empty()) {
+      return std::move(result_);
+    }
+    linearise();
+    const JudgeNumbers& numbers = fittedNumbers();
+    const double full = std::pow(gapOf(result_.fitted), 2);
+    const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
+    double allowed = full + std::pow(numbers.accepted, 2);
+    for (std::size_t m = 0; m < own_.size(); ++m) {
+      result_.form_error.push_back((candidateOf(m).on_rig ? numbers.form_error_on_rig : numbers.form_error) *
+                                   addedBy(m));
+      allowed += std::pow(result_.form_error[m], 2);
+      simplify(m, std::min(allowed, most));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  const fit::Candidate& candidateOf(std::size_t m) const {
+    return candidates_[static_cast<std::size_t>(judged_.hypothesis.members[m])];
+  }
+
+  // About the full law, with further laws of each member that are not at work yet.
+  void linearise() {
+    extended_ = judged_.hypothesis;
+    const Eigen::Index of_model = fitter_.model().size();
+    const auto columnOf = [&](std::size_t term) { return of_model + static_cast<Eigen::Index>(term); };
+    std::size_t first = 0;
+    for (std::size_t m = 0; m < judged_.hypothesis.members.size(); ++m) {
+      Indices own;
+      for (std::size_t t = 0; t < candidateOf(m).terms.size(); ++t) {
+        own.push_back(columnOf(first++));
+      }
+      own_.push_back(own);
+      pool_.push_back(own);
+      std::vector<fit::Candidate> laws = {fit::Candidate{}};
+      laws.front().terms = candidateOf(m).laws;
+      fit::findUnitEffects(laws, fitter_.records(), threads_);
+      for (const fit::BasisTerm& term : laws.front().terms) {
+        pool_.back().push_back(columnOf(extended_.terms.size()));
+        extended_.terms.push_back(term);
+      }
+    }
+    fit::ParameterVector about = judged_.fit.parameters;
+    about.scales.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(extended_.terms.size())));
+    scales_ = about.scales;
+    blocks_ = fitter_.linearise(extended_, about, {}, threads_);
+  }
+
+  const fit::BasisTerm& termAt(Eigen::Index column) const {
+    return extended_.terms[static_cast<std::size_t>(column - fitter_.model().size())];
+  }
+
+  double scaleAt(Eigen::Index column) const { return scales_[column - fitter_.model().size()]; }
+
+  // RMS force that a member adds, over the force's standard deviation.
+  double addedBy(std::size_t m) const {
+    const Indices& own = own_[m];
+    Eigen::VectorXd scales(static_cast<Eigen::Index>(own.size()));
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      scales[static_cast<Eigen::Index>(i)] = scaleAt(own[i]);
+    }
+    return std::sqrt(std::max(0.0, scales.dot(pick(blocks_.sum, own, own) * scales)));
+  }
+
+  // The best law of each number of numbers by the normal equations.
+  std::map<std::size_t, Start> startsOf(std::size_t m) const {
+    const Eigen::Index last = blocks_.sum.cols() - 1;
+    Eigen::VectorXd moment = blocks_.sum.col(last);
+    double square = blocks_.sum(last, last);
+    for (const Eigen::Index t : own_[m]) {  // without the member
+      square += scaleAt(t) * (blocks_.sum(t, last) + moment[t]);
+      moment += scaleAt(t) * blocks_.sum.col(t);
+    }
+    Indices free;
+    for (Eigen::Index j = 0; j < last; ++j) {
+      const bool is_term = j >= fitter_.model().size() && j < fitter_.model().size() + scales_.size();
+      const bool is_own = std::find(pool_[m].begin(), pool_[m].end(), j) != pool_[m].end();
+      if (!is_own && (!is_term || scaleAt(j) != 0.0)) {
+        free.push_back(j);
+      }
+    }
+    std::vector<fit::BasisTerm> terms;
+    for (const Eigen::Index t : pool_[m]) {
+      terms.push_back(termAt(t));
+    }
+    return Subsets(blocks_.sum, std::move(terms), pool_[m], free, moment, square).best();
+  }
+
+  void simplify(std::size_t m, double allowed) {
+    const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
+    const std::size_t most = numbersOf(full[m]).size();
+    for (const auto& [numbers, start] : startsOf(m)) {
+      if (numbers > most || start.entries.empty()) {
+        continue;
+      }
+      try {
+        const FittedLaw simple = fitted(m, start.entries);
+        if (std::pow(gapOf(simple), 2) <= allowed) {
+          result_.fitted = simple;
+          return;
+        }
+      } catch (const std::invalid_argument&) {
+        continue;  // its numbers have no model
+      }
+    }
+  }
+
+  FittedLaw fitted(std::size_t m, const Entries& start) const {
+    FittedLaw simple{result_.fitted.law, {}};
+    MemberLaw& member = simple.law.members[m];
+    member.terms.clear();
+    member.start = start;
+    const LawFitter fitter(fitter_, simple.law);
+    const fit::Hypothesis hypothesis = simple.law.hypothesis();
+    fit::ParameterVector from{result_.fitted.fit.parameters.model,
+                              Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hypothesis.terms.size()))};
+    Eigen::Index to = 0;
+    Eigen::Index of = 0;
+    for (std::size_t i = 0; i < simple.law.members.size(); ++i) {
+      const auto size = static_cast<Eigen::Index>(simple.law.members[i].size());
+      if (i != m) {
+        from.scales.segment(to, size) = result_.fitted.fit.parameters.scales.segment(of, size);
+      }
+      to += size;
+      of += static_cast<Eigen::Index>(result_.fitted.law.members[i].size());
+    }
+    simple.fit = fitter.fit(hypothesis, from, {kSteps});
+    return simple;
+  }
+
+  double gapOf(const FittedLaw& fitted) const {
+    if (held_out_.records.empty()) {
+      return fitted.fit.held_out;
+    }
+    return gap::gapOfParts(unseenErrors(fitter_.model(), fitted, held_out_));
+  }
+
+  const fit::Fitter& fitter_;
+  const std::vector<fit::Candidate>& candidates_;
+  const FittedHypothesis& judged_;
+  const HeldOut& held_out_;
+  const double before_;
+  const int threads_;
+  fit::Hypothesis extended_;
+  Eigen::VectorXd scales_;     // of its terms in the full law
+  std::vector<Indices> own_;   // columns of each member's terms
+  std::vector<Indices> pool_;  // and of its further laws
+  fit::BlockGrams blocks_;
+  SimplestLaw result_;
+};
+
+}  // namespace
+
+FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates) {
+  FittedLaw result{{}, judged.fit};
+  result.law.about.free_in_log = judged.hypothesis.free_in_log;
+  result.law.about.by_zero = judged.hypothesis.by_zero;
+  std::vector<double> scales;
+  Eigen::Index next = 0;
+  for (const int member : judged.hypothesis.members) {
+    MemberLaw law;
+    law.member = member;
+    for (std::size_t t = 0; t < candidates[static_cast<std::size_t>(member)].terms.size(); ++t, ++next) {
+      const bool last = t + 1 == candidates[static_cast<std::size_t>(member)].terms.size() && law.terms.empty();
+      if (judged.fit.parameters.scales[next] != 0.0 || last) {
+        law.terms.push_back(judged.hypothesis.terms[static_cast<std::size_t>(next)]);
+        scales.push_back(judged.fit.parameters.scales[next]);
+      }
+    }
+    result.law.members.push_back(std::move(law));
+  }
+  result.fit.parameters.scales =
+      Eigen::Map<const Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size()));
+  return result;
+}
+
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates) {
+  std::vector<std::string> effects;
+  for (const MemberLaw& member : law.members) {
+    effects.push_back(candidates[static_cast<std::size_t>(member.member)].effect);
+  }
+  return effects;
+}
+
+std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
+                                         const HeldOut& held_out, const gap::Forces& besides) {
+  gap::Forces forces = predict(model, fitted, held_out.records);
+  for (std::size_t r = 0; r < besides.size(); ++r) {
+    forces[r] += besides[r];
+  }
+  auto elements = *model.elements(fitted.fit.parameters.model);
+  for (const Entries& entries : fitted.law.at(fitted.fit.parameters.scales)) {
+    elements.insert(elements.end(), entries.begin(), entries.end());
+  }
+  return unseenErrors(fitted.law.hypothesis(), elements, forces, held_out.records, held_out.zeros);
+}
+
+SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+                        const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads) {
+  return Chooser(fitter, candidates, judged, held_out, before, threads).run();
+}
+
+}  // namespace rubber_suspension::diagnosis

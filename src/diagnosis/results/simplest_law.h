@@ -1,0 +1,44 @@
+// After the verdict: the law with the fewest numbers that says as much of each effect as the one that was judged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/hypotheses/search.h"
+#include "diagnosis/results/law_fit.h"
+#include "fit/fitter.h"
+#include "rubber_suspension/gap/gap.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// Logs that take no part in the fit, and what is known of the zeros of their displacement.
+struct HeldOut {
+  const std::vector<log::Record>& records;
+  const std::vector<fit::DisplacementZero>& zeros;
+};
+
+/// The hypothesis as it was judged, each member by all its terms.
+FittedLaw fullLaw(const FittedHypothesis& judged, const std::vector<fit::Candidate>& candidates);
+
+/// Names of its members.
+std::vector<std::string> effectsOf(const Law& law, const std::vector<fit::Candidate>& candidates);
+
+/// Errors of parts of the logs held out under a fitted law, with forces besides [N] where there are any.
+std::vector<gap::PartError> unseenErrors(const fit::ModelParameters& model, const FittedLaw& fitted,
+                                         const HeldOut& held_out, const gap::Forces& besides = {});
+
+struct SimplestLaw {
+  FittedLaw fitted;
+  std::vector<double> form_error;  ///< of each member, by which its law may differ from the rubber's: of the force
+};
+
+/// For each member in turn the law with the fewest numbers whose gap is that of the full law but for what no law of the
+/// effect can know: gap^2 <= full gap^2 + sum (eta A)^2 + delta^2 over the members so far, A being the force that the
+/// member adds, eta the form error of laws and delta what is accepted (JudgeNumbers). A member that needs more keeps
+/// its terms. Laws are one to three terms of one kind, of those of the candidate and of its `laws`, at their best
+/// places; gaps are those of the logs held out, or else of held-out blocks. It closes more than half of what the full
+/// law closes of the squared gap `before`.
+SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
+                        const FittedHypothesis& judged, const HeldOut& held_out, double before, int threads);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,264 @@
+// The account of what was taken out of each log.
+#include "diagnosis/results/taken_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "fit/displacement_zero.h"
+#include "gap/simulate.h"
+#include "numerics/symmetric.h"
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/gap/gap.h"
+#include "rubber_suspension/io/rig_tolerances.h"
+#include "rubber_suspension/measurement/rig_model.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double meanSquare(const VectorXd& residual, const VectorXd& counts) {
+  return residual.cwiseProduct(counts).squaredNorm() / counts.sum();
+}
+
+VectorXd countsOf(const log::Record& record) {
+  return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
+}
+
+// With the first cycle of a log that starts in motion.
+VectorXd withStart(VectorXd counts) {
+  for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
+    counts[i] = 1.0;
+  }
+  return counts;
+}
+
+using Displacements = std::vector<VectorXd>;
+
+// Forces over other displacements of the same records.
+gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
+                         const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                         const Displacements& displacements) {
+  gap::Forces forces = gap::simulate(elements, of_the_fit, [&](const log::Record& record) {
+    return displacements[static_cast<std::size_t>(&record - of_the_fit.data())];
+  });
+  for (std::size_t i = 0; i < held_out.size(); ++i) {
+    const VectorXd& z = displacements[of_the_fit.size() + i];
+    forces.push_back(gap::simulate(elements, {held_out[i]}, [&](const log::Record&) { return z; }).front());
+  }
+  return forces;
+}
+
+// Columns of what a rig does, with the kind that each is told as.
+struct KindColumns {
+  std::vector<std::string> kinds;
+  Eigen::MatrixXd columns;
+};
+
+const char* kindOf(measurement::Nuisance nuisance) {
+  switch (nuisance) {
+    case measurement::Nuisance::force_zero:
+      return taken_out::kZero;
+    case measurement::Nuisance::gain:
+      return taken_out::kGain;
+    case measurement::Nuisance::initial_state:
+      return taken_out::kInitialState;
+    case measurement::Nuisance::displacement_zero:
+      return taken_out::kDisplacement;
+    default:
+      return taken_out::kDelay;
+  }
+}
+
+// A straight line and half cosines about it: what continues slowly all along the log.
+Eigen::MatrixXd driftColumns(Index samples) {
+  constexpr Index kCosines = 8;
+  const auto count = static_cast<double>(samples);
+  Eigen::MatrixXd columns(samples, kCosines + 1);
+  columns.col(0) = VectorXd::LinSpaced(samples, -1.0, 1.0);
+  for (Index k = 1; k <= kCosines; ++k) {
+    columns.col(k) =
+        (Eigen::ArrayXd::LinSpaced(samples, 0.5, count - 0.5) * (element::kPi * static_cast<double>(k) / count)).cos();
+  }
+  return columns;
+}
+
+KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
+  const measurement::RigColumns rig =
+      measurement::RigModel({record}, {}, io::RigTolerances{}).columns({simulated}, {}).front();
+  const Eigen::MatrixXd drift = driftColumns(record.size());
+  KindColumns result;
+  std::transform(rig.nuisances.begin(), rig.nuisances.end(), std::back_inserter(result.kinds), kindOf);
+  result.kinds.insert(result.kinds.end(), static_cast<std::size_t>(drift.cols()), taken_out::kDrift);
+  result.columns.resize(record.size(), rig.columns.cols() + drift.cols());
+  result.columns << rig.columns, drift;
+  return result;
+}
+
+// What of a record's residual its nuisances take, by kind: each as far as they reach it. What is left is of the state
+// before the log.
+void takeNuisances(const log::Record& record, const VectorXd& counts, const VectorXd& simulated, LogAccount& account) {
+  constexpr double kRidge = 1e-6;
+  const VectorXd residual = (record.force - simulated).cwiseProduct(counts);
+  const VectorXd left = record.withoutRig(residual);
+  const double scale = counts.sum() * std::pow(record.force_deviation, 2);
+  if (record.nuisances.cols() > 0) {
+    const VectorXd taken = residual - left;
+    KindColumns kinds = kindColumns(record, simulated);
+    for (Index j = 0; j < kinds.columns.cols(); ++j) {
+      const VectorXd column = kinds.columns.col(j).cwiseProduct(counts).normalized();
+      kinds.columns.col(j) = (1.0 - record.withoutRig(column).norm()) * column;
+    }
+    const Index size = kinds.columns.cols();
+    const Eigen::MatrixXd gram =
+        kinds.columns.transpose() * kinds.columns + kRidge * Eigen::MatrixXd::Identity(size, size);
+    const VectorXd values = numerics::Cholesky(gram).solve(VectorXd(kinds.columns.transpose() * taken));
+    // |residual|^2 - |left|^2 is the product of both, in which the parts of what was taken add up.
+    const VectorXd both = residual + left;
+    for (Index j = 0; j < size; ++j) {
+      const double square = values[j] * kinds.columns.col(j).dot(both) / scale;
+      account.takeOut(kinds.kinds[static_cast<std::size_t>(j)], account.left() - square);
+    }
+  }
+  account.takeOut(taken_out::kInitialState, left.squaredNorm() / scale);
+}
+
+// Forces of the elements on the displacement at each stage.
+struct Stages {
+  gap::Forces recorded;
+  gap::Forces bridged;
+  gap::Forces smoothed;  // what hypotheses are fitted with
+};
+
+LogAccount accountOf(const log::Record& record, const RawChannels& raw, const Stages& forces, std::size_t r,
+                     fit::FreeInLog free, const VectorXd& by_zero) {
+  const double variance = std::pow(record.force_deviation, 2);
+  const double recorded = gap::gapOfResidual(raw.force - forces.recorded[r], gap::standardDeviation(raw.force));
+  LogAccount account(record.name, recorded * recorded);
+  const VectorXd counts = countsOf(record);
+  const VectorXd bridged = record.force - forces.bridged[r];
+  account.takeOut(taken_out::kSpikes, meanSquare(bridged, withStart(counts)) / variance);
+  account.takeOut(taken_out::kInitialState, meanSquare(bridged, counts) / variance);
+  const VectorXd residual = record.force - forces.smoothed[r];
+  account.takeOut(taken_out::kNoise, meanSquare(residual, counts) / variance);
+  takeNuisances(record, counts, forces.smoothed[r], account);
+  const auto without = [&](fit::FreeInLog also) {
+    return fit::withFreeInLog(also, record, forces.smoothed[r], by_zero).withoutRig(residual).squaredNorm() /
+           counts.sum() / variance;
+  };
+  if (free.zero) {
+    account.takeOut(taken_out::kDisplacement, without({false, false, true}));
+  }
+  if (free.trend) {
+    account.takeOut(taken_out::kDrift, without({true, false, free.zero}));
+  }
+  if (free.gain) {
+    account.takeOut(taken_out::kGain, without(free));
+  }
+  return account;
+}
+
+// What a zero of the displacement does to each record.
+std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
+                              const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                              const ZeroPriors& zeros) {
+  std::vector<VectorXd> columns = fit::byZero(elements, of_the_fit, zeros.training);
+  for (std::size_t i = 0; i < held_out.size(); ++i) {
+    columns.push_back(fit::byZero(elements, {held_out[i]}, {zeros.held_out[i]}).front());
+  }
+  return columns;
+}
+
+double signedRoot(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
+
+}  // namespace
+
+void LogAccount::takeOut(const std::string& kind, double left) {
+  const double square = left_ - left;
+  left_ = left;
+  const auto found = std::find_if(squares_.begin(), squares_.end(), [&](const auto& one) { return one.first == kind; });
+  if (found == squares_.end()) {
+    squares_.emplace_back(kind, square);
+  } else {
+    found->second += square;
+  }
+}
+
+std::vector<TakenOut> LogAccount::entries() const {
+  std::vector<TakenOut> entries;
+  for (const auto& [kind, square] : squares_) {
+    if (square != 0.0) {
+      entries.push_back({log_, kind, signedRoot(square)});
+    }
+  }
+  return entries;
+}
+
+std::vector<RawChannels> rawChannels(const std::vector<log::Log>& logs, const std::vector<log::Log>& hold_out) {
+  std::vector<RawChannels> channels;
+  for (const auto* list : {&logs, &hold_out}) {
+    for (const log::Log& log : *list) {
+      log::Record raw = log::rawRecord(log);
+      channels.push_back({std::move(raw.raw_displacement), std::move(raw.force)});
+    }
+  }
+  return channels;
+}
+
+std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
+                                   const std::vector<log::Record>& of_the_fit, const std::vector<log::Record>& held_out,
+                                   const std::vector<RawChannels>& raw, fit::FreeInLog free, const ZeroPriors& zeros) {
+  Displacements recorded;
+  Displacements bridged;
+  Displacements smoothed;
+  std::transform(raw.begin(), raw.end(), std::back_inserter(recorded),
+                 [](const RawChannels& channels) { return channels.displacement; });
+  for (const auto* list : {&of_the_fit, &held_out}) {
+    for (const log::Record& record : *list) {
+      bridged.push_back(record.raw_displacement);
+      smoothed.push_back(record.displacement);
+    }
+  }
+  const auto over = [&](const Displacements& z) { return simulateOver(elements, of_the_fit, held_out, z); };
+  Stages forces;
+  forces.recorded = over(recorded);
+  forces.bridged = bridged == recorded ? forces.recorded : over(bridged);
+  forces.smoothed = smoothed == bridged ? forces.bridged : over(smoothed);
+  const std::vector<VectorXd> by_zero =
+      free.zero ? byZeros(elements, of_the_fit, held_out, zeros) : std::vector<VectorXd>(raw.size());
+  std::vector<LogAccount> accounts;
+  for (const auto* list : {&of_the_fit, &held_out}) {
+    for (const log::Record& record : *list) {
+      const std::size_t r = accounts.size();
+      accounts.push_back(accountOf(record, raw[r], forces, r, free, by_zero[r]));
+    }
+  }
+  return accounts;
+}
+
+std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {
+  constexpr double kTold = 0.01;  // of the force
+  std::vector<std::string> phrases;
+  std::string log;
+  for (const TakenOut& one : taken_out) {
+    if (std::abs(one.share) < kTold) {
+      continue;
+    }
+    std::string kind = one.kind;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    const std::string share = fmt::format("{} {:.2g} %", kind, 100.0 * one.share);
+    if (one.log == log) {
+      phrases.back() += ", " + share;
+    } else {
+      phrases.push_back(one.log + ": " + share);
+      log = one.log;
+    }
+  }
+  return phrases;
+}
+
+}  // namespace rubber_suspension::diagnosis

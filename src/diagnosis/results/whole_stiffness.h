@@ -1,0 +1,18 @@
+// Stiffness and loss angle of the whole component where its specification says them, before and after.
+#pragma once
+
+#include <vector>
+
+#include "rubber_suspension/diagnosis/diagnosis.h"
+#include "rubber_suspension/log/record.h"
+
+namespace rubber_suspension::diagnosis {
+
+/// At the nominal frequency and amplitude of `before`. Without such a frequency it is the median of the mean
+/// frequencies of the logs; without such an amplitude the median amplitude of the logs within an octave of the
+/// frequency, or of all where there is none. Nothing where a component has no settled loop there, as under a drift.
+std::optional<WholeStiffness> wholeStiffness(const io::ComponentDescription& before,
+                                             const io::ComponentDescription& after,
+                                             const std::vector<log::Record>& logs);
+
+}  // namespace rubber_suspension::diagnosis

@@ -1,0 +1,157 @@
+// The law with the fewest numbers, and the file that it is written to.
+#include "diagnosis/results/simplest_law.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnosis/hypotheses/candidate/registry.h"
+#include "diagnosis/judge/numbers.h"
+#include "diagnosis/results/augmented.h"
+#include "diagnosis/results/rounding.h"
+#include "fit/fitter.h"
+#include "gap/simulate.h"
+#include "rig.h"
+
+namespace rubber_suspension {
+namespace {
+
+using testing::HasSubstr;
+
+std::size_t numbersIn(const diagnosis::Entries& entries) { return diagnosis::numbersOf(entries).size(); }
+
+TEST(NumbersOfALaw, AreThoseThatAFitMoves) {
+  EXPECT_EQ(numbersIn({{"friction", {{"maximum_force", {100.0}}, {"displacement", {1e-4}}, {"dead_band", {0.0}}}}}),
+            2U);
+  EXPECT_EQ(numbersIn({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}, {"exponent", {1.0}}}}}),
+            2U)
+      << "an exponent at the end of its range says that the stop is linear";
+  EXPECT_EQ(numbersIn({{"iwan_table", {{"yield_displacement", {1e-4, 2e-4, 4e-4}}, {"stiffness", {1e6, 1e6, 1e6}}}}}),
+            6U);
+}
+
+// A component of which a law is missing, its logs, and the full law of the candidate fitted to them.
+class SimplestLaw : public testing::Test {
+ protected:
+  void fit(const std::string& effect, const diagnosis::Entries& missing) {
+    std::vector<log::Record> records;
+    for (const int seed : {1, 2}) {
+      records.push_back(log::makeRecord(runRig("log", seed, [](double, double, double) { return 0.0; })));
+    }
+    const gap::Forces added = gap::simulate(missing, records);
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      records[r].force += added[r];
+    }
+    fitter_ = std::make_unique<fit::Fitter>(records, model_);
+    candidates_ = diagnosis::candidates(fit::summarise(records));
+    int member = 0;
+    while (candidates_[static_cast<std::size_t>(member)].effect != effect) {
+      ++member;
+    }
+    fit::findUnitEffects(candidates_, records, 1);
+    full_.hypothesis = fit::makeHypothesis(candidates_, {member});
+    full_.fit = fitter_->fit(full_.hypothesis, fitter_->configured(full_.hypothesis), {10});
+    simple_ = diagnosis::simplestLaw(*fitter_, candidates_, full_, {none_, no_zeros_}, 1.0, 1);
+  }
+
+  diagnosis::Entries found() const { return simple_.fitted.law.at(simple_.fitted.fit.parameters.scales).at(0); }
+
+  void expectPaid() const {
+    const double allowed = std::pow(full_.fit.held_out, 2) + std::pow(simple_.form_error.at(0), 2) +
+                           std::pow(diagnosis::fittedNumbers().accepted, 2);
+    EXPECT_LE(std::pow(simple_.fitted.fit.held_out, 2), allowed);
+    EXPECT_LT(numbersIn(found()), numbersIn(diagnosis::entriesOf(full_)));
+  }
+
+  const fit::ModelParameters model_{rigComponent(), fit::Level::specification};
+  const std::vector<log::Record> none_;
+  const std::vector<fit::DisplacementZero> no_zeros_;
+  std::unique_ptr<fit::Fitter> fitter_;
+  std::vector<fit::Candidate> candidates_;
+  diagnosis::FittedHypothesis full_;
+  diagnosis::SimplestLaw simple_;
+};
+
+TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
+  fit("friction", {{"friction", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(numbersIn(found()), 2U);
+  EXPECT_NEAR(diagnosis::headlineOf(found()).at("maximum_force"), 800.0, 80.0);
+}
+
+TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
+  fit("bump_stop", {{"bump_stop", {{"stiffness", {2e6}}, {"gap", {1.3e-3}}}}});
+  expectPaid();
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_NEAR(found()[0].value("gap"), 1.3e-3, 2e-5);
+  EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
+}
+
+diagnosis::SizedValue written(const std::string& place, const std::string& unit, double configured, double value,
+                              std::array<double, 2> interval) {
+  return {"", place, unit, configured, value, interval};
+}
+
+io::ComponentDescription inUnits() {
+  return io::parseComponentFile(
+             "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 0.9 kN/mm\n"
+             "      dynamic_stiffness: 1.3 kN/mm\n      nominal_frequency: 4\n      break_frequency: 3\n",
+             "test")
+      .front();
+}
+
+TEST(WrittenComponent, HasNumbersThatAreKnown) {
+  diagnosis::Diagnosis d;
+  d.component = "bush";
+  io::ComponentDescription exact = inUnits();
+  exact.add = {{"friction", {{"maximum_force", {216.18}}, {"displacement", {1.2345678e-4}}}}};
+  auto specification = exact.specification();
+  specification.set("static_stiffness", 896345.6789);
+  exact.specify(specification);
+  d.written = {written("specification.static_stiffness", "N/m", 0.9e6, 896345.6789, {886e3, 906e3}),
+               written("specification.nominal_frequency", "Hz", 4.0, 4.0, {4.0, 4.0}),
+               written("add[0].maximum_force", "N", std::nan(""), 216.18, {195.0, 240.0})};
+  d.augmented = diagnosis::rounded(exact, d.written, 0);
+  EXPECT_DOUBLE_EQ(d.augmented.specification().at("static_stiffness"), 896e3) << "half the interval is 10 N/mm";
+  EXPECT_DOUBLE_EQ(d.augmented.add[0].value("maximum_force"), 216.0);
+  EXPECT_DOUBLE_EQ(d.augmented.add[0].value("displacement"), 1.2345678e-4) << "nothing is known of its interval";
+  const std::string text = diagnosis::augmentedYaml(d);
+  EXPECT_THAT(text, HasSubstr("static_stiffness: 0.896 kN/mm  # 95 %: 0.886 to 0.906 kN/mm; was 0.9 kN/mm"));
+  EXPECT_THAT(text, HasSubstr("# maximum_force: 95 %: 195 to 240 N"));
+  const auto read = io::parseComponentFile(text, "augmented.yaml").front();
+  EXPECT_EQ(io::toYaml({read}), io::toYaml({d.augmented})) << "the file is the component, to the last bit";
+}
+
+TEST(Headline, TellsFrictionOverAllTerms) {
+  const auto dahl = diagnosis::headlineOf({{"bouc_wen", {{"stiffness", {3e6}}, {"beta", {1e4}}, {"gamma", {0.0}}}}});
+  EXPECT_NEAR(dahl.at("maximum_force"), 300.0, 1e-9);
+  EXPECT_NEAR(dahl.at("displacement"), std::log(2.0) * 1e-4, 1e-12);
+  const auto both = diagnosis::headlineOf({{"friction", {{"maximum_force", {200.0}}, {"displacement", {1e-4}}}},
+                                           {"iwan_table", {{"yield_displacement", {1e-4}}, {"stiffness", {2e6}}}}});
+  EXPECT_NEAR(both.at("maximum_force"), 400.0, 1e-9);
+  EXPECT_NEAR(both.at("displacement"), (std::sqrt(5.0) - 1.0) / 2.0 * 1e-4, 1e-9) << "z: 200 z/(z + 1) + 200 z = 200";
+}
+
+TEST(Headline, TellsStopsBySide) {
+  const auto values = diagnosis::headlineOf({{"bump_stop", {{"stiffness", {1e6}}, {"gap", {2e-3}}, {"side", {1.0}}}},
+                                             {"bump_stop", {{"stiffness", {2e6}}, {"gap", {3e-3}}, {"side", {1.0}}}},
+                                             {"bump_stop", {{"stiffness", {4e6}}, {"gap", {1e-3}}, {"side", {-1.0}}}}});
+  EXPECT_DOUBLE_EQ(values.at("gap_at_z_above_0"), 2e-3);
+  EXPECT_DOUBLE_EQ(values.at("stiffness_at_z_above_0"), 3e6);
+  EXPECT_DOUBLE_EQ(values.at("gap_at_z_below_0"), 1e-3);
+  EXPECT_DOUBLE_EQ(values.at("stiffness_at_z_below_0"), 4e6);
+}
+
+TEST(Headline, TellsTemperaturePerKelvinAtTheReference) {
+  const auto values =
+      diagnosis::headlineOf({{"vertical_shift", {{"coefficient", {-2e-3}}, {"reference", {20.0}}}},
+                             {"transition_shift", {{"share", {0.1}}, {"width", {50.0}}, {"reference", {20.0}}}},
+                             {"arrhenius_shift", {{"activation_energy", {7e4}}, {"reference", {20.0}}}}});
+  EXPECT_DOUBLE_EQ(values.at("change_of_stiffness_at_20_degC"), -2e-3 - 0.1 / 50.0);
+  EXPECT_NEAR(values.at("change_of_rates_at_20_degC"), 7e4 / (8.314462618 * 293.15 * 293.15), 1e-12);
+}
+
+}  // namespace
+}  // namespace rubber_suspension

@@ -1,0 +1,128 @@
+// What was taken out of a log is told by its kind and size, and in squares it adds up.
+#include "diagnosis/results/taken_out.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gap/simulate.h"
+#include "numerics/least_squares.h"
+#include "rig.h"
+#include "rubber_suspension/measurement/prepared_log.h"
+
+namespace rubber_suspension::diagnosis {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+// The account of a log of the rig's own component, to which a force was added that its record may take out again.
+class TakenOutTest : public ::testing::Test {
+ protected:
+  std::vector<TakenOut> accountFor(const RigEffect& effect, const std::vector<RigEffect>& free) {
+    log_ = runRig("log", 3, effect, 2.0);
+    spike();
+    log::Record record = measurement::prepareLog(log_).record;
+    Eigen::MatrixXd columns(record.size(), static_cast<Eigen::Index>(free.size()));
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+      for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+        columns(i, j) = free[static_cast<std::size_t>(j)](static_cast<double>(i) * record.dt, 0.0, 0.0);
+      }
+    }
+    if (record.counts.size() > 0) {
+      columns.array().colwise() *= record.counts.array();
+    }
+    record.nuisances = free.empty() ? columns : numerics::orthonormalColumns(columns);
+    deviation_ = record.force_deviation;
+    const LogAccount account =
+        accountsOf(rigComponent().allElements(), {record}, {}, rawChannels({log_}, {}), {}, {}).front();
+    left_ = std::sqrt(account.left());
+    double left = account.recorded();
+    for (const TakenOut& part : account.entries()) {
+      left -= std::copysign(part.share * part.share, part.share);
+    }
+    EXPECT_NEAR(left, account.left(), 1e-12);
+    return account.entries();
+  }
+
+  void spike() {
+    if (spike_ != 0.0) {
+      log_.force[1234] += spike_;
+    }
+  }
+
+  static double shareOf(const std::vector<TakenOut>& entries, const std::string& kind) {
+    for (const TakenOut& part : entries) {
+      if (part.kind == kind) {
+        return part.share;
+      }
+    }
+    return 0.0;
+  }
+
+  log::Log log_;
+  double spike_ = 0.0;      // [N]
+  double deviation_ = 0.0;  // of the force [N]
+  double left_ = 0.0;
+};
+
+double one(double /*time*/, double /*displacement*/, double /*rate*/) { return 1.0; }
+double ramp(double seconds, double /*displacement*/, double /*rate*/) { return seconds; }
+
+TEST_F(TakenOutTest, TellsAZero) {
+  const auto parts = accountFor([](double, double, double) { return 60.0; }, {one});
+  EXPECT_NEAR(shareOf(parts, taken_out::kZero), 60.0 / deviation_, 0.02 * 60.0 / deviation_);
+  EXPECT_LT(std::abs(shareOf(parts, taken_out::kDrift)), 0.002);
+  EXPECT_LT(left_, 0.02);
+}
+
+// A ramp from -1 to 1 has a root of a third.
+TEST_F(TakenOutTest, TellsADrift) {
+  const auto parts = accountFor([](double t, double, double) { return 20.0 * (t - 5.0); }, {one, ramp});
+  const double end = 20.0 * (5000.0 * (log_.time(1) - log_.time(0)) - 5.0);
+  const double begin = -100.0;
+  const double slope = 0.5 * (end - begin);
+  EXPECT_NEAR(shareOf(parts, taken_out::kDrift), slope / std::sqrt(3.0) / deviation_, 0.05 * slope / deviation_);
+  EXPECT_LT(std::abs(shareOf(parts, taken_out::kInitialState)), 0.03);
+  EXPECT_LT(left_, 0.02);
+}
+
+TEST_F(TakenOutTest, TellsWhatIsLeftFromBefore) {
+  const RigEffect decay = [](double t, double, double) { return 200.0 * std::exp(-t / 0.5); };
+  const auto parts = accountFor(decay, {one, decay});
+  EXPECT_GT(shareOf(parts, taken_out::kInitialState), 0.01);
+  EXPECT_LT(std::abs(shareOf(parts, taken_out::kDrift)), 0.01);
+  EXPECT_LT(left_, 0.02);
+}
+
+// Of a force that is recorded 3 % too large.
+TEST_F(TakenOutTest, TellsAGain) {
+  log::Log log = runRig(
+      "log", 3, [](double, double, double) { return 0.0; }, 2.0);
+  for (double& force : log.force) {
+    force *= 1.03;
+  }
+  log::Record record = measurement::prepareLog(log).record;
+  const auto elements = rigComponent().allElements();
+  record.nuisances = gap::simulate(elements, {record}).front().normalized();
+  const auto parts = accountsOf(elements, {record}, {}, rawChannels({log}, {}), {}, {}).front().entries();
+  EXPECT_NEAR(shareOf(parts, taken_out::kGain), 0.03 / 1.03, 0.002);
+}
+
+TEST_F(TakenOutTest, TellsSpikes) {
+  spike_ = 4000.0;
+  const auto parts = accountFor([](double, double, double) { return 0.0; }, {});
+  EXPECT_NEAR(shareOf(parts, taken_out::kSpikes), 4000.0 / std::sqrt(5000.0) / deviation_,
+              0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
+}
+
+TEST(DescribeTakenOut, SaysWhatIsMoreThanAHundredth) {
+  EXPECT_THAT(describeTakenOut({{"a", "zero", 0.032}, {"a", "drift", 0.1}, {"b", "spikes", 0.004}}),
+              ElementsAre("a: zero 3.2 %, drift 10 %"));
+  EXPECT_THAT(describeTakenOut({}), SizeIs(0));
+}
+
+}  // namespace
+}  // namespace rubber_suspension::diagnosis
