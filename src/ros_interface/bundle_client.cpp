@@ -2,8 +2,6 @@
 #include "rubber_suspension/ros_interface/bundle_client.h"
 
 #include <fmt/format.h>
-#include <ros/service.h>
-#include <std_srvs/Trigger.h>
 
 #include <utility>
 
@@ -47,10 +45,9 @@ void BundleClientOf<Bundle, Sample, Answer>::connect() {
 
 template <class Bundle, class Sample, class Answer>
 void BundleClientOf<Bundle, Sample, Answer>::call(const std::string& service) {
-  std_srvs::Trigger trigger;
-  const std::string name = handle_.resolveName(service);
-  if (!ros::service::call(name, trigger) || !trigger.response.success) {
-    throw BundleError(fmt::format("service {} failed {}", name, trigger.response.message));
+  const std::string refusal = callTrigger(handle_.resolveName(service), timeout_);
+  if (!refusal.empty()) {
+    throw BundleError(refusal);
   }
 }
 

@@ -1,8 +1,11 @@
 // Whether a topic is connected for certain.
 #include "ros_interface/connection.h"
 
+#include <fmt/format.h>
 #include <ros/init.h>
+#include <ros/service.h>
 #include <ros/this_node.h>
+#include <std_srvs/Trigger.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
@@ -58,6 +61,14 @@ bool waitFor(ros::CallbackQueue& queue, double timeout, const std::function<bool
   return true;
 }
 
+std::string callTrigger(const std::string& resolved_service, double timeout) {
+  ros::CallbackQueue nothing;
+  std_srvs::Trigger trigger;
+  waitFor(nothing, timeout, [&] { return ros::service::exists(resolved_service, false); });
+  const bool done = ros::service::call(resolved_service, trigger) && trigger.response.success != 0U;
+  return done ? "" : fmt::format("service {} failed {}", resolved_service, trigger.response.message);
+}
+
 std::vector<std::string> servedComponents(const std::string& bundle_topic) {
   const std::string ending = "/force";
   const auto topics = publishedTopics();
@@ -76,20 +87,19 @@ std::vector<std::string> servedComponents(const std::string& bundle_topic) {
 }
 
 bool sendsToThisNode(const std::string& publisher, const std::string& resolved_topic) {
+  bool sends = false;
   try {
     const XmlRpcValue links = ask(ask(ros::master::getURI(), "lookupNode", {publisher}), "getBusInfo");
     for (int i = 0; i < links.size(); ++i) {  // rows of connection, other end, direction, transport, topic, ...
       const std::string& other_end = links[i][1];
       const std::string& direction = links[i][2];
       const std::string& topic = links[i][4];
-      if (other_end == ros::this_node::getName() && direction == "o" && topic == resolved_topic) {
-        return true;
-      }
+      sends = sends || (other_end == ros::this_node::getName() && direction == "o" && topic == resolved_topic);
     }
   } catch (const XmlRpc::XmlRpcException&) {
-    return false;
+    sends = false;
   }
-  return false;
+  return sends;
 }
 
 bool waitForPublishers(const std::string& resolved_topic, double timeout) {

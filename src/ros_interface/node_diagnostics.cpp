@@ -282,21 +282,18 @@ void NodeDiagnostics::updateGaps() {
     const node::MatchCounters matches = watched.channel->gap().counters();
     const bool news = matches.matched != watched.matches.matched || matches.unmatched != watched.matches.unmatched;
     watched.matches = matches;
-    if (news) {
-      updateGap(watched);
+    if (!news) {
+      continue;
     }
-  }
-}
-
-void NodeDiagnostics::updateGap(Watched& watched) const {
-  const auto windows = watched.channel->windows(gap_settings_.window);
-  for (Gap& gap : watched.gaps) {
-    gap.gap = gap.tracker.update(windows[gap.place]);
-    gap.publisher.publish(gapMessage(gap.gap, gap_settings_));
-  }
-  if (!watched.running.other_sha256.empty()) {
-    const node::LiveGap beside = watched.shadow_tracker.update(windows[0], &node::MatchedSample::beside);
-    watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    const auto windows = watched.channel->windows(gap_settings_.window);
+    for (Gap& gap : watched.gaps) {
+      gap.gap = gap.tracker.update(windows[gap.place]);
+      gap.publisher.publish(gapMessage(gap.gap, gap_settings_));
+    }
+    if (!watched.running.other_sha256.empty()) {
+      const node::LiveGap beside = watched.shadow_tracker.update(windows[0], &node::MatchedSample::beside);
+      watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
+    }
   }
 }
 

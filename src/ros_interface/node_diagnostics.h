@@ -63,7 +63,6 @@ class NodeDiagnostics {
 
   void update();
   void updateGaps();
-  void updateGap(Watched& watched) const;
   static void updateRunning(Watched& watched);
   void logFaults(double now);
 

@@ -131,14 +131,6 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
   }
 }
 
-std::vector<std::string> SimulateNode::services() const {
-  std::vector<std::string> names = services_->names();
-  for (const std::string& name : roscpp_fixes::loggerServices()) {
-    names.push_back(name);
-  }
-  return names;
-}
-
 SimulateNode::~SimulateNode() {
   registration_.reset();
   if (live_) {
@@ -215,7 +207,13 @@ void SimulateNode::advertiseServices() {
     diagnostics_->watch(*thread);
   }
   services_ = std::make_unique<NodeServices>(handle_, private_handle_, settings_, *group_, live_.get());
-  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>([this] { return services(); }, isEnding);
+  const auto names = [this] {
+    std::vector<std::string> all = services_->names();
+    const std::vector<std::string> loggers = roscpp_fixes::loggerServices();
+    all.insert(all.end(), loggers.begin(), loggers.end());
+    return all;
+  };
+  registration_ = std::make_unique<roscpp_fixes::RegistrationKeeper>(names, isEnding);
 }
 
 }  // namespace rubber_suspension::ros_interface

@@ -38,7 +38,6 @@ class SimulateNode {
   void makeChannels();
   void startServing();
   void advertiseServices();
-  std::vector<std::string> services() const;
 
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
