@@ -53,7 +53,7 @@ OptionTable Options::table() {
 std::vector<benchmark::Case> allCases(const benchmark::BenchmarkSize& size) {
   std::vector<benchmark::Case> all;
   for (const auto part :
-       {benchmark::forceCases, benchmark::surrogateCases,
+       {benchmark::forceCases, benchmark::surrogateCases, benchmark::sixDirectionCases,
 #ifdef RUBBER_SUSPENSION_WITH_FMU
         benchmark::fmuCases,
 #endif

@@ -1,5 +1,8 @@
-// export_bushing: writes a component as a bushing property file of Adams.
+// export_bushing: writes a component as a bushing property file of Adams or Altair.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
 
 #include "command/bushing_file.h"
 #include "command_line/command.h"
@@ -14,35 +17,77 @@ using namespace rubber_suspension::command_line;
 struct Options {
   ComponentOptions component;
   std::string output;
-  std::string axis = "z";
+  std::string axis;
   command::BushingFileOptions bushing;
 
   OptionTable table() {
+    command::BushingCurve& along = bushing.translation;
+    command::BushingCurve& about = bushing.rotation;
     return {component.table(),
-            Option("--output", output, "FILE", "file to write").required().writes(io::FileKind::bushing_file),
-            Option("--largest-displacement", Quantity{&bushing.largest_displacement, "m"}, "METRES",
-                   "the curve goes as far to both sides, such as '10 mm'")
-                .required(),
+            Option("--output", output, "FILE", "file to write, .bus of Adams or .gbs of Altair")
+                .required()
+                .writes(io::FileKind::bushing_file),
+            Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
+                   "the curves of forces go as far to both sides, such as '10 mm'"),
+            Option("--largest-rotation", Quantity{&about.largest, "rad"}, "RADIANS",
+                   "the curves of moments go as far to both sides, such as '10 deg'"),
             Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
                    "frequency of the sine whose loss the damping has")
                 .required(),
-            Option("--amplitude", Quantity{&bushing.amplitude, "m"}, "METRES", "amplitude of this sine, such as '1 mm'")
-                .required(),
-            Option("--axis", axis, "AXIS", "axis of the bushing that the component is along: x, y or z")
+            Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES", "amplitude of this sine, such as '1 mm'"),
+            Option("--rotation-amplitude", Quantity{&about.amplitude, "rad"}, "RADIANS",
+                   "amplitude of this sine about an axis, such as '2 deg'"),
+            Option("--axis", axis, "AXIS",
+                   "axis of the bushing that a component of one direction is along: x, y or z (z by itself)")
                 .oneOf({"x", "y", "z"}),
-            Option("--points", bushing.points, "COUNT", "points of the curve, an odd number").within(3, 100001)};
+            Option("--points", bushing.points, "COUNT", "points of the curves, an odd number").within(3, 100001)};
   }
 };
 
-int run(const Options& options) {
-  command::BushingFileOptions bushing = options.bushing;
-  bushing.axis = options.axis.front();
-  if (bushing.points % 2 == 0) {
-    throw UsageError(
-        fmt::format("--points: {} is even; accepted: an odd number, so that 0 is on the curve", bushing.points));
+command::BushingFormat formatOf(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".bus" && ending != ".gbs") {
+    throw UsageError("--output: " + path + "; accepted: a file that ends in .bus (Adams) or .gbs (Altair)");
   }
-  const io::ComponentDescription description = options.component.read("export_bushing");
-  const command::BushingFile file = command::makeBushingFile(description.name, description.makeComponent(), bushing);
+  return ending == ".bus" ? command::BushingFormat::adams : command::BushingFormat::altair;
+}
+
+// What the curves of the component need, neither less nor more.
+void requireCurve(const command::BushingCurve& curve, bool needed, const char* largest, const char* amplitude) {
+  for (const auto& [value, name] : {std::pair(curve.largest, largest), std::pair(curve.amplitude, amplitude)}) {
+    if (needed != (value > 0.0)) {
+      throw UsageError(needed ? fmt::format("{} is missing, which the curves of the component need", name)
+                              : fmt::format("{} has no effect: the component has no such direction", name));
+    }
+  }
+}
+
+command::Bushing bushingOf(const io::ComponentDescription& description, const std::string& axis) {
+  if (!description.six) {
+    return command::bushingAlong(*component::directionFromString(axis.empty() ? "z" : axis),
+                                 description.makeComponent());
+  }
+  if (!axis.empty()) {
+    throw UsageError("--axis has no effect: the component has directions of its own");
+  }
+  return command::bushingOf(description.six->makeComponent());
+}
+
+int run(Options& options) {
+  options.bushing.format = formatOf(options.output);
+  if (options.bushing.points % 2 == 0) {
+    throw UsageError(fmt::format("--points: {} is even; accepted: an odd number, so that 0 is on the curve",
+                                 options.bushing.points));
+  }
+  const io::ComponentDescription description = options.component.readAny("export_bushing");
+  const command::Bushing bushing = bushingOf(description, options.axis);
+  const auto has = [&](std::size_t first) {
+    return std::any_of(&bushing.directions[first], &bushing.directions[first] + 3,
+                       [](const auto& direction) { return direction.has_value(); });
+  };
+  requireCurve(options.bushing.translation, has(component::kX), "--largest-displacement", "--amplitude");
+  requireCurve(options.bushing.rotation, has(component::kRx), "--largest-rotation", "--rotation-amplitude");
+  const command::BushingFile file = command::makeBushingFile(description.name, bushing, options.bushing);
   log::writeNewFile(options.output, file.text);
   for (const std::string& note : file.notes) {
     printNote("export_bushing", note);
@@ -58,15 +103,15 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"export_bushing",
-       "Writes a component as a bushing property file (.bus) of Adams: static curve and one constant of "
-       "damping; tells what the format cannot say of it.",
+       "Writes a component of one direction or of six as a bushing property file of Adams (.bus) or Altair (.gbs): "
+       "static curves and constants of damping; tells what the format cannot say of it.",
        {{"Up to 10 mm, with the loss at 4 Hz and 1 mm",
          "--config component.yaml --largest-displacement '10 mm' --frequency 4 --amplitude '1 mm' --output bush.bus"},
         {"Along x, with a finer curve",
          "--config component.yaml --largest-displacement '10 mm' --frequency 4 --amplitude '1 mm' --axis x --points "
          "201 --output bush.bus"},
-        {"One of several components",
-         "--config example.yaml --component left_secondary --largest-displacement '10 mm' --frequency 4 --amplitude '1 "
-         "mm' --output left.bus"}}},
+        {"One of six directions, for Altair",
+         "--config bush.yaml --largest-displacement '5 mm' --largest-rotation '10 deg' --frequency 10 --amplitude "
+         "'0.5 mm' --rotation-amplitude '1 deg' --output bush.gbs"}}},
       options.table(), [&] { return run(options); });
 }

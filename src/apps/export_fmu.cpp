@@ -23,7 +23,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const io::ComponentDescription description = options.component.read("export_fmu");
+  const io::ComponentDescription description = options.component.readAny("export_fmu");
   const fmi::Version version = options.fmi == 2 ? fmi::Version::fmi2 : fmi::Version::fmi3;
   const std::string fmu = fmi::makeFmu(description, version, fmi::installedParts());
   log::writeNewFile(options.output, fmu);
@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
   return runCommand(
       argc, argv,
       {"export_fmu",
-       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable.",
+       "Writes a component as an FMU for co-simulation: displacement in, force out, all parameters settable; of six "
+       "directions pose in, wrench out.",
        {{"FMI 2.0", "--config component.yaml --output bush.fmu"},
         {"FMI 3.0", "--config component.yaml --fmi 3 --output bush.fmu"},
         {"One of several components", "--config example.yaml --component left_secondary --output left.fmu"}}},

@@ -25,6 +25,7 @@ namespace {
 struct Options {
   std::string config;
   std::string track;
+  std::string vehicle = "struts";
   std::string forces = "library";
   double time_step = 1e-3;
   int delay = 0;
@@ -38,12 +39,58 @@ struct Options {
   OptionTable table();
 };
 
-std::string percentages(const PerStrut& values) {
+template <class Names, class Values>
+std::string percentages(const Names& names, const Values& values) {
   std::string text;
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    text += fmt::format("{}{} {:.4g} %", i == 0 ? "" : ", ", strutNames()[i], 100.0 * values[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += fmt::format("{}{} {:.4g} %", i == 0 ? "" : ", ", names[i], 100.0 * values[i]);
   }
   return text;
+}
+
+Scene sceneOf(const Options& options) {
+  Scene scene;
+  scene.parameters.speed = options.speed;
+  scene.track = Track(options.log_options.read("half_bogie", options.track, ""));
+  scene.duration = scene.track.duration();
+  scene.step = std::llround(1e9 * options.time_step);
+  return scene;
+}
+
+std::string summary(const Scene& scene, std::chrono::steady_clock::time_point start, const std::string& differences) {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  return fmt::format("{} steps of {:g} ms in {:.3g} s\ndisplacements against variable steps without delay: {}\n",
+                     scene.steps(), 1e-6 * static_cast<double>(scene.step), elapsed.count(), differences);
+}
+
+BushedHistory runBushedLoop(ros_interface::RosCommandLine& line, const Options& options, BushedKind kind,
+                            const Scene& scene, const PerBush<component::SixDirections>& components) {
+  if (options.forces == "topics") {
+    line.initialise("half_bogie", 0, ros_interface::PoseClient::kPatience);
+    const ros::NodeHandle handle;
+    noteOpenness("half_bogie");
+    TopicWrenchExchange exchange(handle, kind, options.reset);
+    return runExchange(scene, kind, exchange, options.delay);
+  }
+  LibraryWrenchExchange exchange(components);
+  return runExchange(scene, kind, exchange, options.delay);
+}
+
+// A vehicle on components of six directions.
+int runBushed(ros_interface::RosCommandLine& line, const Options& options, BushedKind kind) {
+  const PerBush<component::SixDirections> components = loadBushes(kind, options.config);
+  const Scene scene = sceneOf(options);
+  std::optional<io::Activity> simulating("simulating the vehicle");
+  const auto start = std::chrono::steady_clock::now();
+  const BushedHistory history = runBushedLoop(line, options, kind, scene, components);
+  const BushedHistory reference = runVariableStep(scene, kind, components, {});
+  simulating.reset();
+  std::cout << summary(scene, start,
+                       percentages(bushNames(kind), displacementDifference(components, history, reference)));
+  if (!options.output.empty()) {
+    writeHistoryCsv(options.output, bushNames(kind), components, history);
+  }
+  return kSuccess;
 }
 
 History runLoop(ros_interface::RosCommandLine& line, const Options& options, const Scene& scene,
@@ -64,26 +111,18 @@ History runLoop(ros_interface::RosCommandLine& line, const Options& options, con
 
 int runTrack(ros_interface::RosCommandLine& line, const Options& options) {
   const std::vector<component::Component> components = loadStruts(options.config);
-  Scene scene;
-  scene.parameters.speed = options.speed;
-  const log::Log track = options.log_options.read("half_bogie", options.track, "");
-  scene.track = Track(track);
-  scene.duration = scene.track.duration();
-  scene.step = std::llround(1e9 * options.time_step);
+  const Scene scene = sceneOf(options);
   std::optional<io::Activity> simulating("simulating the vehicle");
   const auto start = std::chrono::steady_clock::now();
   const History history = runLoop(line, options, scene, components);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const History reference = runVariableStep(scene, components, {});
-  std::string text = fmt::format(
-      "{} steps of {:g} ms in {:.3g} s\ndisplacements against variable steps without delay: {}\n", scene.steps(),
-      1e3 * options.time_step, elapsed.count(), percentages(displacementDifference(history, reference)));
+  std::string text = summary(scene, start, percentages(strutNames(), displacementDifference(history, reference)));
   if (options.forces != "implicit") {
     const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadStruts(options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
     text += fmt::format("displacements against the same with a delay of {:g} ms: {}\n", 1e3 * delay,
-                        percentages(displacementDifference(history, delayed)));
+                        percentages(strutNames(), displacementDifference(history, delayed)));
   }
   simulating.reset();
   std::cout << text;
@@ -148,15 +187,27 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   if (!options.stability) {
     options.log_options.requireUse({options.track});
   }
-  return options.stability ? runStability(options) : runTrack(line, options);
+  if (options.vehicle == "struts") {
+    return options.stability ? runStability(options) : runTrack(line, options);
+  }
+  if (options.forces == "implicit") {
+    throw UsageError("--forces implicit: of components of six directions only with --forces library or topics");
+  }
+  return runBushed(line, options, options.vehicle == "body" ? BushedKind::body : BushedKind::half_bogie);
 }
 
 // Each way to run takes some of the options; none is passed over.
 OptionTable Options::table() {
   OptionTable options = {
-      Option("--config", config, "FILE", "component file with front_primary, rear_primary and secondary")
+      Option("--config", config, "FILE",
+             "component file with front_primary, rear_primary and secondary, or front_left, front_right, rear_left and "
+             "rear_right of the body")
           .required()
           .reads(),
+      Option("--vehicle", vehicle, "NAME",
+             "struts: half a bogie on components of one direction; bushes: the same on components of six; body: a body "
+             "on four bushes of six directions")
+          .oneOf({"struts", "bushes", "body"}),
       Option("--track", track, "FILE", "log whose displacement is the height of the track under the front wheel")
           .reads(),
       Option("--forces", forces, "NAME",
@@ -174,6 +225,8 @@ OptionTable Options::table() {
   options.oneOf({"--track", "--stability"});
   options.excludes({"--forces", "--time-step", "--delay", "--output", "--reset"}, {"--stability"});
   options.excludes(LogOptions::names(), {"--stability"});
+  options.excludes({"--plot", "--stability"}, {"--vehicle bushes"})
+      .excludes({"--plot", "--stability"}, {"--vehicle body"});
   return options.needs({"--reset"}, {"--forces topics"}).excludes({"--delay"}, {"--forces implicit"});
 }
 
@@ -189,6 +242,8 @@ int main(int argc, char** argv) {
                      {{"The largest stable step", "--config half_bogie.yaml --stability"},
                       {"Over a track", "--config half_bogie.yaml --track track.csv --plot vehicle.svg"},
                       {"With forces from the node, a step late",
-                       "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"}}},
+                       "--config half_bogie.yaml --track track.csv --forces topics --delay 1 --output vehicle.csv"},
+                      {"A body on four bushes of six directions",
+                       "--config hung_body.yaml --vehicle body --track track.csv --output vehicle.csv"}}},
                     options.table(), [&] { return run(line, options); });
 }

@@ -33,6 +33,7 @@ struct Options {
   std::string bag;
   std::string plot;
   std::string reset;
+  std::string rotation;
   std::uint64_t passes = 1;
   std::uint64_t step = 0;
   bool paused = false;
@@ -43,7 +44,8 @@ struct Options {
 
 OptionTable Options::recordTable() {
   return {
-      Option("--output", output, "FILE", "CSV file for the forces: time_s,displacement_m,force_N")
+      Option("--output", output, "FILE",
+             "CSV file for the forces: time_s,displacement_m,force_N; of poses for the wrenches of the last pass")
           .writes(io::FileKind::force_csv),
       Option("--gap", gap_output, "FILE", "CSV file for the live gap, where the log has a measured force")
           .rare()
@@ -68,6 +70,11 @@ OptionTable Options::table() {
       log_options.table(),
       recordTable(),
       playerTable(play, "node"),
+      Option(
+          "--rotation", rotation, "MEASURE",
+          "the logs have poses of components of six directions (x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, each in any "
+          "unit), their rotation as `vector` or `cardan`, as the component has it")
+          .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
              "times to play the logs, 0: until interrupted; time continues and the component keeps its state"),
       Option("--step", step, "COUNT",
@@ -81,7 +88,7 @@ OptionTable Options::table() {
       Option("--reset", reset, "SERVICE",
              "service that resets the component before the first sample, such as /simulate/reset")
           .rare()};
-  return options.excludes({"--paused"}, {"--step"});
+  return options.excludes({"--paused"}, {"--step"}).excludes({"--gap", "--bag", "--plot"}, {"--rotation"});
 }
 
 void checkCounts(const Options& options) {
@@ -104,11 +111,27 @@ ros_interface::RecordPaths recordPaths(const Options& options, const std::string
   return paths;
 }
 
+// The log itself has what all players need of the poses.
+ros_interface::BenchTrack poseTrack(const Options& options, const std::string& component, const std::string& path) {
+  ros_interface::BenchTrack track;
+  track.component = component;
+  track.wrenches = recordPaths(options, component).forces;
+  track.poses = options.log_options.readPoses("play_log", path);
+  track.log.name = track.poses->name;
+  track.log.stamp = track.poses->stamp;
+  track.log.displacement = track.poses->coordinate[0];
+  track.log.temperature = track.poses->temperature;
+  return track;
+}
+
 // Without a measured force there is no gap to record.
 ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   ros_interface::BenchTrack track;
   track.component = options.components[i];
   const std::string& path = options.logs[options.logs.size() == 1 ? 0 : i];
+  if (options.play.rotation) {
+    return poseTrack(options, track.component, path);
+  }
   track.log = options.log_options.read("play_log", path, track.component);
   track.paths = recordPaths(options, track.component);
   if (track.log.force.empty()) {
@@ -183,6 +206,10 @@ int report(const std::vector<ros_interface::BenchCount>& counts, bool endless) {
 
 int playAll(ros_interface::RosCommandLine& line, Options& options) {
   checkCounts(options);
+  if (!options.rotation.empty()) {
+    options.play.rotation =
+        options.rotation == "vector" ? component::RotationMeasure::vector : component::RotationMeasure::cardan;
+  }
   options.log_options.requireUse(options.logs);
   makeFolder(options);
   checkRecords(options);
@@ -198,7 +225,7 @@ int playAll(ros_interface::RosCommandLine& line, Options& options) {
   player.connect();
   resetComponent(handle, options.reset);
   const std::vector<ros_interface::BenchCount> counts = player.play(options.passes);
-  if (counts.front().complete) {
+  if (counts.front().complete && !options.play.rotation) {
     warnOf("play_log", options.logs.front(), gap::oddMotion(first_log, player.lastForces(0), {}));
   }
   if (!options.plot.empty() && !counts.front().complete) {

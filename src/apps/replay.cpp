@@ -10,6 +10,7 @@
 #include "command_line/warnings.h"
 #include "gap/odd_motion.h"
 #include "io/progress.h"
+#include "rubber_suspension/gap/pose_replay.h"
 
 namespace {
 
@@ -24,18 +25,49 @@ struct Options {
   LogOptions log_options;
 
   OptionTable table() {
-    return {component.table(),
-            Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required().reads(),
-            Option("--output", output, "FILE", "CSV to write: time_s,displacement_m,force_N")
-                .required()
-                .writes(io::FileKind::force_csv),
-            plotOption(plot, "forces over time and displacement"), log_options.table()};
+    return {
+        component.table(),
+        Option("--log", log, "FILE", "log to simulate: text (CSV), .mat, HDF5 or .bag").required().reads(),
+        Option("--output", output, "FILE",
+               "CSV to write: time_s,displacement_m,force_N; of six directions time_s,x_m ... rz_rad,Fx_N ... Mz_Nm")
+            .required()
+            .writes(io::FileKind::force_csv),
+        plotOption(plot, "forces over time and displacement"), log_options.table()};
   }
 };
 
+void noteBridged(const Options& options, std::uint64_t bridged) {
+  if (bridged > 0) {
+    printNote("replay", fmt::format("{}: {} time gaps bridged, displacement linear in between", options.log, bridged));
+  }
+}
+
+int runPoses(const Options& options, const io::ComponentDescription& description) {
+  if (!options.plot.empty()) {
+    throw UsageError("--plot draws one direction, " + description.name + " has six; accepted: without it");
+  }
+  const log::PoseLog log = options.log_options.readPoses("replay", options.log);
+  const component::SixDirections component = description.six->makeComponent();
+  const gap::PoseReplay result = gap::replayPoses(component, log);
+  {
+    const io::Activity writing("writing " + options.output);
+    log::writeWrenchCsv(options.output, log, result.wrench);
+  }
+  if (result.beyond_valid > 0) {
+    printWarning("replay", fmt::format("{}: {} of {} samples are beyond valid_rotation, {:g} rad", options.log,
+                                       result.beyond_valid, log.size(), component.laws().valid_rotation));
+  }
+  noteBridged(options, result.counters.bridged);
+  std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
+  return kSuccess;
+}
+
 int run(const Options& options) {
   options.log_options.requireUse({options.log});
-  const io::ComponentDescription description = options.component.read("replay");
+  const io::ComponentDescription description = options.component.readAny("replay");
+  if (description.six) {
+    return runPoses(options, description);
+  }
   const log::Log log = options.log_options.read("replay", options.log, description.name);
   const gap::Replay result = gap::replay(description.makeComponent(), log);
   warnOfTemperature("replay", options.log, !log.temperature.empty(), description);
@@ -48,10 +80,7 @@ int run(const Options& options) {
   if (!options.plot.empty()) {
     drawPlot(gap::replayFigure(description.name, log, result.force), options.plot);
   }
-  if (result.bridged > 0) {
-    printNote("replay",
-              fmt::format("{}: {} time gaps bridged, displacement linear in between", options.log, result.bridged));
-  }
+  noteBridged(options, result.bridged);
   std::cout << gap::summary(description.name, log, result) << "\n" << options.output << '\n';
   return kSuccess;
 }

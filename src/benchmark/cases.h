@@ -22,6 +22,9 @@ std::vector<Case> forceCases(const BenchmarkSize& size);
 /// A surrogate sample by sample.
 std::vector<Case> surrogateCases(const BenchmarkSize& size);
 
+/// A component of six directions against six components of one, alone and a thousand at each tick; its tangent.
+std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
+
 /// Estimation from five inputs; the table of stiffness and loss angle of Berg's model.
 std::vector<Case> estimationCases(const BenchmarkSize& size);
 

@@ -11,6 +11,15 @@ OptionTable ComponentOptions::table() {
 }
 
 io::ComponentDescription ComponentOptions::read(const std::string& command) const {
+  io::ComponentDescription description = readAny(command);
+  if (description.six) {
+    throw io::ComponentFileError(config + ": component '" + description.name + "' has six directions, which " +
+                                 command + " does not take; accepted: a component of one direction");
+  }
+  return description;
+}
+
+io::ComponentDescription ComponentOptions::readAny(const std::string& command) const {
   io::ComponentDescription description = io::selectComponent(io::loadComponentFile(config), component, config);
   warnOf(command, description);
   return description;

@@ -15,7 +15,11 @@ struct ComponentOptions {
   OptionTable table();
 
   /// The component that they name, with a warning where its specification is odd. Throws io::ComponentFileError.
+  /// Refuses a component of six directions likewise.
   io::ComponentDescription read(const std::string& command) const;
+
+  /// The same of any number of directions.
+  io::ComponentDescription readAny(const std::string& command) const;
 };
 
 }  // namespace rubber_suspension::command_line

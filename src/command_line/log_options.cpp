@@ -66,6 +66,19 @@ log::Log LogOptions::read(const std::string& command, const std::string& path, c
   return log;
 }
 
+log::PoseLog LogOptions::readPoses(const std::string& command, const std::string& path) const {
+  if (bag::isBagPath(path)) {
+    throw log::LogError(path + ": a bag; accepted of six directions: text, .mat or HDF5 with x_mm ... rz_deg");
+  }
+  log::PoseLog log;
+  {
+    const io::Activity reading("reading " + path);
+    log = log::readPoseLog(path, format());
+  }
+  printNotes(command, path, log.notes);
+  return log;
+}
+
 log::Log LogOptions::readSilently(const std::string& path, const std::string& component) const {
   return bag::readAnyLog(path, component, format());
 }

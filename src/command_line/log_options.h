@@ -8,6 +8,7 @@
 #include "command_line/option_table.h"
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/log_source.h"
+#include "rubber_suspension/log/pose_log.h"
 
 namespace rubber_suspension::command_line {
 
@@ -28,6 +29,9 @@ class LogOptions {
 
   /// Read a log of any kind; of a bag, that of the component. Its notes go to stderr. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const;
+
+  /// Read a log of six directions, from a file that is no bag. Its notes go to stderr. Throws UsageError and LogError.
+  log::PoseLog readPoses(const std::string& command, const std::string& path) const;
 
   /// The same without its notes; several threads may read at once.
   log::Log readSilently(const std::string& path, const std::string& component) const;

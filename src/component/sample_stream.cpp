@@ -17,20 +17,21 @@ std::uint64_t between(std::int64_t earlier, std::int64_t later) {
   return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
 }
 
-double secondsBetween(std::int64_t earlier, std::int64_t later) {
-  return static_cast<double>(between(earlier, later)) / static_cast<double>(SampleStream::kNanosecondsPerSecond);
-}
-
 }  // namespace
 
-SampleStream::SampleStream(const Component& component, double max_gap)
-    : component_(component),
-      max_gap_(static_cast<std::uint64_t>(std::llround(std::clamp(max_gap, 0.0, kLongestGap) * kNanosecondsPerSecond))),
-      state_(component.makeState()),
-      saved_(state_) {}
+double StampedStream::secondsBetween(std::int64_t earlier, std::int64_t later) {
+  return static_cast<double>(between(earlier, later)) / static_cast<double>(kNanosecondsPerSecond);
+}
 
-Acceptance SampleStream::judge(std::int64_t stamp, double displacement) const {
-  if (!std::isfinite(displacement)) {
+StampedStream::StampedStream(double max_gap)
+    : max_gap_(
+          static_cast<std::uint64_t>(std::llround(std::clamp(max_gap, 0.0, kLongestGap) * kNanosecondsPerSecond))) {}
+
+SampleStream::SampleStream(const Component& component, double max_gap)
+    : StampedStream(max_gap), component_(component), state_(component.makeState()), saved_(state_) {}
+
+Acceptance StampedStream::judge(std::int64_t stamp, bool finite) const {
+  if (!finite) {
     return Acceptance::not_finite;
   }
   if (!started_) {
@@ -45,7 +46,7 @@ Acceptance SampleStream::judge(std::int64_t stamp, double displacement) const {
   return between(last_stamp_, stamp) > max_gap_ ? Acceptance::bridged : Acceptance::accepted;
 }
 
-void SampleStream::count(Acceptance acceptance) {
+void StampedStream::count(Acceptance acceptance) {
   counters_.accepted += isAccepted(acceptance) ? 1 : 0;
   if (acceptance == Acceptance::accepted) {
     return;  // nearly all are; what follows is a jump that the processor takes some time for
@@ -70,6 +71,12 @@ void SampleStream::count(Acceptance acceptance) {
       break;
     case Acceptance::force_not_finite:
       ++counters_.force_not_finite;
+      break;
+    case Acceptance::not_a_rotation:
+      ++counters_.not_a_rotation;
+      break;
+    case Acceptance::beyond_measure:
+      ++counters_.beyond_measure;
       break;
   }
 }
@@ -110,7 +117,7 @@ inline element::ComponentForce SampleStream::advance(Acceptance acceptance, std:
 }
 
 StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
-  StreamForce result{judge(stamp, displacement), {}};
+  StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
     result.force = advance(result.acceptance, stamp, displacement);
     if (std::isfinite(result.force.total)) {
@@ -130,7 +137,7 @@ StreamForce SampleStream::push(std::int64_t stamp, double displacement) {
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
   constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed again
   constexpr std::size_t kTogether = 128;  // steps
-  if (!started_ || judge(stamp[0], displacement[0]) != Acceptance::accepted) {
+  if (!started_ || judge(stamp[0], std::isfinite(displacement[0])) != Acceptance::accepted) {
     return 0;
   }
   const std::uint64_t step = between(last_stamp_, stamp[0]);

@@ -108,6 +108,14 @@ FmuParts installedParts() {
 ComponentData dataOf(const io::ComponentDescription& description) {
   ComponentData data;
   data.name = description.name;
+  if (description.six) {
+    data.six = description.six->makeComponent().laws();
+    for (auto& elements : data.six->elements) {
+      elements = completed(elements);
+    }
+    data.guid = guidOf(toJson(data) + kTool);
+    return data;
+  }
   data.model = description.model();
   data.specification = description.specification();
   if (data.specification.curve() != nullptr) {  // which no variable of the FMU changes

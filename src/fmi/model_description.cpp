@@ -90,7 +90,7 @@ class Description {
   std::string text() {
     xml_.element("fmiModelDescription", rootAttributes(), [&] {
       Attributes interface = {{"modelIdentifier", data_.name}, {"canHandleVariableCommunicationStepSize", "true"}};
-      if (second_) {
+      if (second_ && !data_.six) {
         interface.emplace_back("canInterpolateInputs", "true");
       }
       interface.emplace_back(second_ ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", "true");
@@ -116,13 +116,15 @@ class Description {
 
  private:
   Attributes rootAttributes() const {
-    Attributes attributes = {{"fmiVersion", second_ ? "2.0" : "3.0"},
-                             {"modelName", data_.name},
-                             {second_ ? "guid" : "instantiationToken", data_.guid},
-                             {"description", "rubber component " + data_.name + ", model " +
-                                                 estimation::toString(data_.model) + ": displacement to force"},
-                             {"generationTool", tool_},
-                             {"variableNamingConvention", "structured"}};
+    Attributes attributes = {
+        {"fmiVersion", second_ ? "2.0" : "3.0"},
+        {"modelName", data_.name},
+        {second_ ? "guid" : "instantiationToken", data_.guid},
+        {"description", "rubber component " + data_.name +
+                            (data_.six ? ", six directions: pose to wrench"
+                                       : ", model " + estimation::toString(data_.model) + ": displacement to force")},
+        {"generationTool", tool_},
+        {"variableNamingConvention", "structured"}};
     if (second_) {
       attributes.emplace_back("numberOfEventIndicators", "0");
     }

@@ -146,6 +146,22 @@ std::vector<std::string> shiftNames() {
   return names;
 }
 
+// What a unit of translation is for a rotation: rad for m, N m for N. Itself where it has neither.
+std::string rotationalUnit(const std::string& unit) {
+  static const std::map<std::string, std::string> units = {
+      {"m", "rad"},     {"N", "N m"},           {"N/m", "N m/rad"},    {"N s/m", "N m s/rad"},
+      {"m/s", "rad/s"}, {"N/s", "N m/s"},       {"1/m", "1/rad"},      {"N/m^2", "N m/rad^2"},
+      {"kg", "kg m^2"}, {"N/m^3", "N m/rad^3"}, {"N/m^5", "N m/rad^5"}};
+  const auto found = units.find(unit);
+  return found == units.end() ? unit : found->second;
+}
+
+const std::vector<std::string> kSixDirectionKeys = {
+    "directions", "coupling", "frame", "preload", "rotation", "valid_rotation", "temperature", "stiffness_by_preload"};
+const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
+const std::vector<std::string> kMeasures = {"vector", "cardan"};
+const std::vector<std::string> kAxes = {"x", "y", "z"};
+
 constexpr const char* kVertical = "vertical";
 constexpr const char* kMerge = "<<";
 
@@ -183,9 +199,10 @@ class Loader {
 
  private:
   [[noreturn]] void refuseLine(int line, const std::string& path, const std::string& problem) const {
+    const std::string place = place_ + (place_.empty() || path.empty() ? "" : ".") + path;
     throw ComponentFileError(fmt::format("{}:{}: {}{}{}{}", source_, line,
-                                         component_.empty() ? "" : fmt::format("component '{}': ", component_), path,
-                                         path.empty() ? "" : ": ", problem));
+                                         component_.empty() ? "" : fmt::format("component '{}': ", component_), place,
+                                         place.empty() ? "" : ": ", problem));
   }
 
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& path, const std::string& problem) const {
@@ -314,9 +331,14 @@ class Loader {
     component_ = key.Scalar();
     units_.clear();
     if (!node.IsMap()) {
-      refuse(node, "", fmt::format("{}; accepted: a map with the key 'model'", kindOf(node)));
+      refuse(node, "",
+             fmt::format("{}; accepted: a map with the key 'model', or 'directions' for six of them", kindOf(node)));
     }
     checkUnique(node, "");
+    return node["directions"].IsDefined() ? loadSixDirections(key, node) : loadOneDirection(key, node);
+  }
+
+  ComponentDescription loadOneDirection(const YAML::Node& key, const YAML::Node& node) {
     ComponentDescription description = loadContent(node, loadModel(node));
     if (const YAML::Node rig = node["rig"]) {
       description.rig = loadRig(rig);
@@ -334,6 +356,228 @@ class Loader {
       refuse(key, "", error.what());
     }
     return description;
+  }
+
+  ComponentDescription loadSixDirections(const YAML::Node& key, const YAML::Node& node) {
+    checkKeys(node, "", kSixDirectionKeys);
+    auto six = std::make_shared<SixDirectionsDescription>();
+    loadArrangement(node, *six);
+    if (const YAML::Node preload = node["preload"]) {
+      loadPreloads(preload, *six);
+    }
+    const YAML::Node directions = node["directions"];
+    if (!directions.IsMap() || directions.size() == 0) {
+      refuse(directions, "directions", fmt::format("{}; accepted: a map of x, y, z, rx, ry, rz", kindOf(directions)));
+    }
+    checkKeys(directions, "directions", directionNames());
+    for (const auto& entry : directions) {
+      const auto direction = *component::directionFromString(entry.first.Scalar());
+      six->directions[direction] = loadDirection(entry.first, entry.second, direction, six->preload[direction]);
+      if (const YAML::Node temperature = node["temperature"]; temperature && !six->directions[direction]->temperature) {
+        six->directions[direction]->temperature = loadTemperature(temperature);
+      }
+    }
+    for (const auto& entry : node["preload"]) {
+      if (!six->directions[*component::directionFromString(entry.first.Scalar())]) {
+        refuse(entry.first, child("preload", entry.first.Scalar()),
+               "the direction is free; accepted: one of directions");
+      }
+    }
+    if (const YAML::Node tables = node["stiffness_by_preload"]) {
+      six->tables = loadMaps<PreloadTable>(tables, "stiffness_by_preload", [&](const auto& table, const auto& path) {
+        return loadPreloadTable(table, path, *six);
+      });
+    }
+    try {
+      six->makeComponent();
+    } catch (const std::invalid_argument& error) {
+      refuse(key, "", std::string("directions.") + error.what());
+    }
+    ComponentDescription description(component_, {});
+    description.six = std::move(six);
+    return description;
+  }
+
+  static std::vector<std::string> directionNames() {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < component::kDirections; ++i) {
+      names.emplace_back(component::toString(static_cast<component::Direction>(i)));
+    }
+    return names;
+  }
+
+  ComponentDescription loadDirection(const YAML::Node& key, const YAML::Node& node, component::Direction direction,
+                                     const std::optional<Preload>& preload) {
+    if (!node.IsMap()) {
+      refuse(
+          node, child("directions", key.Scalar()),
+          fmt::format("{}; accepted: a map with the key 'model'; a direction that is left out is free", kindOf(node)));
+    }
+    place_ = "directions." + key.Scalar();
+    units_.clear();
+    rotational_ = component::isRotation(direction);
+    preload_ = preload;
+    checkUnique(node, "");
+    ComponentDescription description = loadOneDirection(key, node);
+    description.name = component_ + "_" + key.Scalar();
+    place_.clear();
+    rotational_ = false;
+    preload_.reset();
+    return description;
+  }
+
+  void loadArrangement(const YAML::Node& node, SixDirectionsDescription& six) {
+    component::SixDirectionsLaws& arrangement = six.arrangement;
+    if (const YAML::Node coupling = node["coupling"]) {
+      loadCoupling(coupling, arrangement);
+    }
+    if (const YAML::Node rotation = node["rotation"]) {
+      arrangement.measure = static_cast<component::RotationMeasure>(loadWord(rotation, "rotation", kMeasures));
+    }
+    const bool cardan = arrangement.measure == component::RotationMeasure::cardan;
+    arrangement.valid_rotation = cardan ? component::kCardanEnd : component::kVectorEnd;
+    if (const YAML::Node valid = node["valid_rotation"]) {
+      const element::Range range{0.0, arrangement.valid_rotation, true, false};
+      arrangement.valid_rotation =
+          loadNumber(valid, "valid_rotation", {"valid_rotation", "rad", element::Role::choice, range, {}, ""});
+    }
+    if (const YAML::Node frame = node["frame"]) {
+      if (!frame.IsMap()) {
+        refuse(frame, "frame", fmt::format("{}; accepted: a map with the keys a and b, the bodies", kindOf(frame)));
+      }
+      checkKeys(frame, "frame", {"a", "b"});
+      six.frame_on_a = loadFrame(frame["a"], "frame.a");
+      six.frame_on_b = loadFrame(frame["b"], "frame.b");
+      arrangement.on_a = frameOf(six.frame_on_a, arrangement.measure);
+      arrangement.on_b = frameOf(six.frame_on_b, arrangement.measure);
+    }
+  }
+
+  // One word for translations and rotations alike, or a map.
+  void loadCoupling(const YAML::Node& node, component::SixDirectionsLaws& arrangement) {
+    if (!node.IsMap()) {
+      arrangement.translation = arrangement.rotation =
+          static_cast<component::Coupling>(loadWord(node, "coupling", kCouplings));
+      return;
+    }
+    checkKeys(node, "coupling", {"translation", "rotation", "axis"});
+    for (const auto& [name, coupling] :
+         {std::pair("translation", &arrangement.translation), std::pair("rotation", &arrangement.rotation)}) {
+      if (const YAML::Node value = node[name]) {
+        *coupling = static_cast<component::Coupling>(loadWord(value, child("coupling", name), kCouplings));
+      }
+    }
+    if (const YAML::Node axis = node["axis"]) {
+      arrangement.axis = loadWord(axis, "coupling.axis", kAxes);
+    }
+  }
+
+  static Eigen::Isometry3d frameOf(const component::SixNumbers& numbers, component::RotationMeasure measure) {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.translation() = numbers.head<3>();
+    frame.linear() = component::rotationOf(measure, numbers.tail<3>()).toRotationMatrix();
+    return frame;
+  }
+
+  component::SixNumbers loadFrame(const YAML::Node& node, const std::string& path) {
+    component::SixNumbers frame = component::SixNumbers::Zero();
+    if (!node.IsDefined()) {
+      return frame;
+    }
+    if (!node.IsMap()) {
+      refuse(node, path, fmt::format("{}; accepted: a map with the keys position and rotation", kindOf(node)));
+    }
+    checkKeys(node, path, {"position", "rotation"});
+    if (const YAML::Node position = node["position"]) {
+      frame.head<3>() = loadThree(position, child(path, "position"), "m");
+    }
+    if (const YAML::Node rotation = node["rotation"]) {
+      frame.tail<3>() = loadThree(rotation, child(path, "rotation"), "rad");
+    }
+    return frame;
+  }
+
+  Eigen::Vector3d loadThree(const YAML::Node& node, const std::string& path, const std::string& unit) {
+    const element::ParameterInfo row{"", unit, element::Role::choice, element::Range::any(), {}, "", true};
+    if (!node.IsSequence() || node.size() != 3) {
+      refuse(node, path, fmt::format("{}; accepted: a list of three, along or about x, y, z", kindOf(node)));
+    }
+    const std::vector<double> values = loadNumbers(node, path, row);
+    return {values[0], values[1], values[2]};
+  }
+
+  void loadPreloads(const YAML::Node& node, SixDirectionsDescription& six) {
+    if (!node.IsMap()) {
+      refuse(node, "preload", fmt::format("{}; accepted: a map of a load by direction", kindOf(node)));
+    }
+    checkKeys(node, "preload", directionNames());
+    for (const auto& entry : node) {
+      const auto direction = *component::directionFromString(entry.first.Scalar());
+      six.preload[direction] = loadPreload(entry.second, child("preload", entry.first.Scalar()), direction);
+    }
+  }
+
+  // A force or a displacement, as its unit tells.
+  Preload loadPreload(const YAML::Node& node, const std::string& path, component::Direction direction) {
+    const bool turns = component::isRotation(direction);
+    const std::string unit = node.IsScalar() ? log::unitOfQuantity(node.Scalar()) : "";
+    Preload preload;
+    try {
+      log::UnitConversion(unit, turns ? "rad" : "m");
+      preload.is_force = false;
+    } catch (const std::invalid_argument&) {  // then it has to be a force
+      preload.is_force = true;
+    }
+    if (unit.empty()) {
+      refuse(
+          node, path,
+          fmt::format("{}; accepted: text with a unit, a static {}", kindOf(node),
+                      turns ? "moment ('20 N m') or rotation ('2 deg')" : "force ('2 kN') or displacement ('1 mm')"));
+    }
+    const std::string si = preload.is_force ? (turns ? "N m" : "N") : (turns ? "rad" : "m");
+    preload.value = loadNumber(node, path, {"", si, element::Role::choice, element::Range::any(), {}, ""});
+    return preload;
+  }
+
+  PreloadTable loadPreloadTable(const YAML::Node& node, const std::string& path, const SixDirectionsDescription& six) {
+    checkKeys(node, path, {"direction", "by", "preload", "factor", "instantaneous"});
+    const auto direction = [&](const char* key) {
+      const YAML::Node value = require(node, path, key, log::join(directionNames()));
+      return static_cast<component::Direction>(loadWord(value, child(path, key), directionNames()));
+    };
+    PreloadTable table;
+    table.direction = direction("direction");
+    table.by = direction("by");
+    if (const YAML::Node follows = node["instantaneous"];
+        follows && loadWord(follows, child(path, "instantaneous"), {"false", "true"}) == 1) {
+      refuse(follows, child(path, "instantaneous"),
+             "true: a stiffness that follows another direction's motion does work over closed loops; accepted: false, "
+             "the factor at the configured preload");
+    }
+    const YAML::Node preload = require(node, path, "preload", "a list of loads with units");
+    const YAML::Node factor = require(node, path, "factor", "a list of as many factors");
+    table.factor = loadNumbers(factor, child(path, "factor"),
+                               {"", "1", element::Role::choice, element::Range::positive(), {}, "", true});
+    if (!preload.IsSequence() || preload.size() != table.factor.size()) {
+      refuse(preload, child(path, "preload"),
+             fmt::format("{}; accepted: a list of {}, as many as factors", kindOf(preload), table.factor.size()));
+    }
+    for (std::size_t i = 0; i < preload.size(); ++i) {
+      const std::string place = fmt::format("{}[{}]", child(path, "preload"), i);
+      table.preload.push_back(loadPreload(preload[i], place, table.by));
+      if (i > 0 && !(table.preload[i].is_force == table.preload[0].is_force &&
+                     table.preload[i].value > table.preload[i - 1].value)) {
+        refuse(preload[i], place, kindOf(preload[i]) + "; accepted: loads of one kind that increase");
+      }
+    }
+    try {
+      SixDirectionsDescription alone = six;
+      alone.tables = {table};
+      alone.factorOf(table.direction);
+    } catch (const std::invalid_argument& error) {
+      refuse(node, path, error.what());
+    }
+    return table;
   }
 
   estimation::Model loadModel(const YAML::Node& node) const {
@@ -484,12 +728,13 @@ class Loader {
     estimation::Specification specification =
         loadNumbers(node, "specification", {"describes", "static_curve", "scale_with", "points", "preloads"});
     loadDescribed(node, specification);
+    preloadSpecification(node, specification);
     const bool fitted = !specification.points().empty() || !specification.preloads().empty();
     for (const std::string& key : estimation::modelInfo(model).required) {
       const char* of_curve = model == estimation::Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
       if (!fitted && !(specification.curve() != nullptr && key == of_curve)) {
         require(node, "specification", key,
-                accepted(*element::findParameter(estimation::specificationParameters(), key)));
+                accepted(here(*element::findParameter(estimation::specificationParameters(), key))));
       }
     }
     std::vector<element::ElementDescription> added = loadAdded(add, specification);
@@ -497,6 +742,23 @@ class Loader {
       return {component_, model, std::move(specification), std::move(added)};
     } catch (const std::invalid_argument& error) {
       refuseSpecification(node, error.what());
+    }
+  }
+
+  // The preload of a direction is where its numbers hold on its static curve; without one they hold everywhere.
+  void preloadSpecification(const YAML::Node& node, estimation::Specification& specification) const {
+    if (!preload_) {
+      return;
+    }
+    const std::string own = preload_->is_force ? "nominal_force" : "nominal_displacement";
+    for (const char* key : {"nominal_force", "nominal_displacement"}) {
+      if (const auto given = specification.find(key); given && !(key == own && *given == preload_->value)) {
+        refuse(node[key], child("specification", key),
+               "given beside another preload of the direction; accepted: one of both");
+      }
+    }
+    if (specification.curve() != nullptr) {
+      specification.set(own, preload_->value);
     }
   }
 
@@ -508,7 +770,11 @@ class Loader {
     checkKeys(node, path, keys);
     estimation::Specification specification;
     estimation::Specification::Units units;
-    for (const element::ParameterInfo& parameter : table) {
+    for (const element::ParameterInfo& row : table) {
+      const element::ParameterInfo parameter = here(row);
+      if (rotational_) {
+        units[parameter.name] = {parameter.unit, 1.0};
+      }
       const YAML::Node value = node[parameter.name];
       if (!value.IsDefined()) {
         continue;
@@ -623,7 +889,14 @@ class Loader {
     refuse(value.IsDefined() ? value : map, "", "specification." + message);
   }
 
-  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& parameter) {
+  // A row of a table as the direction that is being read has it.
+  element::ParameterInfo here(element::ParameterInfo parameter) const {
+    parameter.unit = rotational_ ? rotationalUnit(parameter.unit) : parameter.unit;
+    return parameter;
+  }
+
+  double loadNumber(const YAML::Node& node, const std::string& path, const element::ParameterInfo& row) {
+    const element::ParameterInfo parameter = here(row);
     if (!node.IsScalar()) {
       refuse(node, path, fmt::format("{} is not a number; accepted: {}", kindOf(node), accepted(parameter)));
     }
@@ -677,7 +950,7 @@ class Loader {
     if (!node.IsSequence() || node.size() == 0 || node.size() > kMaximumListLength) {
       refuse(node, path,
              fmt::format("{}; accepted: a list of 1 to {} numbers, each {}", kindOf(node), kMaximumListLength,
-                         accepted(parameter)));
+                         accepted(here(parameter))));
     }
     std::vector<double> values;
     for (std::size_t i = 0; i < node.size(); ++i) {
@@ -731,7 +1004,7 @@ class Loader {
       if (parameter.default_value && !node[parameter.name].IsDefined()) {
         continue;
       }
-      const YAML::Node value = require(node, path, parameter.name, accepted(parameter));
+      const YAML::Node value = require(node, path, parameter.name, accepted(here(parameter)));
       description.values[parameter.name] = loadNumbers(value, child(path, parameter.name), parameter);
     }
     try {
@@ -757,6 +1030,10 @@ class Loader {
   std::string source_;
   std::string component_;                     // the one being read, for errors
   std::map<std::string, std::string> units_;  // of its numbers, by the SI unit
+  // The direction being read, of a component of six.
+  std::string place_;
+  bool rotational_ = false;
+  std::optional<Preload> preload_;
   // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
   // line.
   std::map<int, int> lines_of_nothing_;
@@ -819,20 +1096,21 @@ std::string rigYaml(const RigTolerances& tolerances) {
   return text;
 }
 
-std::string curveYaml(const estimation::StaticCurve& curve) {
+std::string curveYaml(const estimation::StaticCurve& curve, bool turns) {
   return fmt::format(
-      "      static_curve:\n        displacement: {}  # [m]\n        force: {}  # [N]\n{}      scale_with: {}\n",
-      listYaml(curve.displacement), listYaml(curve.force), curve.monotone ? "        monotone: true\n" : "",
-      curve.scales ? "static_curve" : "none");
+      "      static_curve:\n        displacement: {}  # [{}]\n        force: {}  # [{}]\n{}      scale_with: {}\n",
+      listYaml(curve.displacement), turns ? "rad" : "m", listYaml(curve.force), turns ? "N m" : "N",
+      curve.monotone ? "        monotone: true\n" : "", curve.scales ? "static_curve" : "none");
 }
 
-// `added`: then it has to say that it describes the base.
-std::string specificationYaml(const estimation::Specification& specification, bool added, const YamlStyle& style) {
+// `added`: then it has to say that it describes the base. `turns`: it is that of a rotation.
+std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns,
+                              const YamlStyle& style) {
   std::string text = "    specification:\n";
   if (added || specification.describes() != estimation::Describes::unsaid) {
     text += "      describes: base\n";
   }
-  text += specification.curve() == nullptr ? "" : curveYaml(*specification.curve());
+  text += specification.curve() == nullptr ? "" : curveYaml(*specification.curve(), turns);
   for (const estimation::Specification::Values& block : specification.preloads()) {
     text += &block == &specification.preloads().front() ? "      preloads:\n" : "";
     std::vector<std::string> numbers;
@@ -850,9 +1128,81 @@ std::string specificationYaml(const estimation::Specification& specification, bo
       text += fmt::format("      {}: {}", parameter.name, value);
       text += says_unit && note.empty()
                   ? "\n"
-                  : fmt::format("  #{}{}{}\n", says_unit ? "" : fmt::format(" [{}]", parameter.unit),
-                                note.empty() ? "" : " ", note);
+                  : fmt::format(
+                        "  #{}{}{}\n",
+                        says_unit ? "" : fmt::format(" [{}]", turns ? rotationalUnit(parameter.unit) : parameter.unit),
+                        note.empty() ? "" : " ", note);
     }
+  }
+  return text;
+}
+
+// Model and what belongs to it, of a component of one direction; `turns`: a rotation.
+std::string oneDirectionYaml(const ComponentDescription& component, bool turns, const YamlStyle& style) {
+  std::string text = fmt::format("    model: {}\n", estimation::toString(component.model()));
+  text += component.model() == estimation::Model::elements
+              ? entriesYaml("elements", component.elements(), style)
+              : specificationYaml(component.specification(), !component.add.empty(), turns, style);
+  text += entriesYaml("add", component.add, style);
+  text += component.temperature ? temperatureYaml(*component.temperature) : "";
+  text += component.rig ? rigYaml(*component.rig) : "";
+  if (const auto& valid = component.valid_displacement) {
+    text += fmt::format("    valid_displacement: [{}, {}]  # [{}]\n", valid->lower, valid->upper, turns ? "rad" : "m");
+  }
+  return text;
+}
+
+std::string indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    result += "    " + line + "\n";
+  }
+  return result;
+}
+
+std::string preloadYaml(const Preload& preload, component::Direction direction) {
+  const bool turns = component::isRotation(direction);
+  return number(preload.value) + (preload.is_force ? (turns ? " N m" : " N") : (turns ? " rad" : " m"));
+}
+
+std::string tableYaml(const PreloadTable& table) {
+  std::vector<std::string> loads;
+  for (const Preload& preload : table.preload) {
+    loads.push_back(preloadYaml(preload, table.by));
+  }
+  return fmt::format("      - {{direction: {}, by: {}, preload: [{}], factor: {}}}\n", toString(table.direction),
+                     toString(table.by), log::join(loads), listYaml(table.factor));
+}
+
+std::string sixDirectionsYaml(const SixDirectionsDescription& six) {
+  std::string text = "    directions:\n";
+  std::vector<std::string> preloads;
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    const auto direction = static_cast<component::Direction>(i);
+    if (six.directions[i]) {
+      text += fmt::format("      {}:\n", toString(direction)) +
+              indented(oneDirectionYaml(*six.directions[i], component::isRotation(direction), {}));
+    }
+    if (six.preload[i]) {
+      preloads.push_back(fmt::format("{}: {}", toString(direction), preloadYaml(*six.preload[i], direction)));
+    }
+  }
+  const component::SixDirectionsLaws& arrangement = six.arrangement;
+  text += fmt::format("    coupling: {{translation: {}, rotation: {}, axis: {}}}\n",
+                      kCouplings[static_cast<std::size_t>(arrangement.translation)],
+                      kCouplings[static_cast<std::size_t>(arrangement.rotation)], kAxes[arrangement.axis]);
+  text += fmt::format("    rotation: {}\n    valid_rotation: {}  # [rad]\n",
+                      kMeasures[static_cast<std::size_t>(arrangement.measure)], arrangement.valid_rotation);
+  text += "    frame:\n";
+  for (const auto& [body, frame] : {std::pair("a", &six.frame_on_a), std::pair("b", &six.frame_on_b)}) {
+    text += fmt::format("      {}: {{position: {}, rotation: {}}}\n", body,
+                        listYaml({frame->begin(), frame->begin() + 3}), listYaml({frame->begin() + 3, frame->end()}));
+  }
+  text += preloads.empty() ? "" : fmt::format("    preload: {{{}}}\n", log::join(preloads));
+  text += six.tables.empty() ? "" : "    stiffness_by_preload:\n";
+  for (const PreloadTable& table : six.tables) {
+    text += tableYaml(table);
   }
   return text;
 }
@@ -879,6 +1229,10 @@ void ComponentDescription::specify(estimation::Specification specification) {
 }
 
 std::vector<element::ElementDescription> ComponentDescription::allElements() const {
+  if (six) {
+    throw std::invalid_argument(
+        fmt::format("component '{}' has six directions; accepted here: a component of one direction", name));
+  }
   std::vector<element::ElementDescription> all = elements_;
   all.insert(all.end(), add.begin(), add.end());
   if (temperature) {
@@ -889,7 +1243,7 @@ std::vector<element::ElementDescription> ComponentDescription::allElements() con
 
 std::optional<element::Range> ComponentDescription::validDisplacement() const {
   constexpr double kAmplitudes = 3.0;
-  if (valid_displacement) {
+  if (valid_displacement || six) {
     return valid_displacement;
   }
   if (const std::optional<double> nominal = written().find("nominal_amplitude")) {
@@ -904,6 +1258,77 @@ std::optional<element::Range> ComponentDescription::validDisplacement() const {
     }
   }
   return common;
+}
+
+namespace {
+
+// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
+double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
+  const std::optional<Preload>& preload = six.preload[direction];
+  if (!preload || !six.directions[direction]) {
+    throw std::invalid_argument(
+        fmt::format("needs the preload of {}; accepted: preload.{}", toString(direction), toString(direction)));
+  }
+  if (preload->is_force == force) {
+    return preload->value;
+  }
+  const estimation::StaticCurve* curve = six.directions[direction]->written().curve();
+  if (curve == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("is over a {}, preload.{} is a {} and {} has no static_curve; accepted: a {}",
+                    force ? "force" : "displacement", toString(direction), force ? "displacement" : "force",
+                    toString(direction), force ? "table over displacements" : "table over forces"));
+  }
+  return force ? curve->forceAt(preload->value) : curve->displacementAt(preload->value);
+}
+
+double factorOfTable(const PreloadTable& table, double preload) {
+  const auto after = std::find_if(table.preload.begin(), table.preload.end(),
+                                  [&](const Preload& point) { return point.value > preload; });
+  const auto i = static_cast<std::size_t>(after - table.preload.begin());
+  if (i == 0 || i == table.preload.size()) {
+    return i == 0 ? table.factor.front() : table.factor.back();
+  }
+  const double share = (preload - table.preload[i - 1].value) / (table.preload[i].value - table.preload[i - 1].value);
+  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
+}
+
+// The same elements with all forces times a factor, by the parameters in which they are linear.
+void scaleForces(std::vector<element::ElementDescription>& elements, double factor) {
+  for (element::ElementDescription& element : elements) {
+    for (const element::ParameterInfo& parameter : element::findElementType(element.type)->parameters) {
+      const auto values = element.values.find(parameter.name);
+      if (parameter.role == element::Role::scale && values != element.values.end()) {
+        std::for_each(values->second.begin(), values->second.end(), [&](double& value) { value *= factor; });
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double SixDirectionsDescription::factorOf(component::Direction direction) const {
+  double factor = 1.0;
+  for (const PreloadTable& table : tables) {
+    if (table.direction == direction) {
+      factor *= factorOfTable(table, preloadAs(table.preload.front().is_force, *this, table.by));
+    }
+  }
+  return factor;
+}
+
+component::SixDirections SixDirectionsDescription::makeComponent() const {
+  component::SixDirectionsLaws laws = arrangement;
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    if (directions[i]) {
+      laws.elements[i] = directions[i]->allElements();
+      const double factor = factorOf(static_cast<component::Direction>(i));
+      if (factor != 1.0) {
+        scaleForces(laws.elements[i], factor);
+      }
+    }
+  }
+  return component::SixDirections(std::move(laws));
 }
 
 std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source) {
@@ -951,16 +1376,8 @@ std::string toYaml(const std::vector<ComponentDescription>& components, const Ya
                       "first, at most {}",
                       log::quoted(component.name), kMaximumNameLength));
     }
-    text += fmt::format("  {}:\n    model: {}\n", component.name, estimation::toString(component.model()));
-    text += component.model() == estimation::Model::elements
-                ? entriesYaml("elements", component.elements(), style)
-                : specificationYaml(component.specification(), !component.add.empty(), style);
-    text += entriesYaml("add", component.add, style);
-    text += component.temperature ? temperatureYaml(*component.temperature) : "";
-    text += component.rig ? rigYaml(*component.rig) : "";
-    if (const auto& valid = component.valid_displacement) {
-      text += fmt::format("    valid_displacement: [{}, {}]  # [m]\n", valid->lower, valid->upper);
-    }
+    text += fmt::format("  {}:\n", component.name) +
+            (component.six ? sixDirectionsYaml(*component.six) : oneDirectionYaml(component, false, style));
   }
   return text;
 }

@@ -32,7 +32,7 @@ const KindInfo& infoOf(FileKind kind) {
   static const std::vector<KindInfo> table = {
       {FileKind::force_csv,
        "a log as this command writes it (time_s,displacement_m,force_N)",
-       {"time_s,displacement_m\n", "time_s,displacement_m,force_N\n"},
+       {"time_s,displacement_m\n", "time_s,displacement_m,force_N\n", "time_s,x_m,y_m,z_m,rx_rad,"},
        {}},
       {FileKind::gap_csv, "a record of the live gap", {"time_s,level,"}, {}},
       {FileKind::vehicle_csv, "a record of a vehicle", {"time_s,frame_m,"}, {}},
@@ -56,7 +56,7 @@ const KindInfo& infoOf(FileKind kind) {
       {FileKind::force_map_csv, "a map of the missing force", {"displacement_m,velocity_m_per_s,"}, {}},
       {FileKind::fmu, "an FMU", {"PK\x03\x04"}, {"modelDescription.xml"}},
       {FileKind::characteristics_csv, "a table of characteristics", {"frequency_Hz,amplitude_m,"}, {}},
-      {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'"}},
+      {FileKind::bushing_file, "a bushing property file", {"$", "["}, {"'bus'", "'gbs'"}},
       {FileKind::state_space_json, "a state-space model", {"{"}, {"rubber_suspension/state_space/"}},
       {FileKind::mat, "a state-space model", {"rubber_suspension"}, {}},
   };

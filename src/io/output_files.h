@@ -29,7 +29,7 @@ enum class FileKind {
   force_map_csv,        ///< missing_force.csv of a diagnosis
   fmu,                  ///< functional mock-up unit
   characteristics_csv,  ///< stiffness and loss angle over frequency, amplitude and preload
-  bushing_file,         ///< bushing property file of Adams
+  bushing_file,         ///< bushing property file of Adams or Altair
   state_space_json,     ///< the linear part of components
   mat,                  ///< MATLAB file
 };

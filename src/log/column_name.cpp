@@ -56,13 +56,14 @@ std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::s
 
 // Units that any name may end in behind an underscore. Others are too easily a word: "displacement_in", "phase_a".
 bool isPlainSuffix(const std::string& unit) {
-  static const std::array<const char*, 12> kUnits = {"s",  "ms", "us", "m",  "cm",   "mm",
-                                                     "um", "N",  "kN", "MN", "degC", "lbf"};
+  static const std::array<const char*, 16> kUnits = {"s",  "ms", "us", "m",   "cm",  "mm",  "um",   "N",
+                                                     "kN", "MN", "Nm", "kNm", "rad", "deg", "degC", "lbf"};
   return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
 }
 
 bool isKnownUnit(const std::string& unit) {
-  return !unit.empty() && !parseNumber(unit) && (isUnit(unit) || quantityOfUnit(unit).has_value());
+  return !unit.empty() && !parseNumber(unit) &&
+         (isUnit(unit) || quantityOfUnit(unit).has_value() || spelledUnit(unit, "N m") != unit);
 }
 
 std::string withoutBrackets(const std::string& text) {

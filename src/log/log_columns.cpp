@@ -25,6 +25,12 @@ const std::string& unitOption(const LogFormat& format, Quantity quantity) {
   return format.of[static_cast<std::size_t>(quantity)].unit;
 }
 
+std::string unitOf(const LogFormat& format, Quantity quantity) {
+  const bool displacement = quantity == Quantity::displacement;
+  return format.turns && (displacement || quantity == Quantity::force) ? (displacement ? "rad" : "N m")
+                                                                       : siUnit(quantity);
+}
+
 bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Quantity::time || !format.rate; }
 
 // The names of a header for an error, the first of them if there are many.
@@ -155,14 +161,15 @@ double largestUnit(Quantity quantity) {
   return quantity == Quantity::displacement ? 1e3 : quantity == Quantity::time ? 7.0 * 86400.0 : HUGE_VAL;
 }
 
-void setUnit(Column& column, const std::string& unit, Quantity quantity) {
+void setUnit(Column& column, const std::string& unit, const LogFormat& format, Quantity quantity) {
+  const std::string si = unitOf(format, quantity);
   try {
-    column.conversion = UnitConversion(spelledUnit(unit, siUnit(quantity)), siUnit(quantity));
+    column.conversion = UnitConversion(spelledUnit(unit, si), si);
     const double size = column.conversion(1.0);
     if (size > largestUnit(quantity)) {
       const std::string lower = lowerCase(unit);
       throw std::invalid_argument(
-          fmt::format("unit {} is {:g} {}{}", quoted(unit), size, siUnit(quantity),
+          fmt::format("unit {} is {:g} {}{}", quoted(unit), size, si,
                       lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : ""));
     }
   } catch (const std::invalid_argument& error) {
@@ -200,8 +207,8 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
   const std::string own = header[places[0]].unit_known ? header[places[0]].unit : "";
   const std::string& unit = option.empty() ? own : option;
   column.tells_unit = !unit.empty();
-  column.assumed_unit = unit.empty() ? siUnit(quantity) : "";
-  setUnit(column, unit.empty() ? siUnit(quantity) : unit, quantity);
+  column.assumed_unit = unit.empty() ? unitOf(format, quantity) : "";
+  setUnit(column, unit.empty() ? unitOf(format, quantity) : unit, format, quantity);
   return column;
 }
 
@@ -220,7 +227,7 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   if (!column.tells_unit && quantity != Quantity::time) {
     refuseNoUnit(column, quantity);
   }
-  setUnit(column, unit.empty() ? siUnit(quantity) : unit, quantity);
+  setUnit(column, unit.empty() ? unitOf(format, quantity) : unit, format, quantity);
   return column;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <shared_mutex>
 #include <vector>
@@ -16,9 +17,16 @@ namespace rubber_suspension::node {
 class ChannelGroup {
  public:
   /// The channels must outlive the group.
-  explicit ChannelGroup(std::vector<ComponentChannel*> channels) : channels_(std::move(channels)) {}
+  explicit ChannelGroup(std::vector<ComponentChannel*> channels) : channels_(std::move(channels)) {
+    for (ComponentChannel* channel : channels_) {
+      by_kind_[channel->hasSixDirections() ? 1 : 0].push_back(channel);
+    }
+  }
 
   const std::vector<ComponentChannel*>& channels() const { return channels_; }
+
+  /// Those of six directions, or those of one.
+  const std::vector<ComponentChannel*>& channels(bool six_directions) const { return by_kind_[six_directions ? 1 : 0]; }
 
   /// Held while a bundle is answered.
   std::shared_lock<std::shared_mutex> bundle() const { return std::shared_lock<std::shared_mutex>(mutex_); }
@@ -68,6 +76,7 @@ class ChannelGroup {
   using Alone = std::unique_lock<std::shared_mutex>;
 
   std::vector<ComponentChannel*> channels_;
+  std::array<std::vector<ComponentChannel*>, 2> by_kind_;
   mutable std::shared_mutex mutex_;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,43 +23,90 @@ bool sameElements(const std::vector<element::ElementDescription>& a,
 
 void add(const component::StreamCounters& news, component::StreamCounters& sum) {
   using Counters = component::StreamCounters;
-  for (const auto counter : {&Counters::accepted, &Counters::restarted, &Counters::bridged, &Counters::not_finite,
-                             &Counters::repeated, &Counters::stepped_back, &Counters::force_not_finite}) {
+  for (const auto counter :
+       {&Counters::accepted, &Counters::restarted, &Counters::bridged, &Counters::not_finite, &Counters::repeated,
+        &Counters::stepped_back, &Counters::force_not_finite, &Counters::not_a_rotation, &Counters::beyond_measure}) {
     sum.*counter += news.*counter;
   }
 }
 
-SavedStream savedStream(const component::SampleStream& stream) {
+SavedStream savedOf(const component::SampleStream& stream) {
   return {stream.started(), stream.lastStamp(), stream.state().displacement(), stream.state().memory()};
 }
 
-void restore(component::SampleStream& stream, const SavedStream& saved) {
-  if (saved.started) {
-    stream.deserialise(saved.stamp, saved.displacement, saved.memory);
-  } else {
-    stream.reset();
+SavedStream savedOf(const component::PoseStream& stream) {
+  return {stream.started(), stream.lastStamp(), 0.0, stream.state().numbers()};
+}
+
+void goOn(component::SampleStream& stream, const SavedStream& saved) {
+  stream.deserialise(saved.stamp, saved.displacement, saved.memory);
+}
+
+void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.deserialise(saved.stamp, saved.memory); }
+
+// Refuses a model that cannot be computed beside another.
+void requireOneDirection(const io::ComponentDescription& description) {
+  if (description.six) {
+    throw std::invalid_argument(fmt::format(
+        "{}: a component of six directions cannot be promoted; accepted: one of one direction", description.name));
   }
 }
 
 }  // namespace
 
-// The stream refers to the component, so the two stay at one address.
 class ComponentChannel::Model {
  public:
   Model(const io::ComponentDescription& description, double max_gap)
       : described(std::make_shared<const io::ComponentDescription>(description)),
         sha256(io::sha256(io::toYaml({description}))),
-        valid(description.validDisplacement()),
-        component(description.makeComponent()),
-        stream(component, max_gap) {}
+        valid(description.six ? std::nullopt : description.validDisplacement()) {
+    if (description.six) {
+      six.emplace(description.six->makeComponent(), max_gap);
+    } else {
+      one.emplace(description.makeComponent(), max_gap);
+    }
+  }
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
+
+  // What is asked of either kind, by its component and stream.
+  template <class Ask>
+  auto ask(Ask question) const {
+    return six ? question(six->component, six->stream) : question(one->component, one->stream);
+  }
+  template <class Order>
+  void tell(Order order) {
+    six ? order(six->stream) : order(one->stream);
+  }
+
+  // Those of which the model consists; of six directions, which have more than elements, a hash of it all.
+  std::vector<element::ElementDescription> elements() const {
+    return six ? std::vector<element::ElementDescription>{{sha256, {}}} : one->component.elements();
+  }
+  SavedStream save() const {
+    return ask([](const auto& /*component*/, const auto& stream) { return savedOf(stream); });
+  }
+  void restore(const SavedStream& saved) {
+    tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
+  }
+  void check(const SavedStream& saved) const {
+    ask([&](const auto& /*component*/, auto copy) { goOn(copy, saved); });
+  }
+
+  // The stream refers to the component, so the two stay at one address.
+  template <class Component, class Stream>
+  struct Fed {
+    Fed(Component made, double max_gap) : component(std::move(made)), stream(component, max_gap) {}
+
+    const Component component;
+    Stream stream;
+  };
 
   const std::shared_ptr<const io::ComponentDescription> described;
   const std::string sha256;
   const std::optional<element::Range> valid;  // [m]
-  const component::Component component;
-  component::SampleStream stream;
+  std::optional<Fed<component::Component, component::SampleStream>> one;
+  std::optional<Fed<component::SixDirections, component::PoseStream>> six;
 };
 
 // The model beside the configured one. It is fed with the samples that this one accepts.
@@ -73,7 +121,7 @@ class ComponentChannel::Promotion {
   element::ComponentForce push(std::int64_t stamp, double displacement, const element::ComponentForce& configured,
                                double& beside) {
     fade.advance(stamp);
-    const component::StreamForce answer = model->stream.push(stamp, displacement);
+    const component::StreamForce answer = model->one->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       fade.end();
       note = "its force was not finite";
@@ -107,21 +155,33 @@ ComponentChannel::ComponentChannel(const io::ComponentDescription& description, 
     : name_(description.name),
       max_gap_(max_gap),
       promotion_settings_(promotion_settings),
-      model_(makeModel(description, max_gap)),
-      gap_(samples_kept) {}
+      has_six_(description.six != nullptr),
+      model_(makeModel(description, max_gap)) {
+  for (std::size_t i = 0; i < (has_six_ ? std::size_t{component::kDirections} : 1); ++i) {
+    gaps_.emplace_back(has_six_ ? GapMonitor::kCapacity : samples_kept);
+  }
+}
+
+// Whether a sample may go to the model, at the temperature of its stamp.
+bool ComponentChannel::begins(std::int64_t stamp, bool finite) {
+  if (!counts_.enabled) {
+    ++counts_.disabled;
+    return false;
+  }
+  if (finite && temperatures_.take(stamp)) {
+    keepTemperature();
+  }
+  return true;
+}
 
 bool ComponentChannel::push(std::int64_t stamp, double displacement, element::ComponentForce& force) {
   double beside = std::numeric_limits<double>::quiet_NaN();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!counts_.enabled) {
-      ++counts_.disabled;
+    if (!begins(stamp, std::isfinite(displacement))) {
       return false;
     }
-    if (std::isfinite(displacement) && temperatures_.take(stamp)) {
-      keepTemperature();
-    }
-    const component::StreamForce answer = model_->stream.push(stamp, displacement);
+    const component::StreamForce answer = model_->one->stream.push(stamp, displacement);
     if (!component::isAccepted(answer.acceptance)) {
       return false;
     }
@@ -130,17 +190,82 @@ bool ComponentChannel::push(std::int64_t stamp, double displacement, element::Co
     if (isBeside()) {
       force = promotion_->push(stamp, displacement, answer.force, beside);
       if (promotion_->fade.shadowIsOver()) {
-        promotion_->judgeShadow(gap_.pairedErrors());
+        promotion_->judgeShadow(gap().pairedErrors());
       }
     }
   }
-  gap_.addSimulated(stamp, displacement, force.total, beside);
+  gap().addSimulated(stamp, displacement, force.total, beside);
   return true;
+}
+
+bool ComponentChannel::push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
+                            component::Wrench& wrench) {
+  component::StreamWrench answer;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!begins(stamp, position.allFinite() && rotation.coeffs().allFinite())) {
+      return false;
+    }
+    answer = model_->six->stream.push(stamp, position, rotation);
+    if (!component::isAccepted(answer.acceptance)) {
+      return false;
+    }
+    counts_.beyond_rotation += answer.beyond_valid ? 1 : 0;
+  }
+  wrench = answer.force.wrench;
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    gap(i).addSimulated(stamp, answer.coordinates[static_cast<Eigen::Index>(i)], answer.force.direction[i].total);
+  }
+  return true;
+}
+
+void ComponentChannel::addMeasured(std::int64_t stamp, const component::Wrench& wrench) {
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i % 3);
+    gap(i).addMeasured(stamp, i < component::kRx ? wrench.force[axis] : wrench.moment[axis]);
+  }
+}
+
+// The monitors of six directions hold the wrench as it was measured: what it comes to in the directions is up to the
+// pose. Samples that not all have are left out.
+std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds) const {
+  std::vector<std::vector<MatchedSample>> windows;
+  for (const GapMonitor& gap : gaps_) {
+    windows.push_back(gap.window(seconds));
+  }
+  if (!has_six_) {
+    return windows;
+  }
+  const component::SixDirections component = configured()->six->makeComponent();
+  std::vector<std::vector<MatchedSample>> result(windows.size());
+  for (const MatchedSample& sample : windows[0]) {
+    std::array<MatchedSample, component::kDirections> of;
+    component::SixNumbers coordinates;
+    component::Wrench measured;
+    bool complete = true;
+    for (std::size_t i = 0; i < of.size() && complete; ++i) {
+      const auto found = std::lower_bound(windows[i].begin(), windows[i].end(), sample.stamp,
+                                          [](const MatchedSample& a, std::int64_t stamp) { return a.stamp < stamp; });
+      complete = found != windows[i].end() && found->stamp == sample.stamp;
+      of[i] = complete ? *found : MatchedSample();
+      const auto at = static_cast<Eigen::Index>(i);
+      coordinates[at] = of[i].displacement;
+      (i < component::kRx ? measured.force : measured.moment)[at % 3] = of[i].measured;
+    }
+    const component::SixNumbers forces = component.directionForces(component.pose(coordinates), measured);
+    for (std::size_t i = 0; i < of.size() && complete; ++i) {
+      of[i].measured = forces[static_cast<Eigen::Index>(i)];
+      result[i].push_back(of[i]);
+    }
+  }
+  return result;
 }
 
 bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!std::isfinite(temperature) || !model_->component.temperatures().contains(temperature)) {
+  if (!std::isfinite(temperature) ||
+      !model_->ask([](const auto& component, const auto& /*stream*/) { return component.temperatures(); })
+           .contains(temperature)) {
     ++counts_.refused_temperatures;
     return false;
   }
@@ -151,9 +276,9 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
 // The temperature that was measured last holds, whatever the state says.
 void ComponentChannel::keepTemperature() {
   if (const std::optional<double>& temperature = temperatures_.current()) {
-    model_->stream.setTemperature(*temperature);
+    model_->tell([&](auto& stream) { stream.setTemperature(*temperature); });
     if (promotion_) {
-      promotion_->model->stream.setTemperature(*temperature);
+      promotion_->model->one->stream.setTemperature(*temperature);
     }
   }
 }
@@ -174,12 +299,16 @@ void ComponentChannel::countLost(std::uint64_t samples) {
 void ComponentChannel::reset() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    model_->stream.reset();
+    model_->tell([](auto& stream) { stream.reset(); });
     if (promotion_) {
-      promotion_->model->stream.reset();
+      promotion_->model->one->stream.reset();
     }
   }
-  gap_.clear();
+  clearGaps();
+}
+
+void ComponentChannel::clearGaps() {
+  std::for_each(gaps_.begin(), gaps_.end(), [](GapMonitor& gap) { gap.clear(); });
 }
 
 void ComponentChannel::setEnabled(bool enabled) {
@@ -189,9 +318,9 @@ void ComponentChannel::setEnabled(bool enabled) {
 
 SavedState ComponentChannel::save() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  SavedState saved{savedStream(model_->stream), name_, model_->component.elements(), {}};
+  SavedState saved{model_->save(), name_, model_->elements(), {}};
   if (isBeside()) {
-    saved.promotion = SavedPromotion{savedStream(promotion_->model->stream), io::toYaml({promotion_->description}),
+    saved.promotion = SavedPromotion{promotion_->model->save(), io::toYaml({promotion_->description}),
                                      promotion_->fade.stage(), promotion_->fade.weight()};
   }
   return saved;
@@ -206,20 +335,21 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
   if (state.component != name_) {
     throw std::invalid_argument(fmt::format("state of component {} does not belong to {}", state.component, name_));
   }
-  if (!sameElements(state.elements, model->component.elements())) {
+  if (!sameElements(state.elements, model->elements())) {
     throw std::invalid_argument(fmt::format("{}: the state was saved with other elements or parameters", name_));
   }
   try {
-    component::ComponentState restored = model->component.makeState();
-    model->component.restore(restored, state.displacement, state.memory);
+    model->check(state);
     if (!state.promotion) {
       return {};
     }
     const SavedPromotion& saved = *state.promotion;
     const auto parsed = io::parseComponentFile(saved.description, "promotion");
-    auto promotion = std::make_shared<Promotion>(io::selectComponent(parsed, name_, "promotion"), max_gap_,
-                                                 promotion_settings_, saved.stage, saved.weight);
-    restore(promotion->model->stream, saved);
+    const io::ComponentDescription& beside = io::selectComponent(parsed, name_, "promotion");
+    requireOneDirection(*model->described);
+    requireOneDirection(beside);
+    auto promotion = std::make_shared<Promotion>(beside, max_gap_, promotion_settings_, saved.stage, saved.weight);
+    promotion->model->restore(saved);
     if (saved.started) {
       promotion->fade.resume(saved.stamp);
     }
@@ -233,35 +363,36 @@ std::shared_ptr<ComponentChannel::Promotion> ComponentChannel::checkState(const 
 
 void ComponentChannel::load(const SavedState& state) {
   std::shared_ptr<Promotion> promotion = checkState(state);
-  gap_.clear();
+  clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
   std::swap(promotion_, promotion);  // freed after the lock
-  restore(model_->stream, state);
+  model_->restore(state);
   keepTemperature();
 }
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
   std::shared_ptr<Model> old = model;  // freed after the lock
   std::shared_ptr<Promotion> promotion;
-  gap_.clear();
+  clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
-  const component::SampleStream& stream = model_->stream;
-  if (!sameElements(model_->component.elements(), model->component.elements())) {
+  if (!sameElements(model_->elements(), model->elements())) {
     std::swap(promotion_, promotion);
     note_ = promotion ? "the component file was read again and has another model" : "";
-    since_ = stream.lastStamp();
+    since_ = model_->save().stamp;
   } else {
-    restore(model->stream, savedStream(stream));
+    model->restore(model_->save());
   }
-  add(stream.counters(), counts_);
+  model_->ask([&](const auto& /*component*/, const auto& stream) { add(stream.counters(), counts_); });
   std::swap(model_, old);
   keepTemperature();
 }
 
 void ComponentChannel::promote(const io::ComponentDescription& description) {
+  requireOneDirection(*configured());
+  requireOneDirection(description);
   auto promotion = std::make_shared<Promotion>(description, max_gap_, promotion_settings_, RunStage::shadow, 0.0);
   std::shared_ptr<Promotion> finished;
-  gap_.clearPairedErrors();
+  gap().clearPairedErrors();
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
   if (promotion_) {
@@ -317,15 +448,21 @@ ChannelReport ComponentChannel::report() {
   std::shared_ptr<Promotion> finished;  // freed after the lock
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
-  const component::SampleStream& stream = model_->stream;
   ChannelReport result = counts_;
   counts_.latency = {};
-  add(stream.counters(), result);
   result.valid = model_->valid;
-  result.started = stream.started();
-  result.last_time = 1e-9 * static_cast<double>(stream.lastStamp());
-  result.displacement = stream.state().displacement();
-  result.shifts_with_temperature = model_->component.shiftsWithTemperature();
+  model_->ask([&](const auto& component, const auto& stream) {
+    add(stream.counters(), result);
+    result.started = stream.started();
+    result.last_time = 1e-9 * static_cast<double>(stream.lastStamp());
+    result.shifts_with_temperature = component.shiftsWithTemperature();
+  });
+  if (has_six_) {
+    result.valid_rotation = model_->six->component.laws().valid_rotation;
+    result.coordinates = model_->six->stream.state().coordinates();
+  } else {
+    result.displacement = model_->one->stream.state().displacement();
+  }
   result.temperature = temperatures_.current();
   return result;
 }

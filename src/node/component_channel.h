@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,7 +14,7 @@
 #include "node/latency_histogram.h"
 #include "node/promotion.h"
 #include "node/temperature_feed.h"
-#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/component/pose_stream.h"
 #include "rubber_suspension/io/component_file.h"
 
 namespace rubber_suspension::node {
@@ -22,7 +23,7 @@ namespace rubber_suspension::node {
 struct SavedStream {
   bool started = false;       ///< false: no sample yet, the rest means nothing
   std::int64_t stamp = 0;     ///< [ns] of the last accepted sample
-  double displacement = 0.0;  ///< [m] at that sample
+  double displacement = 0.0;  ///< [m] at that sample; of six directions the memory has the coordinates
   std::vector<double> memory;
 };
 
@@ -60,18 +61,21 @@ struct RunningModel {
 struct ChannelReport : component::StreamCounters {
   std::uint64_t beyond_valid = 0;       ///< samples that were answered beyond `valid`
   std::optional<element::Range> valid;  ///< displacements [m] for which the component says that it is valid
+  std::uint64_t beyond_rotation = 0;    ///< poses that were answered beyond `valid_rotation`
+  double valid_rotation = 0.0;          ///< of six directions [rad]
   std::uint64_t disabled = 0;           ///< samples that came while the component was disabled
   std::uint64_t lost = 0;  ///< samples that were sent but never arrived, by the sequence numbers of their senders
   std::uint64_t undecodable = 0;  ///< messages that are no samples
   std::uint64_t undelivered = 0;  ///< forces that a subscriber did not get because it reads too slowly
   bool enabled = true;
   bool started = false;
-  double last_time = 0.0;                  ///< stamp of the last accepted sample [s]
-  double displacement = 0.0;               ///< of the last accepted sample [m]
-  bool shifts_with_temperature = false;    ///< whether the component does
-  std::optional<double> temperature;       ///< of the last sample [degC], where one has come
-  std::uint64_t refused_temperatures = 0;  ///< not finite, or none at which the component's shift holds
-  LatencyHistogram latency;                ///< of the samples since the last report
+  double last_time = 0.0;                            ///< stamp of the last accepted sample [s]
+  double displacement = 0.0;                         ///< of the last accepted sample [m]
+  std::optional<component::SixNumbers> coordinates;  ///< likewise, of six directions [m, rad]
+  bool shifts_with_temperature = false;              ///< whether the component does
+  std::optional<double> temperature;                 ///< of the last sample [degC], where one has come
+  std::uint64_t refused_temperatures = 0;            ///< not finite, or none at which the component's shift holds
+  LatencyHistogram latency;                          ///< of the samples since the last report
 };
 
 /// Feeds one component with samples. Each call holds the lock for the time of some arithmetic only: never while
@@ -86,8 +90,21 @@ class ComponentChannel {
 
   const std::string& name() const { return name_; }
 
+  /// Whether it takes poses, and no displacements.
+  bool hasSixDirections() const { return has_six_; }
+
   /// Take one sample: stamp [ns], displacement [m]. Returns false, and counts why, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
+
+  /// The same of six directions: position [m] and rotation of B in A; the wrench on B, in A's axes.
+  bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
+            component::Wrench& wrench);
+
+  /// A measured wrench on B at B's origin, in A's axes; one of a stamp that a pose has is compared with its wrench.
+  void addMeasured(std::int64_t stamp, const component::Wrench& wrench);
+
+  /// The matched samples of the last seconds: of one direction, or of six in their order, with generalised forces.
+  std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
   /// The temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, where it is none at
   /// which the component's shift holds.
@@ -134,8 +151,8 @@ class ComponentChannel {
   /// The configured component; another object after exchange().
   std::shared_ptr<const io::ComponentDescription> configured() const;
 
-  /// Measured forces go here; what is accepted and answered is already there.
-  GapMonitor& gap() { return gap_; }
+  /// Measured forces go here; what is accepted and answered is already there. Of six directions one each.
+  GapMonitor& gap(std::size_t direction = 0) { return gaps_[direction]; }
 
   /// What happened so far; starts a new interval of the latency.
   ChannelReport report();
@@ -144,10 +161,13 @@ class ComponentChannel {
   void dropFinished(std::shared_ptr<Promotion>& finished);
   bool isBeside() const;
   void keepTemperature();
+  bool begins(std::int64_t stamp, bool finite);
+  void clearGaps();
 
   std::string name_;
   double max_gap_;
   PromotionSettings promotion_settings_;
+  bool has_six_;
   mutable std::mutex mutex_;
   std::shared_ptr<Model> model_;
   std::shared_ptr<Promotion> promotion_;  // the model beside, if any
@@ -155,7 +175,7 @@ class ComponentChannel {
   std::int64_t since_ = 0;                // and with which sample
   ChannelReport counts_;                  // what is counted here, and by models before a reload
   TemperatureFeed temperatures_;
-  GapMonitor gap_;  // has a lock of its own
+  std::deque<GapMonitor> gaps_;  // each has a lock of its own
 };
 
 }  // namespace rubber_suspension::node

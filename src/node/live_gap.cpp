@@ -110,8 +110,8 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   return gap;
 }
 
-LiveGap GapTracker::update(const GapMonitor& monitor, SimulatedForce force) {
-  LiveGap gap = measureGap(monitor.window(settings_.window), settings_, tolerances_, force);
+LiveGap GapTracker::update(const std::vector<MatchedSample>& window, SimulatedForce force) {
+  LiveGap gap = measureGap(window, settings_, tolerances_, force);
   if (!gap.known) {
     return gap;
   }

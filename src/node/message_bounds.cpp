@@ -46,32 +46,34 @@ class Fields {
   bool fit_ = true;
 };
 
-bool isStamped(std::size_t numbers, const std::uint8_t* data, std::size_t size) {
+}  // namespace
+
+template <std::size_t kNumbers>
+bool isStamped(const std::uint8_t* data, std::size_t size) {
   Fields fields(data, size);
   fields.header();
-  fields.skip(numbers * sizeof(double));
+  fields.skip(kNumbers * sizeof(double));
   return fields.areAll();
 }
 
-}  // namespace
+template bool isStamped<1>(const std::uint8_t* data, std::size_t size);
+template bool isStamped<2>(const std::uint8_t* data, std::size_t size);
+template bool isStamped<kWrenchNumbers>(const std::uint8_t* data, std::size_t size);
+template bool isStamped<kPoseNumbers>(const std::uint8_t* data, std::size_t size);
 
-bool isStampedNumber(const std::uint8_t* data, std::size_t size) { return isStamped(1, data, size); }
-
-bool isStampedPair(const std::uint8_t* data, std::size_t size) { return isStamped(2, data, size); }
-
-bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components) {
+bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components, std::size_t numbers) {
   Fields fields(data, size);
   fields.header();
   for (std::size_t names = fields.length(most_components); names > 0 && fields.fit(); --names) {
     fields.skip(fields.length(kLongestComponentName));
   }
-  fields.skip(fields.length(most_components) * sizeof(double));
+  fields.skip(fields.length(most_components) * numbers * sizeof(double));
   return fields.areAll();
 }
 
-std::size_t longestBundle(std::size_t components) {
+std::size_t longestBundle(std::size_t components, std::size_t numbers) {
   return kSequenceAndStamp + kLength + kLongestFrameId + kLength + components * (kLength + kLongestComponentName) +
-         kLength + components * sizeof(double);
+         kLength + components * numbers * sizeof(double);
 }
 
 }  // namespace rubber_suspension::node

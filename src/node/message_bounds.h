@@ -10,16 +10,22 @@ namespace rubber_suspension::node {
 constexpr std::size_t kLongestFrameId = 255;        ///< bytes of a header's frame_id
 constexpr std::size_t kLongestComponentName = 100;  ///< bytes; the component file has none longer
 
-/// True if these bytes are a header and one float64, to the last byte: Displacement and MeasuredForce.
-bool isStampedNumber(const std::uint8_t* data, std::size_t size);
+/// True if these bytes are a header and that many float64, to the last byte: 1 of a Displacement or MeasuredForce, 2 of
+/// a sensor_msgs/Temperature, 7 of a geometry_msgs/PoseStamped, 6 of a WrenchStamped.
+template <std::size_t kNumbers>
+bool isStamped(const std::uint8_t* data, std::size_t size);
 
-/// True if these bytes are a header and two float64, to the last byte: sensor_msgs/Temperature.
-bool isStampedPair(const std::uint8_t* data, std::size_t size);
+/// Its kind.
+using MessageCheck = bool(const std::uint8_t* data, std::size_t size);
 
-/// True if these bytes are a DisplacementArray, to the last byte, with at most that many names and numbers.
-bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components);
+constexpr std::size_t kPoseNumbers = 7;    ///< position and quaternion
+constexpr std::size_t kWrenchNumbers = 6;  ///< force and moment
 
-/// Bytes of the longest DisplacementArray of that number of components.
-std::size_t longestBundle(std::size_t components);
+/// True if these bytes are a DisplacementArray (`numbers` 1) or PoseArray (kPoseNumbers), to the last byte, with at
+/// most that many names and entries.
+bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components, std::size_t numbers = 1);
+
+/// Bytes of the longest such message of that number of components.
+std::size_t longestBundle(std::size_t components, std::size_t numbers = 1);
 
 }  // namespace rubber_suspension::node

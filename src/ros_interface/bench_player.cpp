@@ -52,12 +52,17 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   for (std::int64_t& stamp : log.stamp) {
     stamp += static_cast<std::int64_t>(pass) * period_;  // time continues, and the component stays the same
   }
-  const PlayResult result = players_[track]->play(log, starts_[track], more_follow);
+  std::optional<log::PoseLog>& poses = tracks_[track].poses;
+  const PlayResult result = players_[track]->play(log, starts_[track], more_follow, poses ? &*poses : nullptr);
   if (options_.rate > 0.0) {
     const std::chrono::duration<double> period(1e-9 * static_cast<double>(period_) / options_.rate);
     starts_[track] = players_[track]->start() + std::chrono::duration_cast<LogPlayer::Steady::duration>(period);
   }
   recorders_[track]->add(log, result);
+  if (poses && !tracks_[track].wrenches.empty() && result.answered() == log.size()) {
+    poses->stamp = log.stamp;
+    log::writeWrenchCsv(tracks_[track].wrenches, *poses, result.wrench);
+  }
   last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
   // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.

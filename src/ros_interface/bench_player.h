@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct BenchTrack {
   std::string component;
   log::Log log;
   RecordPaths paths;
+  std::optional<log::PoseLog> poses{};  ///< of six directions, played in place of displacements; the log has its stamps
+  std::string wrenches{};               ///< CSV file for the wrenches of the last pass; empty: not wanted
 };
 
 /// Sums over all passes of one component.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 #include "node/message_bounds.h"
 #include "ros_interface/sample_server.h"
@@ -24,9 +25,13 @@ node::ComponentChannel* channelOf(const std::vector<std::string>& names, std::si
   return found == channels.end() ? nullptr : *found;
 }
 
-bool isWellFormed(const DisplacementArray& bundle, const Channels& channels) {
+const std::vector<double>& samplesOf(const DisplacementArray& bundle) { return bundle.displacement; }
+const std::vector<geometry_msgs::Pose>& samplesOf(const PoseArray& bundle) { return bundle.poses; }
+
+template <class Bundle>
+bool isWellFormed(const Bundle& bundle, const Channels& channels) {
   const std::size_t count = bundle.components.empty() ? channels.size() : bundle.components.size();
-  if (bundle.displacement.size() != count || count > channels.size()) {
+  if (samplesOf(bundle).size() != count || count > channels.size()) {
     return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,28 +55,50 @@ void resize(ForceArray& answer, std::size_t size) {
   }
 }
 
-}  // namespace
+void resize(WrenchArray& answer, std::size_t size) {
+  answer.components.resize(size);
+  answer.wrenches.resize(size);
+}
 
-bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer) {
-  const Channels& channels = group.channels();
+bool answerSample(node::ComponentChannel& channel, std::int64_t stamp, double displacement, ForceArray& answer,
+                  std::size_t place) {
+  element::ComponentForce force;
+  if (!channel.push(stamp, displacement, force)) {
+    return false;
+  }
+  answer.displacement[place] = displacement;
+  answer.force[place] = force.total;
+  answer.elastic[place] = force.elastic;
+  answer.viscous[place] = force.viscous;
+  answer.friction[place] = force.friction;
+  return true;
+}
+
+bool answerSample(node::ComponentChannel& channel, std::int64_t stamp, const geometry_msgs::Pose& pose,
+                  WrenchArray& answer, std::size_t place) {
+  component::Wrench wrench;
+  if (!channel.push(stamp, positionOf(pose), rotationOf(pose), wrench)) {
+    return false;
+  }
+  answer.wrenches[place] = messageOf(wrench);
+  return true;
+}
+
+template <class Bundle, class Answer>
+bool answerAll(const Bundle& bundle, const node::ChannelGroup& group, const Channels& channels, Answer& answer) {
   if (!isWellFormed(bundle, channels)) {
     return false;
   }
+  const auto& samples = samplesOf(bundle);
   const auto stamp = static_cast<std::int64_t>(bundle.header.stamp.toNSec());
   answer.header = bundle.header;
-  resize(answer, bundle.displacement.size());
+  resize(answer, samples.size());
   std::size_t accepted = 0;
   const auto lock = group.bundle();
-  for (std::size_t i = 0; i < bundle.displacement.size(); ++i) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     node::ComponentChannel* channel = channelOf(bundle.components, i, channels);
-    element::ComponentForce force;
-    if (channel->push(stamp, bundle.displacement[i], force)) {
+    if (answerSample(*channel, stamp, samples[i], answer, accepted)) {
       answer.components[accepted] = channel->name();
-      answer.displacement[accepted] = bundle.displacement[i];
-      answer.force[accepted] = force.total;
-      answer.elastic[accepted] = force.elastic;
-      answer.viscous[accepted] = force.viscous;
-      answer.friction[accepted] = force.friction;
       ++accepted;
     }
   }
@@ -79,16 +106,44 @@ bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& gro
   return true;
 }
 
-BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size) : group_(group) {
-  const std::size_t components = group.channels().size();
-  const std::size_t longest = node::longestBundle(components);
+}  // namespace
+
+bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer) {
+  return answerAll(bundle, group, group.channels(false), answer);
+}
+
+bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer) {
+  return answerAll(bundle, group, group.channels(true), answer);
+}
+
+template <class Bundle, class Answer>
+void BundleServer::serve(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
+                         const std::string& out, std::size_t numbers_out) {
+  const std::size_t components = channels_.size();
+  const std::size_t longest = node::longestBundle(components, numbers_in);
   const auto size = static_cast<std::uint32_t>(std::max(queue_size, 16));
-  publisher_.advertise<ForceArray>(handle, "forces",
-                                   fewerOf(answerQueueSize(queue_size), longest + components * 4 * sizeof(double)));
-  subscriber_ = roscpp_fixes::subscribeChecked<DisplacementArray>(
-      handle, "displacements", std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, longest)),
-      [components](const std::uint8_t* data, std::size_t bytes) { return node::isBundle(data, bytes, components); },
-      undecodable_, [this](const ros::MessageEvent<const DisplacementArray>& event) { serve(event); });
+  publisher_.advertise<Answer>(handle, out,
+                               fewerOf(answerQueueSize(queue_size), node::longestBundle(components, numbers_out)));
+  subscriber_ = roscpp_fixes::subscribeChecked<Bundle>(
+      handle, in, std::min<std::uint32_t>(static_cast<std::uint32_t>(queue_size), fewerOf(size, longest)),
+      [components, numbers_in](const std::uint8_t* data, std::size_t bytes) {
+        return node::isBundle(data, bytes, components, numbers_in);
+      },
+      undecodable_,
+      [this, pool = std::make_shared<MessagePool<Answer>>()](const ros::MessageEvent<const Bundle>& event) {
+        answer(event, *pool);
+      });
+}
+
+BundleServer::BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size,
+                           bool six_directions)
+    : group_(group), channels_(group.channels(six_directions)) {
+  constexpr std::size_t kForceNumbers = 5;  // displacement, force and its parts
+  if (six_directions) {
+    serve<PoseArray, WrenchArray>(handle, queue_size, "poses", node::kPoseNumbers, "wrenches", node::kWrenchNumbers);
+  } else {
+    serve<DisplacementArray, ForceArray>(handle, queue_size, "displacements", 1, "forces", kForceNumbers);
+  }
 }
 
 void BundleServer::shutdown() {
@@ -96,10 +151,11 @@ void BundleServer::shutdown() {
   publisher_.shutdown();
 }
 
-void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event) {
+template <class Bundle, class Answer>
+void BundleServer::answer(const ros::MessageEvent<const Bundle>& event, MessagePool<Answer>& pool) {
   const auto callback = std::chrono::steady_clock::now();
   lost_ += watch_.take(event.getConnectionHeaderPtr(), event.getConstMessage()->header.seq);
-  const auto message = pool_.take();
+  const auto message = pool.take();
   if (!answerBundle(*event.getConstMessage(), group_, *message)) {
     ++malformed_;
     return;
@@ -111,7 +167,7 @@ void BundleServer::serve(const ros::MessageEvent<const DisplacementArray>& event
   ++answered_;
   const std::int64_t latency = timeSinceArrival(event.getReceiptTime(), callback);
   for (std::size_t i = 0; i < message->components.size(); ++i) {
-    channelOf(message->components, i, group_.channels())->countLatency(latency);
+    channelOf(message->components, i, channels_)->countLatency(latency);
   }
 }
 

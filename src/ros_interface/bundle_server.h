@@ -1,12 +1,17 @@
-// All components in one message: topics `displacements` and `forces`, for simulations that step all at once.
+// All components in one message, for simulations that step all at once: topics `displacements` and `forces`, or `poses`
+// and `wrenches`.
 #pragma once
 
 #include <ros/node_handle.h>
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/ForceArray.h>
+#include <rubber_suspension/PoseArray.h>
+#include <rubber_suspension/WrenchArray.h>
 
 #include <atomic>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "node/channel_group.h"
 #include "node/sequence_watch.h"
@@ -15,17 +20,18 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Answer a bundle: a force for every displacement that its component accepts. False, and no component has seen
-/// anything, where the message is malformed: a name that no component has, or lists of unequal length.
-/// Nothing saves or changes all components meanwhile. Allocates nothing once `answer` has held as many components
-/// before.
+/// Answer a bundle: a force for every displacement, or a wrench for every pose, that its component accepts. False, and
+/// no component has seen anything, where the message is malformed: a name that no component has, or lists of unequal
+/// length. Nothing saves or changes all components meanwhile. Allocates nothing once `answer` has held as many
+/// components before.
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
+bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer);
 
 /// Serves the two topics in the thread of the handle's callback queue, by the same components as the single topics.
 class BundleServer {
  public:
   /// The group must outlive the server.
-  BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size);
+  BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size, bool six_directions);
 
   /// Take no more samples.
   void shutdown();
@@ -37,10 +43,14 @@ class BundleServer {
   std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
 
  private:
-  void serve(const ros::MessageEvent<const DisplacementArray>& event);
+  template <class Bundle, class Answer>
+  void serve(ros::NodeHandle& handle, int queue_size, const std::string& in, std::size_t numbers_in,
+             const std::string& out, std::size_t numbers_out);
+  template <class Bundle, class Answer>
+  void answer(const ros::MessageEvent<const Bundle>& event, MessagePool<Answer>& pool);
 
   const node::ChannelGroup& group_;
-  MessagePool<ForceArray> pool_;
+  const std::vector<node::ComponentChannel*>& channels_;
   std::atomic<std::uint64_t> answered_{0};
   std::atomic<std::uint64_t> malformed_{0};
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;

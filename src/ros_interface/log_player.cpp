@@ -2,6 +2,8 @@
 #include "ros_interface/log_player.h"
 
 #include <fmt/format.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <ros/init.h>
 #include <rubber_suspension/Gap.h>
 #include <sensor_msgs/Temperature.h>
@@ -27,6 +29,18 @@ std::chrono::steady_clock::duration toDuration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
+void keep(const Force& force, std::size_t sample, PlayResult& result) {
+  result.force[sample] = {force.force, force.elastic, force.viscous, force.friction};
+}
+
+void keep(const geometry_msgs::WrenchStamped& answer, std::size_t sample, PlayResult& result) {
+  const geometry_msgs::Wrench& of = answer.wrench;
+  const double numbers[] = {of.force.x, of.force.y, of.force.z, of.torque.x, of.torque.y, of.torque.z};
+  for (std::size_t i = 0; i < result.wrench.size(); ++i) {
+    result.wrench[i][sample] = numbers[i];
+  }
+}
+
 }  // namespace
 
 std::size_t PlayResult::answered() const {
@@ -49,13 +63,13 @@ bool PlayResult::exactlyOneEach() const {
 LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) : options_(options), handle_(handle) {
   handle_.setCallbackQueue(&queue_);
   const std::string& component = options_.component;
-  displacement_publisher_ = handle_.advertise<Displacement>(component + "/displacement", kSampleQueueSize);
-  measured_force_publisher_ = handle_.advertise<MeasuredForce>(component + "/measured_force", kSampleQueueSize);
+  if (options_.rotation) {
+    open<geometry_msgs::PoseStamped, geometry_msgs::WrenchStamped, geometry_msgs::WrenchStamped>(
+        "/pose", "/measured_wrench", "/wrench");
+  } else {
+    open<Displacement, MeasuredForce, Force>("/displacement", "/measured_force", "/force");
+  }
   temperature_publisher_ = handle_.advertise<sensor_msgs::Temperature>(component + "/temperature", kSampleQueueSize);
-  const boost::function<void(const boost::shared_ptr<const Force>&)> callback =
-      [this](const boost::shared_ptr<const Force>& force) { take(*force); };
-  subscriber_ = handle_.subscribe<Force>(component + "/force", kSampleQueueSize, callback, ros::VoidConstPtr(),
-                                         ros::TransportHints().tcpNoDelay());
   if (options_.record_gap) {
     const boost::function<void(const GapConstPtr&)> gap_callback = [this](const GapConstPtr& gap) {
       result_.gaps.push_back(gap);
@@ -63,6 +77,17 @@ LogPlayer::LogPlayer(const ros::NodeHandle& handle, const PlayOptions& options) 
     };
     gap_subscriber_ = handle_.subscribe<Gap>(component + "/gap", kSampleQueueSize, gap_callback);
   }
+}
+
+template <class Sample, class Measured, class Answer>
+void LogPlayer::open(const char* sample, const char* measured, const char* answer) {
+  const std::string& component = options_.component;
+  displacement_publisher_ = handle_.advertise<Sample>(component + sample, kSampleQueueSize);
+  measured_force_publisher_ = handle_.advertise<Measured>(component + measured, kSampleQueueSize);
+  const boost::function<void(const boost::shared_ptr<const Answer>&)> callback =
+      [this](const boost::shared_ptr<const Answer>& message) { take(*message); };
+  subscriber_ = handle_.subscribe<Answer>(component + answer, kSampleQueueSize, callback, ros::VoidConstPtr(),
+                                          ros::TransportHints().tcpNoDelay());
 }
 
 bool LogPlayer::isConnected(double patience) {
@@ -106,12 +131,13 @@ void LogPlayer::connect() {
   }
 }
 
-void LogPlayer::take(const Force& force) {
+template <class Answer>
+void LogPlayer::take(const Answer& answer) {
   last_answer_ = Steady::now();
   if (log_ == nullptr) {
     return;
   }
-  const std::int64_t stamp = static_cast<std::int64_t>(force.header.stamp.toNSec()) - shift_;
+  const std::int64_t stamp = static_cast<std::int64_t>(answer.header.stamp.toNSec()) - shift_;
   const auto end = log_->stamp.begin() + static_cast<std::ptrdiff_t>(result_.sent);
   const auto found = std::lower_bound(log_->stamp.begin(), end, stamp);
   if (found == end || *found != stamp) {
@@ -120,7 +146,7 @@ void LogPlayer::take(const Force& force) {
   }
   const auto sample = static_cast<std::size_t>(found - log_->stamp.begin());
   if (++result_.answers[sample] == 1) {
-    result_.force[sample] = {force.force, force.elastic, force.viscous, force.friction};
+    keep(answer, sample, result_);
     ++answered_;
   }
 }
@@ -176,6 +202,10 @@ void LogPlayer::startTemperatures() {
 void LogPlayer::send() {
   announceTemperatures();
   const std::size_t sample = result_.sent++;
+  if (poses_ != nullptr) {
+    sendPose(sample);
+    return;
+  }
   Displacement displacement;
   displacement.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
   displacement.displacement = log_->displacement[sample];
@@ -185,6 +215,35 @@ void LogPlayer::send() {
     force.header.stamp = displacement.header.stamp;
     force.force = log_->force[sample];
     measured_force_publisher_.publish(force);
+  }
+}
+
+void LogPlayer::sendPose(std::size_t sample) {
+  const auto number = [sample](const std::vector<double>& list) { return list[sample]; };
+  const auto& q = poses_->coordinate;
+  const Eigen::Quaterniond rotation =
+      component::rotationOf(*options_.rotation, {number(q[3]), number(q[4]), number(q[5])});
+  geometry_msgs::PoseStamped pose;
+  pose.header.stamp = bag::toRosTime(log_->stamp[sample] + shift_);
+  pose.pose.position.x = number(q[0]);
+  pose.pose.position.y = number(q[1]);
+  pose.pose.position.z = number(q[2]);
+  pose.pose.orientation.w = rotation.w();
+  pose.pose.orientation.x = rotation.x();
+  pose.pose.orientation.y = rotation.y();
+  pose.pose.orientation.z = rotation.z();
+  displacement_publisher_.publish(pose);
+  const auto& w = poses_->wrench;
+  if (!w[0].empty()) {
+    geometry_msgs::WrenchStamped measured;
+    measured.header = pose.header;
+    measured.wrench.force.x = number(w[0]);
+    measured.wrench.force.y = number(w[1]);
+    measured.wrench.force.z = number(w[2]);
+    measured.wrench.torque.x = number(w[3]);
+    measured.wrench.torque.y = number(w[4]);
+    measured.wrench.torque.z = number(w[5]);
+    measured_force_publisher_.publish(measured);
   }
 }
 
@@ -231,15 +290,19 @@ void LogPlayer::waitForLast() {
   }
 }
 
-PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool more_follow) {
+PlayResult LogPlayer::play(const log::Log& log, Steady::time_point start, bool more_follow, const log::PoseLog* poses) {
   log::checkLog(log);
   connect();
   log_ = &log;
+  poses_ = poses;
   shift_ = goes_on_ ? shift_ : bag::headerShift(log);
   goes_on_ = more_follow;
   result_ = PlayResult();
   result_.shift = shift_;
   result_.force.resize(log.size());
+  for (auto& list : result_.wrench) {
+    list.resize(poses == nullptr ? 0 : log.size());
+  }
   result_.answers.resize(log.size());
   answered_ = 0;
   startTemperatures();

@@ -16,8 +16,9 @@
 
 #include "io/progress.h"
 #include "ros_interface/play_control.h"
+#include "rubber_suspension/component/rotation_measure.h"
 #include "rubber_suspension/element/element.h"
-#include "rubber_suspension/log/log.h"
+#include "rubber_suspension/log/pose_log.h"
 
 namespace rubber_suspension::ros_interface {
 
@@ -29,14 +30,16 @@ struct PlayOptions {
   double connect_timeout = 300.0;  ///< to wait for the node and the listeners [s]; a starved machine starts slowly
   double answer_timeout = 60.0;    ///< to wait for an answer [s]
   bool record_gap = false;         ///< collect the live gap, too
-  bool show_progress = true;       ///< on a terminal
-  PlayControl* control = nullptr;  ///< holds and steps the playback; has to outlive the player
+  std::optional<component::RotationMeasure> rotation;  ///< logs of poses are played, their rotation in this measure
+  bool show_progress = true;                           ///< on a terminal
+  PlayControl* control = nullptr;                      ///< holds and steps the playback; has to outlive the player
   std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< told what is being waited for
 };
 
 /// What came back. The vectors have one entry per sample of the log.
 struct PlayResult {
   std::vector<element::ComponentForce> force;  ///< the first answer to each sample
+  std::array<std::vector<double>, 6> wrench;   ///< the same of poses [N, N m]
   std::vector<std::uint32_t> answers;          ///< how many forces each sample had
   std::size_t sent = 0;
   std::int64_t shift = 0;                ///< from the log's stamps to those of the headers [ns]
@@ -70,13 +73,19 @@ class LogPlayer {
   /// Play a log that checkLog accepts, its first sample at `start`, without one at once. Samples that stay without
   /// answer are in the result; it ends early where ROS is shut down. Unless more logs follow, wait for what may come
   /// after the last answer: a force too many, and the gap up to the last sample. Throws PlayError.
-  PlayResult play(const log::Log& log, Steady::time_point start = {}, bool more_follow = false);
+  /// Of poses the log has stamps and temperatures, and `poses` the rest.
+  PlayResult play(const log::Log& log, Steady::time_point start = {}, bool more_follow = false,
+                  const log::PoseLog* poses = nullptr);
 
   /// When the first sample of the last log was due; later by the time that the playback was held.
   Steady::time_point start() const { return start_; }
 
  private:
-  void take(const Force& force);
+  template <class Answer>
+  void take(const Answer& answer);
+  template <class Sample, class Measured, class Answer>
+  void open(const char* sample, const char* measured, const char* answer);
+  void sendPose(std::size_t sample);
   bool isConnected(double patience);
   void requireServed() const;
   bool maySend() const;
@@ -100,6 +109,7 @@ class LogPlayer {
   bool goes_on_ = false;  // the last log is to be followed by another, in the same time
 
   const log::Log* log_ = nullptr;
+  const log::PoseLog* poses_ = nullptr;
   std::int64_t shift_ = 0;
   PlayResult result_;
   std::size_t answered_ = 0;

@@ -8,6 +8,9 @@
 #include <rubber_suspension/Running.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "rubber_suspension/element/constants.h"
 
 namespace rubber_suspension::ros_interface {
 namespace {
@@ -31,6 +34,9 @@ constexpr Fault kFaults[] = {
     {"dropped, force not finite", "force not finite (dropped)", &ChannelReport::force_not_finite},
     {"dropped, repeated stamp", "with a repeated stamp (dropped)", &ChannelReport::repeated},
     {"dropped, stepped back", "with a stamp that steps back (dropped)", &ChannelReport::stepped_back},
+    {"dropped, no rotation", "with a quaternion whose length is not 1 (dropped)", &ChannelReport::not_a_rotation},
+    {"dropped, beyond measure", "with a rotation beyond the end of its measure (dropped)",
+     &ChannelReport::beyond_measure},
     {"dropped, disabled", "while disabled (dropped)", &ChannelReport::disabled},
     {"dropped, undecodable", "that cannot be decoded (dropped)", &ChannelReport::undecodable},
     {"lost before arrival", "lost before they arrived", &ChannelReport::lost},
@@ -38,6 +44,7 @@ constexpr Fault kFaults[] = {
     {"restarts", "jumps back of more than a second (reset)", &ChannelReport::restarted},
     {"time gaps bridged", "time gaps longer than max_gap (bridged)", &ChannelReport::bridged},
     {"beyond valid displacement", "beyond valid_displacement (served)", &ChannelReport::beyond_valid},
+    {"beyond valid rotation", "beyond valid_rotation (served)", &ChannelReport::beyond_rotation},
     {"temperatures, refused", "temperatures refused: not finite, or none at which the component's shift holds",
      &ChannelReport::refused_temperatures},
 };
@@ -53,6 +60,9 @@ std::string describeFaults(const ChannelReport& before, const ChannelReport& now
   }
   if (now.beyond_valid > before.beyond_valid && now.valid) {
     text += fmt::format("; valid: {:g} to {:g} mm", 1e3 * now.valid->lower, 1e3 * now.valid->upper);
+  }
+  if (now.beyond_rotation > before.beyond_rotation) {
+    text += fmt::format("; valid: up to {:g} deg", now.valid_rotation * 180.0 / element::kPi);
   }
   return text;
 }
@@ -75,44 +85,56 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
   status.add("latency 99 % [us]", 1e6 * now.latency.percentile(0.99));
   status.add("latency maximum [us]", 1e6 * now.latency.maximum());
   status.add("last stamp [s]", fmt::format("{:.9f}", now.last_time));
-  status.add("last displacement [m]", now.displacement);
+  if (now.coordinates) {
+    status.add("last coordinates [m, rad]",
+               fmt::format("{:g}", fmt::join(now.coordinates->data(), now.coordinates->data() + 6, ", ")));
+  } else {
+    status.add("last displacement [m]", now.displacement);
+  }
   if (now.shifts_with_temperature) {
     status.add("temperature [degC]", now.temperature ? fmt::format("{:g}", *now.temperature) : "none has come");
   }
 }
 
-void addGap(const node::LiveGap& gap, const node::MatchCounters& counters, const node::GapSettings& settings,
-            DiagnosticStatusWrapper& status) {
+// False where nobody measures.
+bool addMatches(const node::MatchCounters& counters, DiagnosticStatusWrapper& status) {
   if (counters.matched + counters.unmatched + counters.not_finite == 0) {
-    return;  // nobody measures
+    return false;
   }
   status.add("measured forces, matched", counters.matched);
   status.add("measured forces, without sample", counters.unmatched);
   status.add("measured forces, not finite", counters.not_finite);
+  return true;
+}
+
+// The rows begin with the direction, if there are several.
+void addGap(const std::string& direction, const node::LiveGap& gap, const node::GapSettings& settings,
+            DiagnosticStatusWrapper& status) {
+  const std::string of = direction.empty() ? "" : direction + ": ";
   if (!gap.known) {
-    status.add("gap", "unknown: " + gap.reason);
+    status.add(of + "gap", "unknown: " + gap.reason);
     return;
   }
-  status.add("gap", gap.gap);
-  status.add("gap, as recorded", gap.gap_as_recorded);
-  status.add("gap, noise floor", gap.noise_floor);
-  status.add("gap, beyond noise", gap.beyond_noise);
-  status.add("gap, trend [1/s]", gap.trend);
+  status.add(of + "gap", gap.gap);
+  status.add(of + "gap, as recorded", gap.gap_as_recorded);
+  status.add(of + "gap, noise floor", gap.noise_floor);
+  status.add(of + "gap, beyond noise", gap.beyond_noise);
+  status.add(of + "gap, trend [1/s]", gap.trend);
   for (std::size_t i = 0; i < gap.share.size(); ++i) {
-    status.add("gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
+    status.add(of + "gap, share of " + gap::toString(static_cast<gap::Quantity>(i)), gap.share[i]);
   }
   for (const measurement::RigFinding& finding : gap.rig_findings) {
-    status.add("rig, " + finding.finding, finding.text);
+    status.add(of + "rig, " + finding.finding, finding.text);
   }
   const node::GapLevel level = gap.level(settings);
   if (level == node::GapLevel::warn || level == node::GapLevel::error) {
     status.mergeSummaryf(level == node::GapLevel::warn ? DiagnosticStatus::WARN : DiagnosticStatus::ERROR,
-                         "gap of %.3g beyond noise", gap.beyond_noise);
+                         "%sgap of %.3g beyond noise", of.c_str(), gap.beyond_noise);
   }
 }
 
-Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
-  Gap message;
+rubber_suspension::Gap gapMessage(const node::LiveGap& gap, const node::GapSettings& settings) {
+  rubber_suspension::Gap message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(gap.stamp));
   message.level = static_cast<std::uint8_t>(gap.level(settings));
   message.window = gap.window;
@@ -180,16 +202,42 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& priva
   timer_ = handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { update(); });
 }
 
+void NodeDiagnostics::watchGaps(node::ComponentChannel& channel, std::vector<Gap>& gaps) {
+  const auto add = [&](const std::string& direction, std::size_t place, const io::ComponentDescription& description) {
+    const std::string topic = channel.name() + (direction.empty() ? "" : "/" + direction) + "/gap";
+    gaps.push_back({direction, place, node::GapTracker(gap_settings_, description.rig.value_or(io::RigTolerances{})),
+                    handle_.advertise<rubber_suspension::Gap>(topic, 10)});
+  };
+  const auto configured = channel.configured();
+  if (!configured->six) {
+    add("", 0, *configured);
+    return;
+  }
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    if (const auto& direction = configured->six->directions[i]) {
+      add(component::toString(static_cast<component::Direction>(i)), i, *direction);
+    }
+  }
+}
+
 void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer& server) {
-  const node::GapTracker tracker(gap_settings_, channel.configured()->rig.value_or(io::RigTolerances{}));
-  watched_.push_back({&channel, &server, tracker, tracker, handle_.advertise<Gap>(channel.name() + "/gap", 10),
-                      handle_.advertise<Gap>(channel.name() + "/shadow_gap", 10),
+  std::vector<Gap> gaps;
+  watchGaps(channel, gaps);
+  const node::GapTracker tracker = gaps.front().tracker;
+  watched_.push_back({&channel, &server, std::move(gaps), tracker,
+                      channel.hasSixDirections()
+                          ? ros::Publisher()
+                          : handle_.advertise<rubber_suspension::Gap>(channel.name() + "/shadow_gap", 10),
                       handle_.advertise<Running>(channel.name() + "/running", 10, true), channel.running()});
   const Watched& watched = watched_.back();
   watched.running_publisher.publish(runningMessage(channel.name(), watched.running));
   updater_.add(channel.name(), [this, &watched](DiagnosticStatusWrapper& status) {
     fillStatus(watched.before, watched.now, elapsed_, status);
-    addGap(watched.gap, watched.matches, gap_settings_, status);
+    if (addMatches(watched.matches, status)) {
+      for (const Gap& gap : watched.gaps) {
+        addGap(gap.direction, gap.gap, gap_settings_, status);
+      }
+    }
     status.add("running", node::toString(watched.running.stage));
     if (!watched.running.added.empty()) {
       status.add("running, elements added", fmt::format("{}", fmt::join(watched.running.added, ", ")));
@@ -197,8 +245,8 @@ void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer&
   });
 }
 
-void NodeDiagnostics::watch(const BundleServer& bundle) {
-  updater_.add("bundled topics", [&bundle, before = std::uint64_t{0}](DiagnosticStatusWrapper& status) mutable {
+void NodeDiagnostics::watch(const BundleServer& bundle, const std::string& name) {
+  updater_.add(name, [&bundle, before = std::uint64_t{0}](DiagnosticStatusWrapper& status) mutable {
     const std::uint64_t wrong = bundle.malformed() + bundle.undecodable() + bundle.lost() + bundle.undelivered();
     if (wrong > before) {
       status.summary(DiagnosticStatus::WARN, fmt::format("{} bundles dropped, lost or not delivered", wrong - before));
@@ -237,10 +285,13 @@ void NodeDiagnostics::updateGaps() {
     if (!news) {
       continue;
     }
-    watched.gap = watched.tracker.update(watched.channel->gap());
-    watched.publisher.publish(gapMessage(watched.gap, gap_settings_));
+    const auto windows = watched.channel->windows(gap_settings_.window);
+    for (Gap& gap : watched.gaps) {
+      gap.gap = gap.tracker.update(windows[gap.place]);
+      gap.publisher.publish(gapMessage(gap.gap, gap_settings_));
+    }
     if (!watched.running.other_sha256.empty()) {
-      const node::LiveGap beside = watched.shadow_tracker.update(watched.channel->gap(), &node::MatchedSample::beside);
+      const node::LiveGap beside = watched.shadow_tracker.update(windows[0], &node::MatchedSample::beside);
       watched.shadow_publisher.publish(gapMessage(beside, gap_settings_));
     }
   }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "node/component_channel.h"
 #include "node/live_gap.h"
@@ -28,19 +29,27 @@ class NodeDiagnostics {
 
   /// Report on a component, the bundled topics or a serving thread. All of these must outlive the object.
   void watch(node::ComponentChannel& channel, const SampleServer& server);
-  void watch(const BundleServer& bundle);
+  void watch(const BundleServer& bundle, const std::string& name);
   void watch(const ServingThread& thread);
 
   /// Report on what the live diagnosis says of a component.
   void watch(const LiveDiagnoser& live, const std::string& component);
 
  private:
+  // A live gap of a component, of a direction of it or the only one.
+  struct Gap {
+    std::string direction;
+    std::size_t place;
+    node::GapTracker tracker;
+    ros::Publisher publisher;
+    node::LiveGap gap{};
+  };
+
   struct Watched {
     node::ComponentChannel* channel;
     const SampleServer* server;
-    node::GapTracker tracker;
+    std::vector<Gap> gaps;  // one, or those of six directions
     node::GapTracker shadow_tracker;
-    ros::Publisher publisher;
     ros::Publisher shadow_publisher;
     ros::Publisher running_publisher;  // latched
     node::RunningModel running;
@@ -48,8 +57,9 @@ class NodeDiagnostics {
     node::ChannelReport now{};
     node::ChannelReport logged{};  // as of the last line of log
     node::MatchCounters matches{};
-    node::LiveGap gap{};
   };
+
+  void watchGaps(node::ComponentChannel& channel, std::vector<Gap>& gaps);
 
   void update();
   void updateGaps();

@@ -7,7 +7,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// A topic or service of the node. In its name COMPONENT stands for the name of each component, ~ for the node's.
+/// A topic or service of the node. In its name COMPONENT stands for the name of each component, DIRECTION
+/// for each that is not free, x to rz, ~ for the node's.
 struct InterfaceEntry {
   /// Who sends.
   enum class Kind { subscribed, published, service };
@@ -16,6 +17,7 @@ struct InterfaceEntry {
   std::string type;
   Kind kind;
   std::string documentation;
+  int directions = 0;  ///< of a component of one direction or of six alone; 0: of every one
 };
 
 const std::vector<InterfaceEntry>& nodeInterface();

@@ -99,8 +99,8 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
 void NodeServices::advertisePromotions() {
   using std_srvs::Trigger;
   for (node::ComponentChannel* channel : group_.channels()) {
-    const bool promotable =
-        settings_.diagnose || !settings_.promote_file.empty() || !channel->running().other_sha256.empty();
+    const bool promotable = !channel->hasSixDirections() && (settings_.diagnose || !settings_.promote_file.empty() ||
+                                                             !channel->running().other_sha256.empty());
     if (!promotable || !promotable_.insert(channel->name()).second) {
       continue;
     }
@@ -164,6 +164,10 @@ std::string NodeServices::reload() const {
   const std::vector<io::ComponentDescription> described = readComponents(private_handle_);
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
   for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
+    if (channelNamed(description->name, group_).hasSixDirections() != (description->six != nullptr)) {
+      throw std::invalid_argument(fmt::format("component {} has {} now, which would need a restart", description->name,
+                                              description->six ? "six directions" : "one direction"));
+    }
     models.push_back(node::ComponentChannel::makeModel(*description, settings_.max_gap));
   }
   group_.exchange(models);

@@ -152,8 +152,16 @@ void checkComponents(const std::vector<io::ComponentDescription>& components, co
                       "services; accepted: any name but {}",
                       source, component.name, fmt::join(reserved, ", ")));
     }
-    for (const std::string& warning : estimation::specificationWarnings(component.written())) {
-      ROS_WARN("%s: component '%s': %s", source.c_str(), component.name.c_str(), warning.c_str());
+    const auto warn = [&](const io::ComponentDescription& of) {
+      for (const std::string& warning : estimation::specificationWarnings(of.written())) {
+        ROS_WARN("%s: component '%s': %s", source.c_str(), of.name.c_str(), warning.c_str());
+      }
+    };
+    warn(component);
+    for (std::size_t i = 0; component.six && i < component::kDirections; ++i) {
+      if (const auto& direction = component.six->directions[i]) {
+        warn(*direction);
+      }
     }
   }
 }

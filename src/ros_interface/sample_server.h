@@ -1,6 +1,8 @@
-// The topics of one component: a force for every displacement that its channel accepts.
+// The topics of one component: a force for every displacement that its channel accepts, or a wrench for every pose.
 #pragma once
 
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Wrench.h>
 #include <ros/node_handle.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/Force.h>
@@ -8,9 +10,11 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "node/component_channel.h"
+#include "node/message_bounds.h"
 #include "node/sequence_watch.h"
 #include "ros_interface/message_pool.h"
 #include "roscpp_fixes/answer_publisher.h"
@@ -26,6 +30,11 @@ std::int64_t timeSinceArrival(const ros::Time& receipt, std::chrono::steady_cloc
 
 /// Write the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
+
+/// A pose or a wrench of a message.
+Eigen::Vector3d positionOf(const geometry_msgs::Pose& pose);
+Eigen::Quaterniond rotationOf(const geometry_msgs::Pose& pose);
+geometry_msgs::Wrench messageOf(const component::Wrench& wrench);
 
 /// Answers in the thread that serves the handle's callback queue; never blocks and, once its messages are in use,
 /// allocates nothing of its own.
@@ -44,10 +53,15 @@ class SampleServer {
   std::uint64_t undelivered() const { return publisher_.undelivered(); }
 
  private:
-  void serve(const ros::MessageEvent<const Displacement>& event);
+  template <class Sample, class Answer>
+  void serve(ros::NodeHandle& handle, const std::string& in, const std::string& out, node::MessageCheck* check);
+  template <class Sample, class Answer>
+  void answer(const ros::MessageEvent<const Sample>& event, MessagePool<Answer>& pool);
+  template <class Message, class Take>
+  void subscribe(ros::NodeHandle& handle, const std::string& topic, node::MessageCheck* check, Take take);
 
   node::ComponentChannel& channel_;
-  MessagePool<Force> pool_;
+  int queue_size_;
   node::SequenceWatch<boost::shared_ptr<ros::M_string>> watch_;
   std::atomic<std::uint64_t> undecodable_{0};
   roscpp_fixes::AnswerPublisher publisher_;

@@ -53,7 +53,7 @@ std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const 
         dlerror(), kLibrary));
   }
   return std::unique_ptr<LiveDiagnoser>(
-      reinterpret_cast<MakeLiveDiagnoser*>(maker)(handle, group.channels(), settings));
+      reinterpret_cast<MakeLiveDiagnoser*>(maker)(handle, group.channels(false), settings));
 }
 
 // Why something was refused, or else that it is so.
@@ -139,7 +139,9 @@ SimulateNode::~SimulateNode() {
   for (auto& server : servers_) {
     server->shutdown();
   }
-  bundle_->shutdown();
+  for (auto& bundle : bundles_) {
+    bundle->shutdown();
+  }
   for (auto& thread : threads_) {
     thread->stop();
   }
@@ -178,7 +180,10 @@ void SimulateNode::startServing() {
   }
   ros::NodeHandle first_group(handle_);
   first_group.setCallbackQueue(&threads_.front()->queue());
-  bundle_ = std::make_unique<BundleServer>(first_group, *group_, settings_.queue_size);
+  bundles_.push_back(std::make_unique<BundleServer>(first_group, *group_, settings_.queue_size, false));
+  if (!group_->channels(true).empty()) {
+    bundles_.push_back(std::make_unique<BundleServer>(first_group, *group_, settings_.queue_size, true));
+  }
   std::string refusal;
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     refusal = threads_[i]->start(fmt::format("serving {}", i + 1), settings_.realtime_priority);
@@ -191,11 +196,13 @@ void SimulateNode::advertiseServices() {
   diagnostics_ = std::make_unique<NodeDiagnostics>(handle_, private_handle_, settings_.gap);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     diagnostics_->watch(*channels_[i], *servers_[i]);
-    if (live_) {
+    if (live_ && !channels_[i]->hasSixDirections()) {
       diagnostics_->watch(*live_, channels_[i]->name());
     }
   }
-  diagnostics_->watch(*bundle_);
+  for (std::size_t i = 0; i < bundles_.size(); ++i) {
+    diagnostics_->watch(*bundles_[i], i == 0 ? "bundled topics" : "bundled poses");
+  }
   for (const auto& thread : threads_) {
     diagnostics_->watch(*thread);
   }

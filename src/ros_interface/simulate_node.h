@@ -47,8 +47,8 @@ class SimulateNode {
   std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
-  std::unique_ptr<BundleServer> bundle_;
-  std::unique_ptr<LiveDiagnoser> live_;  // where ~diagnose is true
+  std::vector<std::unique_ptr<BundleServer>> bundles_;  // of displacements and, where a component has them, of poses
+  std::unique_ptr<LiveDiagnoser> live_;                 // where ~diagnose is true
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;

@@ -1,6 +1,8 @@
 // The rubber components of the vehicle from a component file.
 #include "vehicle/components.h"
 
+#include <fmt/format.h>
+
 #include "rubber_suspension/io/component_file.h"
 #include "vehicle/parameters.h"
 
@@ -14,6 +16,20 @@ std::vector<component::Component> loadStruts(const std::string& path,
     std::vector<element::ElementDescription> elements = io::selectComponent(file, name, path).allElements();
     elements.insert(elements.end(), further.begin(), further.end());
     components.emplace_back(elements);
+  }
+  return components;
+}
+
+PerBush<component::SixDirections> loadBushes(BushedKind kind, const std::string& path) {
+  const auto file = io::loadComponentFile(path);
+  PerBush<component::SixDirections> components;
+  for (const std::string& name : bushNames(kind)) {
+    const io::ComponentDescription& description = io::selectComponent(file, name, path);
+    if (!description.six) {
+      throw io::ComponentFileError(
+          fmt::format("{}: component {} has one direction; accepted: six, with the key `directions`", path, name));
+    }
+    components.push_back(description.six->makeComponent());
   }
   return components;
 }

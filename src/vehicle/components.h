@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/component/six_directions.h"
+#include "vehicle/parameters.h"
 
 namespace rubber_suspension::vehicle {
 
@@ -12,5 +13,9 @@ namespace rubber_suspension::vehicle {
 /// Throws as loadComponentFile and selectComponent do.
 std::vector<component::Component> loadStruts(const std::string& path,
                                              const std::vector<element::ElementDescription>& further = {});
+
+/// The components of six directions of a vehicle, in their order. Throws ComponentFileError, also for one of one
+/// direction.
+PerBush<component::SixDirections> loadBushes(BushedKind kind, const std::string& path);
 
 }  // namespace rubber_suspension::vehicle

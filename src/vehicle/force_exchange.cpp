@@ -1,4 +1,4 @@
-// Forces of the components of a vehicle that steps at fixed times.
+// Loads of the components of a vehicle that steps at fixed times.
 #include "vehicle/force_exchange.h"
 
 #include <fmt/format.h>
@@ -6,34 +6,49 @@
 #include <stdexcept>
 
 namespace rubber_suspension::vehicle {
+namespace {
 
-LibraryExchange::LibraryExchange(const std::vector<component::Component>& components) {
-  for (const component::Component& component : components) {
-    streams_.emplace_back(component);
-  }
+component::StreamForce pushInto(component::SampleStream& stream, std::int64_t stamp, double displacement) {
+  return stream.push(stamp, displacement);
 }
 
-void LibraryExchange::send(std::int64_t stamp, const PerStrut& displacement) {
+component::StreamWrench pushInto(component::PoseStream& stream, std::int64_t stamp, const Eigen::Isometry3d& pose) {
+  return stream.push(stamp, pose.translation(), Eigen::Quaterniond(pose.linear()));
+}
+
+void take(const component::StreamForce& answer, std::size_t i, PerStrut& loads) { loads[i] = answer.force.total; }
+
+void take(const component::StreamWrench& answer, std::size_t /*i*/, PerBush<component::Wrench>& loads) {
+  loads.push_back(answer.force.wrench);
+}
+
+}  // namespace
+
+template <class Stream, class Motions, class Loads>
+void StreamExchange<Stream, Motions, Loads>::send(std::int64_t stamp, const Motions& motions) {
   Answer answer{stamp, {}};
-  for (std::size_t i = 0; i < kStruts; ++i) {
-    const component::StreamForce result = streams_[i].push(stamp, displacement[i]);
+  for (std::size_t i = 0; i < streams_.size(); ++i) {
+    const auto result = pushInto(streams_[i], stamp, motions[i]);
     if (!component::isAccepted(result.acceptance)) {
-      throw std::runtime_error(
-          fmt::format("{}: displacement {:g} m at {} ns was not accepted", strutNames()[i], displacement[i], stamp));
+      throw std::runtime_error(fmt::format("the motion of component {} at {} ns was not accepted", i + 1, stamp));
     }
-    answer.force[i] = result.force.total;
+    take(result, i, answer.loads);
   }
   answers_.push_back(answer);
 }
 
-PerStrut LibraryExchange::receive(std::int64_t stamp) {
+template <class Stream, class Motions, class Loads>
+Loads StreamExchange<Stream, Motions, Loads>::receive(std::int64_t stamp) {
   while (!answers_.empty() && answers_.front().stamp < stamp) {
     answers_.pop_front();
   }
   if (answers_.empty() || answers_.front().stamp != stamp) {
     throw std::runtime_error(fmt::format("no displacement was sent at {} ns", stamp));
   }
-  return answers_.front().force;
+  return answers_.front().loads;
 }
+
+template class StreamExchange<component::SampleStream, PerStrut, PerStrut>;
+template class StreamExchange<component::PoseStream, PerBush<Eigen::Isometry3d>, PerBush<component::Wrench>>;
 
 }  // namespace rubber_suspension::vehicle

@@ -2,6 +2,7 @@
 #include "vehicle/history.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cmath>
@@ -12,12 +13,32 @@
 #include "log/new_file.h"
 
 namespace rubber_suspension::vehicle {
+namespace {
+
+void checkSizes(std::size_t size, std::size_t reference) {
+  if (size != reference || size == 0) {
+    throw std::invalid_argument(
+        fmt::format("runs of {} and {} samples; accepted: as many, at least one", size, reference));
+  }
+}
+
+// A CSV file that `write` fills.
+template <class Write>
+void writeCsv(const std::string& path, Write write) {
+  log::NewFile new_file(path);
+  std::ofstream file(new_file.writingPath());
+  write(file);
+  file.close();
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+  }
+  new_file.commit();
+}
+
+}  // namespace
 
 PerStrut displacementDifference(const History& history, const History& reference) {
-  if (history.size() != reference.size() || history.size() == 0) {
-    throw std::invalid_argument(
-        fmt::format("runs of {} and {} samples; accepted: as many, at least one", history.size(), reference.size()));
-  }
+  checkSizes(history.size(), reference.size());
   PerStrut result{};
   for (std::size_t i = 0; i < kStruts; ++i) {
     double difference = 0.0;
@@ -31,27 +52,64 @@ PerStrut displacementDifference(const History& history, const History& reference
   return result;
 }
 
-void writeHistoryCsv(const std::string& path, const History& history) {
-  log::NewFile new_file(path);
-  std::ofstream file(new_file.writingPath());
-  file << "time_s,frame_m,pitch_rad,body_m";
-  for (const std::string& name : strutNames()) {
-    file << ',' << name << "_displacement_m," << name << "_force_N";
+PerBush<double> displacementDifference(const PerBush<component::SixDirections>& components,
+                                       const BushedHistory& history, const BushedHistory& reference) {
+  checkSizes(history.size(), reference.size());
+  PerBush<double> result;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    double difference = 0.0;
+    double size = 0.0;
+    for (std::size_t n = 0; n < history.size(); ++n) {
+      const Eigen::Vector3d expected = components[i].coordinates(reference.pose[n][i]).head<3>();
+      difference += (components[i].coordinates(history.pose[n][i]).head<3>() - expected).squaredNorm();
+      size += expected.squaredNorm();
+    }
+    result.push_back(std::sqrt(difference / size));
   }
-  file << '\n';
-  for (std::size_t n = 0; n < history.size(); ++n) {
-    const auto& q = history.position[n];
-    file << fmt::format("{:.9f},{:.17g},{:.17g},{:.17g}", history.time[n], q[0], q[1], q[2]);
-    for (std::size_t i = 0; i < kStruts; ++i) {
-      file << fmt::format(",{:.17g},{:.17g}", history.compression[n][i], history.force[n][i]);
+  return result;
+}
+
+void writeHistoryCsv(const std::string& path, const History& history) {
+  writeCsv(path, [&](std::ofstream& file) {
+    file << "time_s,frame_m,pitch_rad,body_m";
+    for (const std::string& name : strutNames()) {
+      file << ',' << name << "_displacement_m," << name << "_force_N";
     }
     file << '\n';
-  }
-  file.close();
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-  }
-  new_file.commit();
+    for (std::size_t n = 0; n < history.size(); ++n) {
+      const auto& q = history.position[n];
+      file << fmt::format("{:.9f},{:.17g},{:.17g},{:.17g}", history.time[n], q[0], q[1], q[2]);
+      for (std::size_t i = 0; i < kStruts; ++i) {
+        file << fmt::format(",{:.17g},{:.17g}", history.compression[n][i], history.force[n][i]);
+      }
+      file << '\n';
+    }
+  });
+}
+
+void writeHistoryCsv(const std::string& path, const PerBush<std::string>& names,
+                     const PerBush<component::SixDirections>& components, const BushedHistory& history) {
+  writeCsv(path, [&](std::ofstream& file) {
+    file << "time_s";
+    for (const std::string& name : names) {
+      for (const char* column :
+           {"x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad", "Fx_N", "Fy_N", "Fz_N", "Mx_Nm", "My_Nm", "Mz_Nm"}) {
+        file << ',' << name << '_' << column;
+      }
+    }
+    file << '\n';
+    for (std::size_t n = 0; n < history.size(); ++n) {
+      file << fmt::format("{:.9f}", history.time[n]);
+      for (std::size_t i = 0; i < components.size(); ++i) {
+        const component::SixNumbers q = components[i].coordinates(history.pose[n][i]);
+        const component::Wrench& wrench = history.wrench[n][i];
+        file << fmt::format(",{:.17g}", fmt::join(q.data(), q.data() + q.size(), ","))
+             << fmt::format(",{:.17g}", fmt::join(wrench.force.data(), wrench.force.data() + 3, ","))
+             << fmt::format(",{:.17g}", fmt::join(wrench.moment.data(), wrench.moment.data() + 3, ","));
+      }
+      file << '\n';
+    }
+  });
 }
 
 io::Figure historyFigure(const History& history, const History& reference, const std::string& title) {

@@ -8,4 +8,10 @@ const std::array<std::string, kStruts>& strutNames() {
   return names;
 }
 
+const std::vector<std::string>& bushNames(BushedKind kind) {
+  static const std::vector<std::string> body = {"front_left", "front_right", "rear_left", "rear_right"};
+  static const std::vector<std::string> half_bogie(strutNames().begin(), strutNames().end());
+  return kind == BushedKind::body ? body : half_bogie;
+}
+
 }  // namespace rubber_suspension::vehicle

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace rubber_suspension::vehicle {
 
@@ -11,6 +12,25 @@ namespace rubber_suspension::vehicle {
 constexpr std::size_t kStruts = 3;
 using PerStrut = std::array<double, kStruts>;
 const std::array<std::string, kStruts>& strutNames();  ///< front_primary, rear_primary, secondary
+
+/// Which vehicle stands on components of six directions.
+enum class BushedKind {
+  body,        ///< a rigid body, such as a cab, on four bushes; all six freedoms
+  half_bogie,  ///< that of the struts, each of which is a component of six directions
+};
+
+/// The components in the order of all lists below: those of the body are front_left, front_right, rear_left,
+/// rear_right; those of the half bogie are the struts.
+const std::vector<std::string>& bushNames(BushedKind kind);
+template <class Value>
+using PerBush = std::vector<Value>;
+
+/// A body on four bushes; round numbers of a truck's cab.
+struct HungBody {
+  double mass = 900.0;                                    ///< [kg]
+  std::array<double, 3> inertia = {220.0, 700.0, 800.0};  ///< about x forward, y, z upward [kg m^2]
+  double wheelbase = 2.2;                                 ///< the track comes later to the rear bushes [m]
+};
 
 /// Masses and lengths; half of a bogie and a quarter of a body of the Manchester benchmark coach [S. Iwnicki (ed.), The
 /// Manchester Benchmarks for Rail Vehicle Simulation, Vehicle System Dynamics 31 Suppl. (1998)].
@@ -21,6 +41,7 @@ struct VehicleParameters {
   double semi_wheelbase = 1.28;       ///< [m]
   double secondary_damping = 20e3;    ///< hydraulic damper beside the secondary spring [N s/m]
   double speed = 160.0 / 3.6;         ///< [m/s]
+  HungBody hung;
 };
 
 /// Height of the frame [m], its pitch [rad] (positive lifts the front), height of the body [m].

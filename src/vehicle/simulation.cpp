@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "rubber_suspension/component/trial_stepper.h"
+#include "vehicle/bushed_vehicle.h"
 #include "vehicle/half_bogie.h"
 
 namespace rubber_suspension::vehicle {
@@ -54,6 +55,52 @@ class TrialLaw final : public StrutLaw {
   std::vector<component::TrialStepper> steppers_;
 };
 
+// The same of six directions: wrenches of trial steps from the states at the accepted one.
+class BushTrials final : public WrenchLaw {
+ public:
+  explicit BushTrials(const PerBush<component::SixDirections>& components) : components_(components) {
+    for (const component::SixDirections& component : components) {
+      accepted_.push_back(component.makeState());
+    }
+    trial_ = accepted_;
+    wrenches_.resize(components.size());
+  }
+
+  component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) override {
+    if (time <= time_) {
+      return wrenches_[bush];
+    }
+    trial_[bush].copyFrom(accepted_[bush]);
+    return components_[bush].step(trial_[bush], time - time_, pose).wrench;
+  }
+
+  void initialise(double time, const PerBush<Eigen::Isometry3d>& poses) {
+    time_ = time;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      wrenches_[i] = components_[i].initialise(accepted_[i], poses[i]).wrench;
+    }
+  }
+
+  const PerBush<component::Wrench>& accept(double time, const PerBush<Eigen::Isometry3d>& poses) {
+    for (std::size_t i = 0; i < components_.size() && time > time_; ++i) {
+      if (!components_[i].holds(components_[i].coordinates(poses[i]))) {
+        throw std::runtime_error(
+            fmt::format("component {} at {:.6g} s: a rotation beyond the end of its measure", i + 1, time));
+      }
+      wrenches_[i] = components_[i].step(accepted_[i], time - time_, poses[i]).wrench;
+    }
+    time_ = time;
+    return wrenches_;
+  }
+
+ private:
+  const PerBush<component::SixDirections>& components_;
+  PerBush<component::SixDirectionsState> accepted_;
+  PerBush<component::SixDirectionsState> trial_;
+  PerBush<component::Wrench> wrenches_;
+  double time_ = 0.0;
+};
+
 // Forces that somebody else has set.
 class HeldLaw final : public StrutLaw {
  public:
@@ -62,12 +109,33 @@ class HeldLaw final : public StrutLaw {
   PerStrut held{};
 };
 
+class HeldWrenches final : public WrenchLaw {
+ public:
+  component::Wrench wrench(std::size_t bush, double /*time*/, const Eigen::Isometry3d& /*pose*/) override {
+    return held[bush];
+  }
+
+  PerBush<component::Wrench> held;
+};
+
+PerStrut motionsOf(const HalfBogie& bogie, const State& state) { return bogie.compressions(state); }
+PerBush<Eigen::Isometry3d> motionsOf(const BushedVehicle& vehicle, const State& state) {
+  return vehicle.motions(state);
+}
+
 // Add a state and the forces that act there.
 void add(History& history, const HalfBogie& bogie, const State& state, const PerStrut& force) {
   history.time.push_back(state.getTime());
   history.position.push_back({state.getQ()[0], state.getQ()[1], state.getQ()[2]});
   history.compression.push_back(bogie.compressions(state));
   history.force.push_back(force);
+}
+
+void add(BushedHistory& history, const BushedVehicle& vehicle, const State& state,
+         const PerBush<component::Wrench>& wrenches) {
+  history.time.push_back(state.getTime());
+  history.pose.push_back(vehicle.motions(state));
+  history.wrench.push_back(wrenches);
 }
 
 State startOf(const Scene& scene, const HalfBogie& bogie) {
@@ -183,9 +251,48 @@ void stepTo(
   }
 }
 
-bool exceeds(const State& state, double bound) {
-  return !(std::abs(state.getU()[0]) <= bound && std::abs(state.getU()[1]) <= bound &&
-           std::abs(state.getU()[2]) <= bound);
+bool exceeds(const State& state, double bound) { return !(state.getU().normInf() <= bound); }
+
+// The loop with held loads, of one direction or of six.
+template <class History, class Vehicle, class Law, class Partner>
+History runLoop(const Scene& scene, const Vehicle& vehicle, Law& law, Partner& exchange, const State& start, int delay,
+                double stop_at) {
+  SimTK::RungeKuttaMersonIntegrator integrator(vehicle.system());
+  prepare(integrator, {1e-8, scene.time(1)});
+  integrator.initialize(start);
+  History history;
+  add(history, vehicle, start, law.held);
+  for (std::int64_t n = 1; n <= scene.steps() && !exceeds(integrator.getState(), stop_at); ++n) {
+    stepTo(integrator, scene.time(n));
+    exchange.send(n * scene.step, motionsOf(vehicle, integrator.getState()));
+    if (n >= delay) {
+      law.held = exchange.receive((n - delay) * scene.step);
+      integrator.reinitialize(Stage::Dynamics, false);  // what it has computed with the forces before is of no use
+    }
+    add(history, vehicle, integrator.getState(), law.held);
+  }
+  return history;
+}
+
+// Variable steps with trials, of one direction or of six.
+template <class History, class Vehicle, class Law>
+History runTrials(const Scene& scene, const Vehicle& vehicle, Law& law, const State& start, const VariableStep& options,
+                  StepCount* count) {
+  law.initialise(0.0, motionsOf(vehicle, start));
+  SimTK::RungeKuttaMersonIntegrator integrator(vehicle.system());
+  prepare(integrator, options);
+  integrator.initialize(start);
+  const auto accept = [&] { return law.accept(integrator.getTime(), motionsOf(vehicle, integrator.getState())); };
+  History history;
+  for (std::int64_t n = 0; n <= scene.steps(); ++n) {
+    auto loads = accept();
+    stepTo(integrator, scene.time(n), [&] { loads = accept(); });
+    add(history, vehicle, integrator.getState(), loads);
+  }
+  if (count != nullptr) {
+    *count = {integrator.getNumStepsTaken(), integrator.getNumStepsAttempted() - integrator.getNumStepsTaken()};
+  }
+  return history;
 }
 
 }  // namespace
@@ -196,23 +303,16 @@ History runVariableStep(const Scene& scene, const std::vector<component::Compone
                         const VariableStep& options, StepCount* count) {
   TrialLaw law(components);
   const HalfBogie bogie(scene.parameters, scene.track, law);
-  State start = startOf(scene, bogie);
-  law.initialise(0.0, bogie.compressions(start));
-  SimTK::RungeKuttaMersonIntegrator integrator(bogie.system());
-  prepare(integrator, options);
-  integrator.initialize(start);
-  History history;
-  for (std::int64_t n = 0; n <= scene.steps(); ++n) {
-    const double time = scene.time(n);
-    PerStrut force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState()));
-    stepTo(integrator, time,
-           [&] { force = law.accept(integrator.getTime(), bogie.compressions(integrator.getState())); });
-    add(history, bogie, integrator.getState(), force);
-  }
-  if (count != nullptr) {
-    *count = {integrator.getNumStepsTaken(), integrator.getNumStepsAttempted() - integrator.getNumStepsTaken()};
-  }
-  return history;
+  return runTrials<History>(scene, bogie, law, startOf(scene, bogie), options, count);
+}
+
+BushedHistory runVariableStep(const Scene& scene, BushedKind kind, const PerBush<component::SixDirections>& components,
+                              const VariableStep& options) {
+  BushTrials law(components);
+  const BushedVehicle vehicle(kind, scene.parameters, scene.track, law);
+  State start = vehicle.restState();
+  vehicle.system().realize(start, Stage::Position);
+  return runTrials<BushedHistory>(scene, vehicle, law, start, options, nullptr);
 }
 
 History runImplicit(const Scene& scene, const std::vector<component::Component>& components, int* iterations) {
@@ -240,21 +340,17 @@ History runExchange(const Scene& scene, ForceExchange& exchange, int delay, doub
   const State start = startOf(scene, bogie);
   exchange.send(0, bogie.compressions(start));
   law.held = exchange.receive(0);
-  SimTK::RungeKuttaMersonIntegrator integrator(bogie.system());
-  prepare(integrator, {1e-8, scene.time(1)});
-  integrator.initialize(start);
-  History history;
-  add(history, bogie, start, law.held);
-  for (std::int64_t n = 1; n <= scene.steps() && !exceeds(integrator.getState(), stop_at); ++n) {
-    stepTo(integrator, scene.time(n));
-    exchange.send(n * scene.step, bogie.compressions(integrator.getState()));
-    if (n >= delay) {
-      law.held = exchange.receive((n - delay) * scene.step);
-      integrator.reinitialize(Stage::Dynamics, false);  // what it has computed with the forces before is of no use
-    }
-    add(history, bogie, integrator.getState(), law.held);
-  }
-  return history;
+  return runLoop<History>(scene, bogie, law, exchange, start, delay, stop_at);
+}
+
+BushedHistory runExchange(const Scene& scene, BushedKind kind, WrenchExchange& exchange, int delay) {
+  constexpr double kNoBound = 1e9;
+  HeldWrenches law;
+  const BushedVehicle vehicle(kind, scene.parameters, scene.track, law);
+  State start = vehicle.restState();
+  exchange.send(0, vehicle.motions(start));
+  law.held = exchange.receive(0);
+  return runLoop<BushedHistory>(scene, vehicle, law, exchange, start, delay, kNoBound);
 }
 
 }  // namespace rubber_suspension::vehicle

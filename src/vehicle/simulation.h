@@ -50,6 +50,12 @@ History runImplicit(const Scene& scene, const std::vector<component::Component>&
 /// `stop_at` ends the run early where a speed exceeds it [m/s, rad/s].
 History runExchange(const Scene& scene, ForceExchange& exchange, int delay, double stop_at = 1e9);
 
+/// The same with components of six directions, from rest. Throw std::runtime_error as above, and where a rotation goes
+/// beyond the end of a component's measure.
+BushedHistory runVariableStep(const Scene& scene, BushedKind kind, const PerBush<component::SixDirections>& components,
+                              const VariableStep& options);
+BushedHistory runExchange(const Scene& scene, BushedKind kind, WrenchExchange& exchange, int delay);
+
 /// The mean delay of forces in such a loop [s].
 inline double loopDelay(double step, int delay) { return (delay + 0.5) * step; }
 

@@ -48,13 +48,36 @@ std::vector<std::pair<double, double>> curveOf(const std::vector<std::string>& l
   return curve;
 }
 
-BushingFileOptions options() { return {'x', 5e-3, 11, 4.0, 1e-3}; }
+BushingFileOptions options(BushingFormat format = BushingFormat::adams) {
+  return {format, 11, 4.0, {5e-3, 1e-3}, {0.1, 0.02}};
+}
+
+Bushing alongX(const component::Component& component) { return bushingAlong(component::kX, component); }
+
+// `KEY = value` of a block.
+std::string valueOf(const std::vector<std::string>& lines, const std::string& key) {
+  for (const std::string& line : lines) {
+    std::istringstream stream(line);
+    std::string name;
+    std::string equals;
+    std::string value;
+    stream >> name >> equals >> value;
+    if (name == key && equals == "=") {
+      return value;
+    }
+  }
+  return "";
+}
+
+double numberOf(const std::vector<std::string>& lines, const std::string& key) {
+  return std::strtod(valueOf(lines, key).c_str(), nullptr);
+}
 
 TEST(BushingFile, HasStaticCurveAndDampingInItsUnits) {
   const component::Component component({{"spring", {{"stiffness", {3e6}}}},
                                         {"progressive_stiffness", {{"cubic", {2e10}}}},
                                         {"dashpot", {{"damping", {8e3}}}}});
-  const auto blocks = blocksOf(makeBushingFile("bush", component, options()).text);
+  const auto blocks = blocksOf(makeBushingFile("bush", alongX(component), options()).text);
   for (const char* block :
        {"MDI_HEADER", "UNITS", "DAMPING", "FX_CURVE", "FY_CURVE", "FZ_CURVE", "TX_CURVE", "TY_CURVE", "TZ_CURVE"}) {
     EXPECT_EQ(blocks.count(block), 1U) << block;
@@ -71,37 +94,105 @@ TEST(BushingFile, HasStaticCurveAndDampingInItsUnits) {
   for (const auto& [x, force] : curveOf(blocks.at("FZ_CURVE"))) {
     EXPECT_EQ(force, 0.0);
   }
-  // 8000 N s/m are 8 N s/mm. The loop of a cubic spring loses nothing.
-  std::istringstream damping(blocks.at("DAMPING").front());
-  std::string key;
-  std::string equals;
-  double value = 0.0;
-  damping >> key >> equals >> value;
-  EXPECT_EQ(key, "FX_DAMPING");
-  EXPECT_NEAR(value, 8.0, 1e-6);  // the area of the loop, in closed form
+  // 8000 N s/m are 8 N s/mm. The loop of a cubic spring loses nothing: the area of the loop, in closed form.
+  EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "FX_DAMPING"), 8.0, 1e-6);
+  EXPECT_EQ(numberOf(blocks.at("DAMPING"), "FY_DAMPING"), 0.0);
 }
 
 TEST(BushingFile, TellsWhatTheFormatCannotSay) {
   const component::Component component(
       {{"spring", {{"stiffness", {3e6}}}}, {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}});
-  const BushingFile file = makeBushingFile("bush", component, options());
+  const BushingFile file = makeBushingFile("bush", alongX(component), options());
   EXPECT_THAT(file.notes, Contains(HasSubstr("maxwell: of it the file has the force at rest")));
-  EXPECT_THAT(file.notes, Contains(HasSubstr("the other five directions")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("y, z, rx, ry, rz: free")));
   // K* = 3 + i x/(1 + i x) kN/mm with x = f/f_b = 2: 3.8 + 0.4 i; of the file the real part is static.
-  EXPECT_THAT(file.notes.front(), HasSubstr("at 4 Hz and 1 mm the component has 3.821 kN/mm and 6.01 degrees"));
+  EXPECT_THAT(file.notes.front(), HasSubstr("x: at 4 Hz and 1 mm the component has 3.821 kN/mm and 6.01 degrees"));
   EXPECT_THAT(file.notes.front(), HasSubstr("the file 3.027 kN/mm and 7.59 degrees"));
 }
 
 TEST(BushingFile, RefusesOptionsThatMakeNoFile) {
   const component::Component component({{"spring", {{"stiffness", {3e6}}}}});
-  const auto refuses = [&](const BushingFileOptions& wrong) {
-    EXPECT_THROW(makeBushingFile("bush", component, wrong), std::invalid_argument);
+  const auto refuses = [&](int points, double frequency, const BushingCurve& translation) {
+    const BushingFileOptions wrong{BushingFormat::adams, points, frequency, translation, {}};
+    EXPECT_THROW(makeBushingFile("bush", alongX(component), wrong), std::invalid_argument);
   };
-  refuses({'w', 5e-3, 11, 4.0, 1e-3});
-  refuses({'x', 0.0, 11, 4.0, 1e-3});
-  refuses({'x', 5e-3, 10, 4.0, 1e-3});
-  refuses({'x', 5e-3, 11, 0.0, 1e-3});
-  refuses({'x', 5e-3, 11, 4.0, -1.0});
+  refuses(11, 4.0, {0.0, 1e-3});
+  refuses(10, 4.0, {5e-3, 1e-3});
+  refuses(11, 0.0, {5e-3, 1e-3});
+  refuses(11, 4.0, {5e-3, -1.0});
+}
+
+// x and y share a law with a curve, z is linear, rx has a spring and a dashpot; ry and rz are free.
+component::SixDirections sixDirections() {
+  component::SixDirectionsLaws laws;
+  laws.elements[component::kX] = {{"spring", {{"stiffness", {3e6}}}}, {"progressive_stiffness", {{"cubic", {2e10}}}}};
+  laws.elements[component::kZ] = {{"spring", {{"stiffness", {1e6}}}}};
+  laws.elements[component::kRx] = {{"spring", {{"stiffness", {900.0}}}}, {"dashpot", {{"damping", {5.0}}}}};
+  laws.translation = component::Coupling::cylindrical;
+  laws.on_a.translation().x() = 0.1;
+  return component::SixDirections(laws);
+}
+
+constexpr double kDegree = element::kPi / 180.0;
+
+TEST(BushingFile, HasSixDirectionsForAdams) {
+  const BushingFile file = makeBushingFile("bush", bushingOf(sixDirections()), options());
+  const auto blocks = blocksOf(file.text);
+  EXPECT_EQ(blocks.at("FX_CURVE"), blocks.at("FY_CURVE"));
+  EXPECT_NEAR(curveOf(blocks.at("FX_CURVE")).back().second, 3e6 * 5e-3 + 2e10 * std::pow(5e-3, 3), 1e-4);
+  EXPECT_NEAR(curveOf(blocks.at("FZ_CURVE")).back().second, 5e3, 1e-5);
+  const auto moments = curveOf(blocks.at("TX_CURVE"));
+  EXPECT_NEAR(moments.back().first, 0.1 / kDegree, 1e-7);
+  EXPECT_NEAR(moments.back().second, 900.0 * 0.1 * 1e3, 1e-4);                           // N mm
+  EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "TX_DAMPING"), 5.0 * 1e3 * kDegree, 1e-5);  // N mm s/deg
+  EXPECT_EQ(curveOf(blocks.at("TY_CURVE")).back().second, 0.0);
+  EXPECT_THAT(file.notes, Contains(HasSubstr("coupling: the file has curves alone")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("ry, rz: free")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("frame: ")));
+}
+
+// The columns that the activity table switches on, by formulation.
+std::map<std::string, std::string> activity(const std::vector<std::string>& lines) {
+  std::map<std::string, std::string> rows;
+  for (const std::string& line : lines) {
+    std::istringstream stream(line);
+    std::string formulation;
+    stream >> formulation;
+    std::string columns;
+    for (std::string entry; stream >> entry;) {
+      columns += entry;
+    }
+    rows[formulation] = columns;
+  }
+  return rows;
+}
+
+TEST(BushingFile, HasSixDirectionsForAltair) {
+  const BushingFile file = makeBushingFile("bush", bushingOf(sixDirections()), options(BushingFormat::altair));
+  const auto blocks = blocksOf(file.text);
+  EXPECT_EQ(valueOf(blocks.at("HEADER"), "FILE_TYPE"), "'gbs'");
+  EXPECT_EQ(valueOf(blocks.at("UNITS"), "ANGLE"), "'degree'");
+  EXPECT_EQ(valueOf(blocks.at("GLOBAL"), "COUPLING"), "'cylindrical'");
+  const auto table = activity(blocks.at("DIRECTIONS"));
+  EXPECT_EQ(table.count("(ACTIVITY)"), 1U);
+  EXPECT_EQ(table.at("{"), "formulationFXFYFZTXTYTZ}");
+  EXPECT_EQ(table.at("'SPLINE_STIFFNESS'"), "110000");
+  EXPECT_EQ(table.at("'CONSTANT_STIFFNESS'"), "001100");
+  EXPECT_EQ(table.at("'CONSTANT_DAMPING'"), "111100");
+  for (const char* none : {"'CUBIC_STIFFNESS'", "'RUBBER_DAMPING'", "'HYDROMOUNT_DAMPING'"}) {
+    EXPECT_EQ(table.at(none), "000000");
+  }
+  const std::vector<std::string>& spline = blocks.at("SPLINE_STIFFNESS_FX");
+  EXPECT_EQ(spline[0], "(SPLINE_DATA)");
+  EXPECT_EQ(spline[1], "{ disp  force }");
+  const auto curve = curveOf({spline.begin() + 2, spline.end()});
+  ASSERT_EQ(curve.size(), 11U);
+  EXPECT_NEAR(curve.back().second, 3e6 * 5e-3 + 2e10 * std::pow(5e-3, 3), 1e-4);
+  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_FZ"), "K"), 1e3, 1e-6);                    // N/mm
+  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_TX"), "K"), 900.0 * 1e3 * kDegree, 1e-4);  // N mm/deg
+  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_DAMPING_TX"), "C"), 5.0 * 1e3 * kDegree, 1e-5);
+  EXPECT_EQ(blocks.count("CONSTANT_DAMPING_TY"), 0U);
+  EXPECT_THAT(file.notes, Contains(HasSubstr("coupling: the file has one word")));  // moments are not coupled
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint8_t kind = data[0] % 3;
   ++data;
   --size;
-  if (kind == 0 && node::isStampedNumber(data, size)) {
+  if (kind == 0 && node::isStamped<1>(data, size)) {
     decode<Displacement>(data, size);
-  } else if (kind == 1 && node::isStampedNumber(data, size)) {
+  } else if (kind == 1 && node::isStamped<1>(data, size)) {
     decode<MeasuredForce>(data, size);
   } else if (kind == 2 && node::isBundle(data, size, kComponents)) {
     decode<DisplacementArray>(data, size);

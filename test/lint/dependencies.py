@@ -22,7 +22,7 @@ KEYS = {
     "diagnostic_updater": ({"diagnostic_updater"}, {"libdiagnostic-updater-dev"}),
     "eigen": ({"Eigen3", "Eigen", "unsupported"}, {"libeigen3-dev"}),
     "fmt": ({"fmt"}, {"libfmt-dev"}),
-    "geometry_msgs": ({"geometry_msgs"}, {"libgeometry-msgs-dev"}),
+    "geometry_msgs": ({"geometry_msgs"}, {"libgeometry-msgs-dev", "ros-geometry-msgs", "python3-geometry-msgs"}),
     "google-mock": ({"gmock"}, {"libgmock-dev"}),
     "gtest": ({"GTest", "gtest"}, {"libgtest-dev"}),
     "hdf5": ({"HDF5_LIBRARY", "hdf5.h"}, {"libhdf5-dev"}),

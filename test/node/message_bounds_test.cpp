@@ -45,14 +45,14 @@ Bytes bundle(const std::vector<std::string>& names, std::size_t numbers) {
   return bytes;
 }
 
-bool isSample(const Bytes& bytes) { return node::isStampedNumber(bytes.data(), bytes.size()); }
+bool isSample(const Bytes& bytes) { return node::isStamped<1>(bytes.data(), bytes.size()); }
 bool isBundle(const Bytes& bytes, std::size_t most = 3) { return node::isBundle(bytes.data(), bytes.size(), most); }
 
 TEST(MessageBounds, ASampleIsOneToTheLastByte) {
   const Bytes whole = sample();
   EXPECT_TRUE(isSample(whole));
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_FALSE(node::isStampedNumber(whole.data(), size));
+    EXPECT_FALSE(node::isStamped<1>(whole.data(), size));
   }
   Bytes longer = whole;
   longer.push_back(0);

@@ -44,6 +44,19 @@ Names withoutThoseOfAllNodes(Names names) {
   return names;
 }
 
+// The directions of the bush that are not free.
+void insertAll(const std::string& name, Names& names) {
+  const std::string placeholder = "DIRECTION";
+  const std::size_t place = name.find(placeholder);
+  if (place == std::string::npos) {
+    names.insert(name);
+    return;
+  }
+  for (const char* direction : {"x", "y", "z", "rx"}) {
+    names.insert(std::string(name).replace(place, placeholder.size(), direction));
+  }
+}
+
 Names expected(Kind kind) {
   Names names;
   for (const ros_interface::InterfaceEntry& entry : ros_interface::nodeInterface()) {
@@ -52,8 +65,10 @@ Names expected(Kind kind) {
     }
     const std::string placeholder = "COMPONENT";
     if (entry.name.compare(0, placeholder.size(), placeholder) == 0) {
-      for (const std::string component : {"left_secondary", "right_secondary"}) {
-        names.insert("/bench/" + component + entry.name.substr(placeholder.size()));
+      for (const auto& [component, directions] : {std::pair("left_secondary", 1), std::pair("bush", 6)}) {
+        if (entry.directions == 0 || entry.directions == directions) {
+          insertAll(std::string("/bench/") + component + entry.name.substr(placeholder.size()), names);
+        }
       }
     } else if (entry.name[0] == '~') {
       names.insert(kNode + "/" + entry.name.substr(1));

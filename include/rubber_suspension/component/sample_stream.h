@@ -17,6 +17,8 @@ enum class Acceptance {
   repeated,      ///< dropped: same stamp as the sample before
   stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
   force_not_finite,  ///< dropped: the displacement is so large that its force is not finite
+  not_a_rotation,    ///< dropped: a quaternion whose length is not 1
+  beyond_measure,    ///< dropped: a rotation beyond the end of its measure
 };
 
 inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
@@ -30,8 +32,12 @@ struct StreamCounters {
   std::uint64_t repeated = 0;
   std::uint64_t stepped_back = 0;
   std::uint64_t force_not_finite = 0;
+  std::uint64_t not_a_rotation = 0;
+  std::uint64_t beyond_measure = 0;
 
-  std::uint64_t dropped() const { return not_finite + repeated + stepped_back + force_not_finite; }
+  std::uint64_t dropped() const {
+    return not_finite + repeated + stepped_back + force_not_finite + not_a_rotation + beyond_measure;
+  }
 };
 
 struct StreamForce {
@@ -39,13 +45,35 @@ struct StreamForce {
   element::ComponentForce force;  ///< of an accepted sample only
 };
 
-/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same
-/// log gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
-class SampleStream {
+/// Which samples are accepted by their stamps, and how many of each kind there were; common to all streams.
+class StampedStream {
  public:
   static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
   static constexpr std::uint64_t kRestartJump = kNanosecondsPerSecond;
 
+  const StreamCounters& counters() const { return counters_; }
+  bool started() const { return started_; }
+  std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
+
+ protected:
+  explicit StampedStream(double max_gap /* [s] */);
+
+  Acceptance judge(std::int64_t stamp, bool finite) const;
+  void count(Acceptance acceptance);
+
+  /// The time from one stamp [ns] to a later one [s].
+  static double secondsBetween(std::int64_t earlier, std::int64_t later);
+
+  std::uint64_t max_gap_;  // [ns]
+  StreamCounters counters_;
+  std::int64_t last_stamp_ = 0;
+  bool started_ = false;
+};
+
+/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds and nothing else, so that the same
+/// log gives the same force to the last bit whether it comes over a topic, from a bag or from a file.
+class SampleStream : public StampedStream {
+ public:
   /// The component must outlive the stream. max_gap in [s].
   explicit SampleStream(const Component& component, double max_gap = 0.5);
 
@@ -69,10 +97,7 @@ class SampleStream {
   /// Back to a new test piece at rest, of the same temperature; the next sample starts again. Counters stay.
   void reset();
 
-  const StreamCounters& counters() const { return counters_; }
   const ComponentState& state() const { return state_; }
-  bool started() const { return started_; }
-  std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
 
   /// Continue where another stream of the same component stopped. Throws as Component::restore() does.
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
@@ -85,25 +110,19 @@ class SampleStream {
   };
   static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
 
-  Acceptance judge(std::int64_t stamp, double displacement) const;
   void save();
   void rollBack();
   element::ComponentForce initialise(double displacement);
   element::ComponentForce advance(Acceptance acceptance, std::int64_t stamp, double displacement);
-  void count(Acceptance acceptance);
   std::size_t evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const;
   bool pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
   const Component& component_;
-  std::uint64_t max_gap_;  // [ns]
   ComponentState state_;
   // The way back to the state before a sample: an earlier state, and the steps from there.
   ComponentState saved_;
   std::array<Step, kMostSteps> steps_;
   std::size_t step_count_ = 0;
-  StreamCounters counters_;
-  std::int64_t last_stamp_ = 0;
-  bool started_ = false;
 };
 
 }  // namespace rubber_suspension::component

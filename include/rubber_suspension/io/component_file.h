@@ -1,9 +1,11 @@
 // The component file: YAML that the node and all commands load alike, and write.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,11 +13,14 @@
 #include <vector>
 
 #include "rubber_suspension/component/component.h"
+#include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/estimation/specification.h"
 #include "rubber_suspension/estimation/whole.h"
 #include "rubber_suspension/io/rig_tolerances.h"
 
 namespace rubber_suspension::io {
+
+struct SixDirectionsDescription;
 
 /// One component as a file describes it. What its model estimates is found once, when the specification is given; that
 /// can only be changed as a whole, so that the elements are always those of the specification.
@@ -40,6 +45,8 @@ class ComponentDescription {
   std::optional<element::Range> valid_displacement;  ///< where the component is valid [m], where given
   /// In which its file gives numbers, by the SI unit; of several the first.
   std::map<std::string, std::string> units;
+  /// Of a component of six directions, which has nothing of its own but a name; nullptr for any other.
+  std::shared_ptr<const SixDirectionsDescription> six;
 
   estimation::Model model() const { return model_; }
 
@@ -60,7 +67,8 @@ class ComponentDescription {
   /// the model `elements`, which has none.
   void specify(estimation::Specification specification);
 
-  /// The elements of the model, those added, and the shift with temperature.
+  /// The elements of the model, those added, and the shift with temperature. Throws std::invalid_argument for a
+  /// component of six directions.
   std::vector<element::ElementDescription> allElements() const;
 
   /// Displacements [m] beyond which its forces are no more than an extrapolation: `valid_displacement`, else three
@@ -68,6 +76,7 @@ class ComponentDescription {
   /// nothing.
   std::optional<element::Range> validDisplacement() const;
 
+  /// Throws as allElements() does.
   component::Component makeComponent() const { return component::Component(allElements()); }
 
  private:
@@ -75,6 +84,40 @@ class ComponentDescription {
   estimation::Specification written_;
   estimation::Resolved resolved_;
   std::vector<element::ElementDescription> elements_;
+};
+
+/// A static load of a direction: where the numbers of its specification hold, and what tables over a preload are read
+/// at.
+struct Preload {
+  bool is_force = true;  ///< else a displacement
+  double value = 0.0;    ///< [N, N m], or [m, rad]
+};
+
+/// A table by which the preload of one direction scales the forces of another. It is read once, at the preload that the
+/// file gives, as a factor that followed the motion would do work over closed loops.
+struct PreloadTable {
+  component::Direction direction = component::kX;  ///< that is scaled
+  component::Direction by = component::kZ;         ///< whose preload does it
+  std::vector<Preload> preload;                    ///< points, increasing
+  std::vector<double> factor;                      ///< at the points; linear between, constant beyond
+};
+
+/// A component of six directions as a file describes it.
+struct SixDirectionsDescription {
+  /// Each as a component of one direction, named after both, rotations in rad and N m; nothing where it is free.
+  std::array<std::optional<ComponentDescription>, component::kDirections> directions;
+  std::array<std::optional<Preload>, component::kDirections> preload;
+  std::vector<PreloadTable> tables;
+  component::SixDirectionsLaws arrangement;  ///< without elements: couplings, measure, frames
+  /// Where the bush sits on the bodies, as arrangement has it, in numbers: position [m], rotation in its measure [rad].
+  component::SixNumbers frame_on_a = component::SixNumbers::Zero();
+  component::SixNumbers frame_on_b = component::SixNumbers::Zero();
+
+  /// The factor on the forces of a direction by the tables. Throws std::invalid_argument where a preload is missing.
+  double factorOf(component::Direction direction) const;
+
+  /// Throws std::invalid_argument that begins with the direction, where its elements cannot be coupled or scaled.
+  component::SixDirections makeComponent() const;
 };
 
 /// A file that was refused. what() is one line: file:line, component, key, value and what would be accepted.

@@ -59,6 +59,7 @@ struct LogFormat {
   std::optional<double> rate;    ///< sampling rate [Hz], in place of stamps; the first sample is at 0 s
   char decimal = '\0';           ///< decimal mark of text, '.' or ','; '\0': as the numbers tell
   std::size_t segment = 0;       ///< which, from 1, where a file holds several logs, or kAllSegments; 0: it holds one
+  bool turns = false;            ///< the displacement is an angle [rad] and the force a moment [N m]
   std::optional<double> bridge;  ///< longest time without a number that is passed over [s]; nothing: 0.5 s, and only
                                  ///< where 99 of 100 rows have their numbers
   bool accept_units = false;     ///< no check shall doubt the units

@@ -5,6 +5,8 @@
 #include <ros/node_handle.h>
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/ForceArray.h>
+#include <rubber_suspension/PoseArray.h>
+#include <rubber_suspension/WrenchArray.h>
 
 #include <cstdint>
 #include <deque>
@@ -21,12 +23,13 @@ class BundleError : public std::runtime_error {
 };
 
 /// Sends and receives in the calling thread, with a callback queue of its own. Several messages may be under way.
-class BundleClient {
+template <class Bundle, class Sample, class Answer>
+class BundleClientOf {
  public:
   static constexpr double kPatience = 30.0;  ///< [s]
 
   /// `timeout` [s] bounds every wait.
-  BundleClient(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
+  BundleClientOf(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
 
   /// Wait until nothing that is sent or answered can be lost. Throws BundleError.
   void connect();
@@ -34,22 +37,28 @@ class BundleClient {
   /// Call a service of type std_srvs/Trigger of the node, such as simulate/reset. Throws BundleError.
   void call(const std::string& service);
 
-  /// Send the displacements [m], in the order of the components, at a stamp [ns]. Stamps have to increase, and to lie
-  /// within what a ROS header can hold (0 to 2^32 s).
-  void send(std::int64_t stamp, const std::vector<double>& displacement);
+  /// Send the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps have to increase,
+  /// and to lie within what a ROS header can hold (0 to 2^32 s).
+  void send(std::int64_t stamp, const std::vector<Sample>& samples);
 
   /// Wait for the answer to the message of a stamp that was sent; answers to earlier ones are discarded.
-  /// Throws BundleError where it does not come in time, or where not every component has a force in it.
-  ForceArray receive(std::int64_t stamp);
+  /// Throws BundleError where it does not come in time, or where not every component has an answer in it.
+  Answer receive(std::int64_t stamp);
 
  private:
   ros::NodeHandle handle_;
   ros::CallbackQueue queue_;
   double timeout_;
-  DisplacementArray message_;
-  std::deque<ForceArray> answers_;
+  Bundle message_;
+  std::deque<Answer> answers_;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
 };
+
+/// Displacements to forces.
+using BundleClient = BundleClientOf<DisplacementArray, double, ForceArray>;
+
+/// Poses of B in A to wrenches on B, of components of six directions.
+using PoseClient = BundleClientOf<PoseArray, geometry_msgs::Pose, WrenchArray>;
 
 }  // namespace rubber_suspension::ros_interface

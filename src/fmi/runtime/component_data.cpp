@@ -1,6 +1,7 @@
 // The component of an FMU as JSON.
 #include "fmi/runtime/component_data.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -28,6 +29,41 @@ std::vector<element::ElementDescription> entriesFromJson(const json& list) {
   return entries;
 }
 
+json frameToJson(const Eigen::Isometry3d& frame) {
+  return std::vector<double>(frame.matrix().data(), frame.matrix().data() + frame.matrix().size());
+}
+
+Eigen::Isometry3d frameFromJson(const json& list) {
+  const auto numbers = list.get<std::array<double, 16>>();
+  return Eigen::Isometry3d(Eigen::Map<const Eigen::Matrix4d>(numbers.data()));
+}
+
+json sixToJson(const ComponentData& data) {
+  const component::SixDirectionsLaws& laws = *data.six;
+  json six = {{"translation", laws.translation}, {"rotation", laws.rotation},    {"axis", laws.axis},
+              {"measure", laws.measure},         {"valid", laws.valid_rotation}, {"on_a", frameToJson(laws.on_a)},
+              {"on_b", frameToJson(laws.on_b)},  {"elements", json::array()}};
+  for (const auto& elements : laws.elements) {
+    six["elements"].push_back(entriesToJson(elements));
+  }
+  return {{"name", data.name}, {"guid", data.guid}, {"six", six}};
+}
+
+component::SixDirectionsLaws sixFromJson(const json& six) {
+  component::SixDirectionsLaws laws;
+  for (std::size_t i = 0; i < laws.elements.size(); ++i) {
+    laws.elements[i] = entriesFromJson(six.at("elements").at(i));
+  }
+  six.at("translation").get_to(laws.translation);
+  six.at("rotation").get_to(laws.rotation);
+  six.at("axis").get_to(laws.axis);
+  six.at("measure").get_to(laws.measure);
+  six.at("valid").get_to(laws.valid_rotation);
+  laws.on_a = frameFromJson(six.at("on_a"));
+  laws.on_b = frameFromJson(six.at("on_b"));
+  return laws;
+}
+
 }  // namespace
 
 std::vector<element::ElementDescription> ComponentData::modelElements() const {
@@ -49,6 +85,9 @@ std::vector<element::ElementDescription> ComponentData::allElements() const {
 }
 
 std::string toJson(const ComponentData& data) {
+  if (data.six) {
+    return sixToJson(data).dump();
+  }
   json specification = json::object();
   for (const auto& [name, value] : data.specification.values()) {
     specification[name] = value;
@@ -68,6 +107,10 @@ ComponentData fromJson(const std::string& text) {
   ComponentData data;
   data.name = content.at("name").get<std::string>();
   data.guid = content.at("guid").get<std::string>();
+  if (content.contains("six")) {
+    data.six = sixFromJson(content.at("six"));
+    return data;
+  }
   const auto model = estimation::modelFromString(content.at("model").get<std::string>());
   if (!model) {
     throw std::invalid_argument("model: unknown");

@@ -2,9 +2,11 @@
 // read by the binary.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "rubber_suspension/component/six_directions.h"
 #include "rubber_suspension/element/parameter.h"
 #include "rubber_suspension/estimation/specification.h"
 
@@ -19,6 +21,8 @@ struct ComponentData {
   std::vector<element::ElementDescription> add;       ///< complete
   /// Shifts with temperature, complete: those of the key `temperature`.
   std::vector<element::ElementDescription> temperature;
+  /// Of a component of six directions, with elements that are complete; it has none of the above but name and GUID.
+  std::optional<component::SixDirectionsLaws> six;
 
   /// Those that the model estimates from the specification, or lists. Throws std::invalid_argument where there is no
   /// solution.

@@ -81,15 +81,22 @@ Status Instance::terminate() { return phase_ == Phase::stepping ? enter(Phase::t
 Status Instance::reset() {
   parameters_ = table_.startValues();
   calculated_.clear();
-  component_.reset();
-  initialised_ = false;
-  start_time_ = time_ = displacement_ = 0.0;
+  discardBuild();
+  start_time_ = time_ = 0.0;
+  inputs_ = {};
   stop_time_ = kNoStop;
   temperature_.reset();
   derivative_ = {};
   has_derivatives_ = false;
   force_ = {};
+  wrench_ = {};
   return enter(Phase::instantiated);
+}
+
+void Instance::discardBuild() {
+  component_.reset();
+  six_.reset();
+  initialised_ = false;
 }
 
 Status Instance::setAll(const Reference* references, std::size_t count, const double* values) {
@@ -120,8 +127,8 @@ Status Instance::checkSet(Reference reference, double value) {
     return error(fmt::format("set: {} cannot be set", variable.name));
   }
   // Until the component is built, the range of the temperature is that of the parameters at the start.
-  const bool shifted = reference == table_.temperature() && component_;
-  const element::Range range = shifted ? component_->temperatures() : variable.range;
+  const bool shifted = reference == table_.temperature() && isBuilt();
+  const element::Range range = !shifted ? variable.range : six_ ? six_->temperatures() : component_->temperatures();
   if (std::isfinite(value) && range.contains(value)) {
     return Status::ok;
   }
@@ -130,8 +137,8 @@ Status Instance::checkSet(Reference reference, double value) {
 }
 
 void Instance::assign(Reference reference, double value) {
-  if (reference == reference::kDisplacement) {
-    displacement_ = value;
+  if (table_.variables()[reference].causality == Causality::input && reference != table_.temperature()) {
+    inputs_[reference - reference::kFirstInput] = value;
     initialised_ = initialised_ && phase_ == Phase::stepping;
   } else if (reference == table_.temperature()) {
     temperature_ = value;
@@ -141,8 +148,7 @@ void Instance::assign(Reference reference, double value) {
     }
   } else {
     parameters_[reference - reference::kFirstParameter] = value;
-    component_.reset();
-    initialised_ = false;
+    discardBuild();
   }
 }
 
@@ -166,7 +172,13 @@ Status Instance::getAll(const Reference* references, std::size_t count, double* 
 }
 
 double Instance::value(Reference reference) const {
-  const double common[] = {time_,          displacement_,  force_.total,
+  if (data_.six && reference >= reference::kFirstInput && reference != table_.temperature()) {
+    const std::size_t place = (reference - reference::kFirstWrench) % 3;
+    return reference < reference::kFirstWrench       ? inputs_[reference - reference::kFirstInput]
+           : reference < reference::kFirstWrench + 3 ? wrench_.force[static_cast<Eigen::Index>(place)]
+                                                     : wrench_.moment[static_cast<Eigen::Index>(place)];
+  }
+  const double common[] = {time_,          inputs_[0],     force_.total,
                            force_.elastic, force_.viscous, force_.friction};  // by their references
   static_assert(std::size(common) == reference::kFirstParameter);
   if (reference < reference::kFirstParameter) {
@@ -183,7 +195,7 @@ Status Instance::setDerivative(Reference reference, int order, double value) {
   if (phase_ > Phase::stepping) {
     return refuseOrder("set of a derivative");
   }
-  if (reference != reference::kDisplacement || order < 1 || order > static_cast<int>(kMostDerivatives)) {
+  if (data_.six || reference != reference::kDisplacement || order < 1 || order > static_cast<int>(kMostDerivatives)) {
     return error(fmt::format("derivative {} of variable {}; accepted: the displacement, orders 1 to {}", order,
                              reference, kMostDerivatives));
   }
@@ -202,6 +214,11 @@ Instance::Build Instance::build(const std::vector<double>& parameters) const {
     setValue(changed, table_.place(i), parameters[i]);
   }
   Build build;
+  if (data_.six) {
+    build.six = std::make_unique<const component::SixDirections>(*data_.six);
+    build.six_state = build.six->makeState();
+    return build;
+  }
   build.calculated = table_.calculatedValues(changed.modelElements());
   build.component = std::make_unique<const component::Component>(changed.allElements());
   build.state = build.component->makeState();
@@ -212,11 +229,17 @@ void Instance::take(Build build) {
   component_ = std::move(build.component);
   calculated_ = std::move(build.calculated);
   state_ = std::move(build.state);
+  six_ = std::move(build.six);
+  six_state_ = std::move(build.six_state);
 }
 
 // To the temperature that was set.
 void Instance::shift() {
-  if (temperature_) {
+  if (six_) {
+    if (temperature_) {
+      six_->setTemperature(six_state_, *temperature_);
+    }
+  } else if (temperature_) {
     component_->setTemperature(*state_, *temperature_);
   } else {
     component_->forgetTemperature(*state_);
@@ -224,18 +247,78 @@ void Instance::shift() {
 }
 
 void Instance::settle() {
-  if (!component_) {
+  if (!isBuilt()) {
     take(build(parameters_));
   }
   if (!initialised_) {
     shift();
-    const element::ComponentForce force = component_->initialise(*state_, displacement_);
+    if (six_) {
+      settleSix();
+      return;
+    }
+    const element::ComponentForce force = component_->initialise(*state_, inputs_[0]);
     if (!std::isfinite(force.total)) {
-      throw std::invalid_argument(fmt::format("displacement {:g} m gives a force that is not finite", displacement_));
+      throw std::invalid_argument(fmt::format("displacement {:g} m gives a force that is not finite", inputs_[0]));
     }
     force_ = force;
     initialised_ = true;
   }
+}
+
+Eigen::Isometry3d Instance::pose() const {
+  const component::SixNumbers inputs = Eigen::Map<const component::SixNumbers>(inputs_.data());
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = inputs.head<3>();
+  pose.linear() = component::rotationOf(data_.six->measure, inputs.tail<3>()).toRotationMatrix();
+  return pose;
+}
+
+void Instance::settleSix() {
+  if (!six_->holds(six_->coordinates(pose()))) {
+    throw std::invalid_argument("a rotation beyond the end of its measure");
+  }
+  const component::Wrench wrench = six_->initialise(six_state_, pose()).wrench;
+  if (!wrench.force.allFinite() || !wrench.moment.allFinite()) {
+    throw std::invalid_argument("the pose gives a wrench that is not finite");
+  }
+  wrench_ = wrench;
+  initialised_ = true;
+}
+
+Status Instance::stepSix(double time, double size) {
+  if (!six_->holds(six_->coordinates(pose()))) {
+    return error("step: a rotation beyond the end of its measure");
+  }
+  wrench_ = six_->step(six_state_, size, pose()).wrench;
+  time_ = time + size;
+  return wrench_.force.allFinite() && wrench_.moment.allFinite() ? Status::ok : fail();
+}
+
+// All that a saved state has of six directions, as the memory of the component.
+std::vector<double> Instance::sixMemory() const {
+  std::vector<double> memory(inputs_.begin(), inputs_.end());
+  memory.insert(memory.end(), wrench_.force.data(), wrench_.force.data() + 3);
+  memory.insert(memory.end(), wrench_.moment.data(), wrench_.moment.data() + 3);
+  if (six_ && initialised_) {
+    const std::vector<double> numbers = six_state_.numbers();
+    memory.insert(memory.end(), numbers.begin(), numbers.end());
+  }
+  return memory;
+}
+
+void Instance::restoreSix(const std::vector<double>& memory, bool settled) {
+  constexpr std::size_t kHead = 12;  // inputs and wrench
+  if (memory.size() < kHead) {
+    throw std::invalid_argument("the state has too few numbers for six directions");
+  }
+  if (settled) {
+    if (!six_) {
+      take(build(parameters_));
+    }
+    six_->restore(six_state_, {memory.begin() + kHead, memory.end()});
+  }
+  std::copy_n(memory.begin(), inputs_.size(), inputs_.begin());
+  wrench_ = {Eigen::Map<const Eigen::Vector3d>(&memory[6]), Eigen::Map<const Eigen::Vector3d>(&memory[9])};
 }
 
 // Importers count time in sums of their own. The time of each step is taken from them, so one rounding of such a sum
@@ -249,7 +332,7 @@ bool Instance::isInTime(double time, double size) const {
 
 // The displacement at the end of a step, which uses up the derivatives.
 double Instance::extrapolated(double size) {
-  double displacement = displacement_;
+  double displacement = inputs_[0];
   double power = 1.0;  // size^k/k!
   for (std::size_t k = 0; k < kMostDerivatives; ++k) {
     power *= size / static_cast<double>(k + 1);
@@ -276,8 +359,8 @@ Status Instance::refuseStep(double time, double size) {
 
 Status Instance::fail() {
   enter(Phase::failed);
-  return error(fmt::format("displacement {:g} m gives a force that is not finite; a reset or a saved state is needed",
-                           displacement_));
+  return error(fmt::format("{} gives a force that is not finite; a reset or a saved state is needed",
+                           data_.six ? "the pose" : fmt::format("displacement {:g} m", inputs_[0])));
 }
 
 Status Instance::save(SavedState& state) {
@@ -288,13 +371,15 @@ Status Instance::save(SavedState& state) {
   state.phase = phase_;
   state.time = phase_ == Phase::instantiated ? start_time_ : time_;
   state.stop_time = stop_time_;
-  state.displacement = displacement_;
+  state.displacement = inputs_[0];
   state.temperature = temperature_;
   state.derivative = derivative_;
   state.force = force_;
   state.parameters = parameters_;
-  state.settled = component_ && initialised_;
-  if (state.settled) {
+  state.settled = isBuilt() && initialised_;
+  if (data_.six) {
+    state.memory = sixMemory();
+  } else if (state.settled) {
     state.component_displacement = state_->displacement();
     state.memory = state_->memory();
   } else {
@@ -312,7 +397,9 @@ Status Instance::restore(const SavedState& state) {
   }
   // All that can fail comes first: an instance is changed as a whole or not at all.
   const bool other = state.parameters != parameters_;
-  if (state.settled && (other || !component_)) {
+  if (data_.six) {
+    restoreSix(state.memory, state.settled);
+  } else if (state.settled && (other || !component_)) {
     Build rebuilt = build(state.parameters);
     rebuilt.component->restore(*rebuilt.state, state.component_displacement, state.memory);
     take(std::move(rebuilt));
@@ -326,7 +413,7 @@ Status Instance::restore(const SavedState& state) {
   time_ = state.time;
   stop_time_ = state.stop_time;
   start_time_ = state.phase == Phase::instantiated ? state.time : start_time_;
-  displacement_ = state.displacement;
+  inputs_[0] = state.displacement;
   temperature_ = state.temperature;
   derivative_ = state.derivative;
   has_derivatives_ = std::any_of(derivative_.begin(), derivative_.end(), [](double value) { return value != 0.0; });

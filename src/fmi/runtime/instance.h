@@ -11,7 +11,7 @@
 
 #include "fmi/runtime/saved_state.h"
 #include "fmi/runtime/variables.h"
-#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/component/six_directions.h"
 
 namespace rubber_suspension::fmi {
 
@@ -32,9 +32,10 @@ constexpr const char* kDiscard = "logStatusDiscard";
 constexpr const char* kEvents = "logEvents";
 }  // namespace category
 
-/// A component that an importer drives. A step takes the displacement, linear in time, from where it was to the input
-/// as it is set when the step is called, plus what its derivatives add over the step. So an importer that sets the
-/// displacement of the end of the step gets the forces of a replay at the same times, to the last bit.
+/// A component of one direction or of six that an importer drives. A step takes the displacement, linear in time, from
+/// where it was to the input as it is set when the step is called, plus what its derivatives add over the step. So an
+/// importer that sets the displacement of the end of the step gets the forces of a replay at the same times, to the
+/// last bit.
 ///
 /// Calls in a wrong order, unknown references and wrong times are errors that leave the instance as it was; values that
 /// cannot be are discarded. Only a force that is not finite spoils an instance: then it takes a reset or a saved state.
@@ -53,7 +54,7 @@ class Instance {
   Status set(const Reference* references, std::size_t count, const double* values) {
     if (count == 1 && phase_ == Phase::stepping && references != nullptr && values != nullptr &&
         references[0] == reference::kDisplacement && std::isfinite(values[0])) {
-      displacement_ = values[0];
+      inputs_[0] = values[0];
       return Status::ok;
     }
     return setAll(references, count, values);
@@ -61,7 +62,7 @@ class Instance {
 
   Status get(const Reference* references, std::size_t count, double* values) {
     if (count == 1 && phase_ == Phase::stepping && references != nullptr && values != nullptr &&
-        references[0] == reference::kForce) {
+        references[0] == reference::kForce && !six_) {
       values[0] = force_.total;
       return Status::ok;
     }
@@ -76,7 +77,10 @@ class Instance {
     if (phase_ != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       return refuseStep(time, size);
     }
-    force_ = component_->step(*state_, size, has_derivatives_ ? extrapolated(size) : displacement_);
+    if (six_) {
+      return stepSix(time, size);
+    }
+    force_ = component_->step(*state_, size, has_derivatives_ ? extrapolated(size) : inputs_[0]);
     time_ = time + size;
     return std::isfinite(force_.total) ? Status::ok : fail();
   }
@@ -103,14 +107,23 @@ class Instance {
 
   /// A component with all that follows from its parameters.
   struct Build {
-    std::unique_ptr<const component::Component> component;
+    std::unique_ptr<const component::Component> component;  // of one direction, or of six
+    std::unique_ptr<const component::SixDirections> six;
     std::vector<double> calculated;  // parameters that follow from those that can be set
     std::optional<component::ComponentState> state;
+    component::SixDirectionsState six_state;
   };
 
   Build build(const std::vector<double>& parameters) const;
   void take(Build build);
   void settle();
+  void settleSix();
+  Eigen::Isometry3d pose() const;
+  Status stepSix(double time, double size);
+  bool isBuilt() const { return component_ || six_; }
+  void discardBuild();
+  std::vector<double> sixMemory() const;
+  void restoreSix(const std::vector<double>& memory, bool settled);
   void shift();
   double roomFor(double size) const;
   bool isInTime(double time, double size) const;
@@ -130,8 +143,8 @@ class Instance {
   double start_time_ = 0.0;  // [s]
   double time_ = 0.0;        // [s]
   double stop_time_ = kNoStop;
-  double displacement_ = 0.0;
-  std::optional<double> temperature_;  // [degC]; before it was set, the component is as specified
+  std::array<double, component::kDirections> inputs_ = {};  // the displacement [m] alone, or a pose [m, rad]
+  std::optional<double> temperature_;                       // [degC]; before it was set, the component is as specified
   std::array<double, kMostDerivatives> derivative_ = {};
   bool has_derivatives_ = false;
 
@@ -141,6 +154,9 @@ class Instance {
   std::optional<component::ComponentState> state_;
   bool initialised_ = false;  // the state is that at rest at the displacement, or has been stepped since
   element::ComponentForce force_;
+  std::unique_ptr<const component::SixDirections> six_;
+  component::SixDirectionsState six_state_;
+  component::Wrench wrench_;
 };
 
 }  // namespace rubber_suspension::fmi

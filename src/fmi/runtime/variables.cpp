@@ -27,6 +27,10 @@ element::Range settableRange(const element::ParameterInfo& parameter, double val
 }  // namespace
 
 VariableTable::VariableTable(const ComponentData& data) {
+  if (data.six) {
+    addSix(data);
+    return;
+  }
   addCommon(data);
   addSpecification(data);
   const bool listed = data.model == estimation::Model::elements;
@@ -39,21 +43,55 @@ VariableTable::VariableTable(const ComponentData& data) {
   if (!listed) {
     addElements(data.modelElements(), Place::List::model, Causality::calculated_parameter);
   }
-  addTemperature(data);
+  addTemperature(data.name, component::Component(data.allElements()), data.allElements());
+}
+
+// A pose of B in A, its rotation in the measure of the component, and the wrench.
+void VariableTable::addSix(const ComponentData& data) {
+  const bool cardan = data.six->measure == component::RotationMeasure::cardan;
+  variables_ = {{"time", "s", "time", Causality::independent, {}, {}}};
+  for (std::size_t i = 0; i < component::kDirections; ++i) {
+    const auto direction = static_cast<component::Direction>(i);
+    const bool turns = component::isRotation(direction);
+    variables_.push_back(
+        {component::toString(direction),
+         turns ? "rad" : "m",
+         fmt::format("{} at the end of the next step", !turns   ? "position of body B in body A"
+                                                       : cardan ? "rotation of body B in body A, body-fixed x-y-z angle"
+                                                                : "rotation of body B in body A, rotation vector"),
+         Causality::input,
+         0.0,
+         {}});
+  }
+  for (const char* name : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}) {
+    variables_.push_back(
+        {name,
+         name[0] == 'F' ? "N" : "N m",
+         "of the wrench that has to be applied to body B, at B's origin, to hold the pose; in A's axes",
+         Causality::output,
+         {},
+         {}});
+  }
+  std::vector<element::ElementDescription> all;
+  for (const auto& elements : data.six->elements) {
+    all.insert(all.end(), elements.begin(), elements.end());
+  }
+  addTemperature(data.name, component::SixDirections(*data.six), all);
 }
 
 // It starts at the reference of the first shift, where the component is as specified.
-void VariableTable::addTemperature(const ComponentData& data) {
-  const component::Component component(data.allElements());
+template <class Component>
+void VariableTable::addTemperature(const std::string& name, const Component& component,
+                                   const std::vector<element::ElementDescription>& elements) {
   if (!component.shiftsWithTemperature()) {
     return;
   }
-  const std::vector<element::ElementDescription> elements = data.allElements();
+  temperature_ = static_cast<Reference>(variables_.size());
   const auto shift = std::find_if(elements.begin(), elements.end(), [](const element::ElementDescription& element) {
     return element::lawOf(element::makeElement(element)).action() == element::Action::shifts_with_temperature;
   });
-  variables_.push_back({"temperature", "degC", "temperature of " + data.name + " during the next step",
-                        Causality::input, shift->value("reference"), component.temperatures()});
+  variables_.push_back({"temperature", "degC", "temperature of " + name + " during the next step", Causality::input,
+                        shift->value("reference"), component.temperatures()});
 }
 
 void VariableTable::addCommon(const ComponentData& data) {

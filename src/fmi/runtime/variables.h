@@ -13,7 +13,8 @@ namespace rubber_suspension::fmi {
 /// The place of a variable in the list, by which an importer names it.
 using Reference = std::uint32_t;
 
-/// The variables that every FMU has; the parameters follow, and the temperature where it does anything.
+/// The variables that every FMU has; the parameters follow, and the temperature where it does anything. An FMU of six
+/// directions has the time, six inputs, six outputs and the temperature instead.
 namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
@@ -22,6 +23,8 @@ constexpr Reference kElastic = 3;
 constexpr Reference kViscous = 4;
 constexpr Reference kFriction = 5;
 constexpr Reference kFirstParameter = 6;
+constexpr Reference kFirstInput = 1;
+constexpr Reference kFirstWrench = 7;  // of six directions: force, then moment
 }  // namespace reference
 
 enum class Causality {
@@ -61,7 +64,7 @@ class VariableTable {
   const std::vector<Variable>& variables() const { return variables_; }
 
   /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
-  Reference temperature() const { return reference::kFirstParameter + static_cast<Reference>(places_.size()); }
+  Reference temperature() const { return temperature_.value_or(static_cast<Reference>(variables_.size())); }
 
   /// Of the parameter with the reference kFirstParameter + parameter.
   const Place& place(std::size_t parameter) const { return places_[parameter]; }
@@ -75,13 +78,17 @@ class VariableTable {
 
  private:
   void addCommon(const ComponentData& data);
+  void addSix(const ComponentData& data);
   void addSpecification(const ComponentData& data);
   void addElements(const std::vector<element::ElementDescription>& elements, Place::List list, Causality causality);
-  void addTemperature(const ComponentData& data);
+  template <class Component>
+  void addTemperature(const std::string& name, const Component& component,
+                      const std::vector<element::ElementDescription>& elements);
   void addParameter(const Variable& variable, const Place& place);
 
   std::vector<Variable> variables_;
   std::vector<Place> places_;
+  std::optional<Reference> temperature_;
   std::size_t free_count_ = 0;  // of the parameters, those that can be set
 };
 

@@ -1,0 +1,56 @@
+// The rules for time of poses, in node and replay alike.
+#pragma once
+
+#include "rubber_suspension/component/sample_stream.h"
+#include "rubber_suspension/component/six_directions.h"
+
+namespace rubber_suspension::component {
+
+struct StreamWrench {
+  Acceptance acceptance;
+  BushForce force;            ///< of an accepted sample only
+  SixNumbers coordinates;     ///< likewise [m, rad]
+  bool beyond_valid = false;  ///< accepted, and the rotation is beyond the stated validity
+};
+
+/// Feeds a component of six directions with stamped poses, as SampleStream does one of one direction.
+class PoseStream : public StampedStream {
+ public:
+  /// How far the length of a quaternion may be from 1.
+  static constexpr double kQuaternionTolerance = 1e-3;
+
+  /// The component must outlive the stream. max_gap in [s].
+  explicit PoseStream(const SixDirections& component, double max_gap = 0.5);
+
+  /// Take one pose of B in A: stamp [ns], position [m], rotation. The first one after construction or reset() finds the
+  /// component at rest there. A dropped sample leaves the state as it was. Allocates nothing.
+  StreamWrench push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
+
+  /// As SampleStream::setTemperature() [degC].
+  bool setTemperature(double temperature);
+
+  /// Back to a new test piece at rest, of the same temperature; the next sample starts again. Counters stay.
+  void reset();
+
+  const SixDirectionsState& state() const { return state_; }
+
+  /// Of the accepted samples, those beyond the stated validity.
+  std::uint64_t beyondValid() const { return beyond_valid_; }
+
+  /// Continue where another stream of the same component stopped, with numbers() of its state. Throws as
+  /// SixDirections::restore() does.
+  void deserialise(std::int64_t last_stamp, const std::vector<double>& numbers);
+
+ private:
+  BushForce advance(Acceptance acceptance, std::int64_t stamp, const Eigen::Isometry3d& pose);
+
+  const SixDirections& component_;
+  SixDirectionsState state_;
+  SixDirectionsState saved_;  // the way back where a wrench is not finite
+  std::uint64_t beyond_valid_ = 0;
+};
+
+/// A pose as topics and logs have it, the quaternion brought to length 1.
+Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
+
+}  // namespace rubber_suspension::component

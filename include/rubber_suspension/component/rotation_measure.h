@@ -1,0 +1,94 @@
+// A rotation by three coordinates, and what is conjugate to them: the rotation vector, or body-fixed x-y-z angles.
+// Throws nothing.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "rubber_suspension/element/constants.h"
+
+namespace rubber_suspension::component {
+
+/// The three coordinates q [rad] by which a component measures the rotation R of B in A. Generalised moments Q belong
+/// to a moment M by M . omega = Q . q', omega being that of B against A in A's axes, so that what has a potential in q
+/// does no work over a closed path.
+enum class RotationMeasure {
+  vector,  ///< theta = log R; M = J(theta)^-T Q, J the left Jacobian; below kVectorEnd
+  cardan,  ///< R = R_x(q_1) R_y(q_2) R_z(q_3); M = N^-T Q with omega = N q'; |q_2| below kCardanEnd
+};
+
+/// Where the measures end [rad]: beyond, coordinates jump from one sample to the next, or their rates grow without
+/// limit.
+constexpr double kVectorEnd = 179.0 * element::kPi / 180.0;  // of the angle, and of the cardan angles about x and z
+constexpr double kCardanEnd = 85.0 * element::kPi / 180.0;   // of the cardan angle about y
+
+/// The rates of the coordinates by the angular velocity, q' = B omega, at coordinates [rad]; M = B^T Q.
+Eigen::Matrix3d ratesAt(RotationMeasure measure, const Eigen::Vector3d& value);
+
+/// Coordinates of a rotation, ready to turn generalised moments into a moment.
+struct RotationCoordinates {
+  RotationMeasure measure;
+  Eigen::Vector3d value;  ///< q [rad]
+  double curvature;       ///< of a rotation vector of length a, (1 - (a/2) cot(a/2))/a^2: J^-1 = 1 - [q]/2 + that [q]^2
+
+  Eigen::Matrix3d rates() const { return ratesAt(measure, value); }
+
+  /// M = rates^T Q [N m].
+  Eigen::Vector3d momentOf(const Eigen::Vector3d& moments) const {
+    if (measure == RotationMeasure::cardan) {
+      return rates().transpose() * moments;
+    }
+    const Eigen::Vector3d across = value.cross(moments);
+    return moments + 0.5 * across + curvature * value.cross(across);
+  }
+};
+
+/// The coordinates of a rotation; the quaternion is of length 1.
+RotationCoordinates coordinatesOf(RotationMeasure measure, const Eigen::Quaterniond& rotation);
+
+/// Of a rotation by an angle a up to 20.7 deg, t = sin^2 a <= kMost: a/sin a and the curvature above, side by
+/// side. The polynomials agree with them at ten Chebyshev points; what they leave out is under 1e-16 of either.
+struct RotationSeries {
+  using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+  static constexpr double kMost = 0.125;
+
+  static Pair at(double t) {
+    const double t2 = t * t;
+    const Pair low =
+        Pair{0x1.0000000000000p+0, 0x1.5555555555555p-4} + t * Pair{0x1.5555555555b45p-3, 0x1.6c16c16c17012p-10} +
+        t2 *
+            (Pair{0x1.333333326fdf6p-4, 0x1.041041038d3c7p-11} + t * Pair{0x1.6db6dc0928801p-5, 0x1.1ae42bd2cde2ep-12});
+    const Pair middle =
+        Pair{0x1.f1c6ddd11a5bcp-6, 0x1.6f0589257e008p-13} + t * Pair{0x1.6e92da456e5bcp-6, 0x1.065e098106da8p-13} +
+        t2 *
+            (Pair{0x1.1bcdfdec88984p-6, 0x1.8e27b86a1e702p-14} + t * Pair{0x1.d49864b02bab1p-7, 0x1.43acc85b48c88p-14});
+    const Pair high =
+        Pair{0x1.3366a4ef8d5d1p-7, 0x1.a607515859a0bp-15} + t * Pair{0x1.18ce9eb9b9a92p-6, 0x1.7b1beb7363b2fp-14};
+    const double t4 = t2 * t2;
+    return low + t4 * (middle + t4 * high);
+  }
+};
+
+/// The same of a rotation matrix; a rotation vector of up to 20 deg takes no call.
+template <class Matrix>
+__attribute__((always_inline)) inline RotationCoordinates coordinatesOf(RotationMeasure measure,
+                                                                        const Eigen::MatrixBase<Matrix>& r) {
+  const Eigen::Vector3d sine(0.5 * (r(2, 1) - r(1, 2)), 0.5 * (r(0, 2) - r(2, 0)), 0.5 * (r(1, 0) - r(0, 1)));
+  const double square = sine.x() * sine.x() + sine.y() * sine.y() + sine.z() * sine.z();
+  const bool acute = r(0, 0) + r(1, 1) + r(2, 2) > 1.0;  // the trace is 1 + 2 cos a
+  if (!(square <= RotationSeries::kMost && acute && measure == RotationMeasure::vector)) {
+    return coordinatesOf(measure, Eigen::Quaterniond(Eigen::Matrix3d(r)));
+  }
+  const RotationSeries::Pair series = RotationSeries::at(square);
+  return {measure, series[0] * sine, series[1]};
+}
+
+/// The rotation that has these coordinates [rad].
+Eigen::Quaterniond rotationOf(RotationMeasure measure, const Eigen::Vector3d& value);
+
+/// True for coordinates [rad] before the end of the measure.
+bool measureHolds(RotationMeasure measure, const Eigen::Vector3d& value);
+
+/// How large a rotation is in its measure [rad]: the length of the vector, or the largest of the angles.
+double sizeOf(RotationMeasure measure, const Eigen::Vector3d& value);
+
+}  // namespace rubber_suspension::component

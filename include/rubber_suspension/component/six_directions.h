@@ -1,0 +1,218 @@
+// A component in six directions, such as a bush: the wrench between two bodies from their relative pose.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubber_suspension/component/component.h"
+#include "rubber_suspension/component/rotation_measure.h"
+
+namespace rubber_suspension::component {
+
+/// In the order of wrenches and of coordinates.
+enum Direction : std::size_t { kX, kY, kZ, kRx, kRy, kRz, kDirections };
+
+/// The key in a component file: "x" to "rz".
+const char* toString(Direction direction);
+
+/// The direction of that name, or nothing.
+std::optional<Direction> directionFromString(const std::string& name);
+
+inline bool isRotation(Direction direction) { return direction >= kRx; }
+
+/// How the directions of the translations, or of the rotations, act on each other.
+enum class Coupling {
+  rectangular,  ///< each by itself
+  cylindrical,  ///< the two across an axis by their radius
+  spherical,    ///< all three by their radius
+};
+
+/// Six numbers by direction: coordinates [m, rad], generalised forces [N, N m].
+using SixNumbers = Eigen::Matrix<double, 6, 1>;
+
+/// Elements by direction.
+using SixElements = std::array<std::vector<element::ElementDescription>, kDirections>;
+
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin that its owner names [N m]
+};
+
+/// How B moves against A, as seen in A and in A's axes.
+struct Twist {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< rate of the position of B's origin [m/s]
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// What a component of six directions consists of.
+struct SixDirectionsLaws {
+  /// Elements of each direction, rotations in rad and N m; none: the direction is free. Of directions that are coupled,
+  /// one that is given alone stands for all.
+  SixElements elements;
+  Coupling translation = Coupling::rectangular;
+  Coupling rotation = Coupling::rectangular;
+  std::size_t axis = 2;  ///< of cylindrical coupling: 0 x, 1 y, 2 z
+  RotationMeasure measure = RotationMeasure::vector;
+  double valid_rotation = kVectorEnd;                      ///< sizeOf() beyond which forces are an extrapolation [rad]
+  Eigen::Isometry3d on_a = Eigen::Isometry3d::Identity();  ///< where the bush sits on body A: its frame in A
+  Eigen::Isometry3d on_b = Eigen::Isometry3d::Identity();  ///< where it sits on body B: its frame in B
+};
+
+/// What a step gives.
+struct BushForce {
+  Wrench wrench;  ///< to be applied to B, at B's origin, to hold the pose; in A's axes
+  /// Generalised forces [N, N m] of the directions, in the bush's axes on A, with their parts.
+  std::array<element::ComponentForce, kDirections> direction;
+};
+
+/// What the bush exerts on the bodies, in A's axes.
+struct Reactions {
+  Wrench on_a;  ///< about A's origin: (F, M + d x F)
+  Wrench on_b;  ///< about B's origin: (-F, -M)
+};
+
+/// Linearisation of one step about its end. A small motion is (translation of B's origin, rotation), in A's axes; the
+/// derivative of the wrench by it is stiffness + damping/dt. Not symmetric where a load turns with the pose.
+struct SixTangent {
+  Eigen::Matrix<double, 6, 6> stiffness;  ///< of the elastic and friction parts, and of the axes [N/m, N, N m]
+  Eigen::Matrix<double, 6, 6> damping;    ///< dt times that of the viscous parts
+};
+
+/// Everything that a component of six directions remembers. Copying it is saving it.
+class SixDirectionsState {
+ public:
+  /// Take what another state of the same component remembers; faster than copying all.
+  void copyFrom(const SixDirectionsState& other);
+
+  /// Coordinates at the last sample [m, rad].
+  SixNumbers coordinates() const { return SixNumbers(coordinates_.data()); }
+
+  /// All that it remembers, for SixDirections::restore().
+  std::vector<double> numbers() const;
+
+ private:
+  friend class SixDirections;
+
+  std::array<ComponentState, kDirections> directions_;  // of those that are not free
+  std::vector<double> coupled_;                         // memory of what acts by the radius
+  std::array<double, kDirections> coordinates_{};
+};
+
+class RadialCoupling;
+
+/// Pose of body B in body A -> wrench.
+///
+///   1. The frames of the bush on the bodies give the translation d of the bush on B in the axes of the bush on A, and
+///      three coordinates of the rotation (RotationMeasure): six coordinates q.
+///   2. Each direction is a Component of its own, with its coordinate as displacement; coupled directions share laws.
+///   3. The forces Q of the directions are conjugate to q, F = Q_xyz and M . omega = Q_r . q_r', and are carried over
+///   to
+///      B's origin and A's axes.
+///
+/// Sign: that of one direction. The wrench has to be applied to B to hold the pose; reactions() are what the bodies
+/// feel. Between two samples the coordinates are linear in time, so that the exact step of every element holds; this is
+/// not the screw between the poses (docs/six_directions.md). A common motion of both bodies changes nothing.
+/// Sources: translation in A's axes and cardan angles as Simbody's Force::LinearBushing; the conjugate moment of the
+/// rotation vector by its left Jacobian, e.g. T. Barfoot, State Estimation for Robotics (2017), section 7.1.
+/// Validity: d and the axes of the forces are those of A, so the component tells A from B where rotations are large.
+class SixDirections {
+ public:
+  /// Throws std::invalid_argument that begins with the direction, where an element or a coupling is refused.
+  explicit SixDirections(SixDirectionsLaws laws);
+
+  const SixDirectionsLaws& laws() const { return laws_; }
+
+  /// A state of the right size, at rest at the identity pose.
+  SixDirectionsState makeState() const;
+
+  /// At rest at a pose of B in A, relaxed since long and never loaded before; with a twist the dashpots move already.
+  BushForce initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose, const Twist& twist = {}) const;
+
+  /// The same component after a long rest at a pose: what is permanent stays.
+  BushForce relax(SixDirectionsState& state, const Eigen::Isometry3d& pose) const;
+
+  /// Advance by dt > 0 [s] to a pose. Allocates nothing. Beyond holds() the wrench means nothing.
+  BushForce step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose) const;
+
+  /// The same with the twist at the pose, which a pure dashpot answers to in place of the mean rate of the step. All
+  /// other elements follow from the poses alone, as do dashpots behind free play, compliance or another such effect.
+  BushForce step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose, const Twist& twist) const;
+
+  /// Linearise the step of dt [s] from `state` to a pose about its end. `trial` is working space from makeState().
+  /// Derivatives of the laws are central differences over 10 nm and 10 nrad, those of the axes exact to 1e-9.
+  SixTangent tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
+                     SixDirectionsState& trial) const;
+
+  /// Coordinates of the bush [m, rad] at a pose of the bodies.
+  SixNumbers coordinates(const Eigen::Isometry3d& pose) const;
+
+  /// Pose of the bodies from coordinates of the bush [m, rad].
+  Eigen::Isometry3d pose(const SixNumbers& coordinates) const;
+
+  /// True where the rotation is before the end of its measure.
+  bool holds(const SixNumbers& coordinates) const { return measureHolds(laws_.measure, coordinates.tail<3>()); }
+
+  /// True where it is within the stated validity as well.
+  bool isValid(const SixNumbers& coordinates) const {
+    return sizeOf(laws_.measure, coordinates.tail<3>()) <= laws_.valid_rotation;
+  }
+
+  /// Generalised forces [N, N m] of the directions that a wrench on B at a pose amounts to: the inverse of what step()
+  /// does with those of the elements.
+  SixNumbers directionForces(const Eigen::Isometry3d& pose, const Wrench& wrench) const;
+
+  /// What the bodies feel of a wrench that step() gave at a pose.
+  static Reactions reactions(const Eigen::Isometry3d& pose, const Wrench& wrench);
+
+  /// Whether a temperature does anything; at which [degC] it does; that of the steps that follow. As Component has it,
+  /// for all directions.
+  bool shiftsWithTemperature() const;
+  element::Range temperatures() const;
+  void setTemperature(SixDirectionsState& state, double temperature) const;
+
+  /// Continue from SixDirectionsState::numbers(). Throws std::invalid_argument, and leaves the state as it was, as
+  /// Component::restore() does.
+  void restore(SixDirectionsState& state, const std::vector<double>& numbers) const;
+
+ private:
+  using Coordinates = std::array<double, kDirections>;
+
+  // Where the bush stands at a pose.
+  struct Place {
+    Eigen::Vector3d translation;  // d in the axes of the bush on A [m]
+    RotationCoordinates rotation;
+    Eigen::Vector3d arm;  // from B's origin to the bush on B, in A's axes [m]
+
+    Coordinates coordinates() const {
+      const Eigen::Vector3d& turn = rotation.value;
+      return {translation.x(), translation.y(), translation.z(), turn.x(), turn.y(), turn.z()};
+    }
+  };
+
+  void couple(std::vector<Direction> directions, SixElements& elements);
+  BushForce start(SixDirectionsState& state, const Place& place, bool as_new) const;
+  Place placeAt(const Eigen::Isometry3d& pose) const;
+  Place framedPlaceAt(const Eigen::Isometry3d& pose) const;
+  SixNumbers ratesOf(const Place& place, const Twist& twist) const;
+  void stepCoupled(SixDirectionsState& state, double dt, Coordinates coordinates, BushForce& force) const;
+  BushForce stepInline(SixDirectionsState& state, double dt, const Coordinates& coordinates) const;
+  BushForce stepDirections(SixDirectionsState& state, double dt, const Coordinates& coordinates) const;
+  void addDamping(const SixNumbers& rates, BushForce& force) const;
+  Wrench carriedToB(const Wrench& wrench, const Eigen::Vector3d& arm) const;
+  void complete(const Place& place, BushForce& force) const;
+  Eigen::Matrix<double, 6, 6> coordinateJacobian(const Place& place) const;
+  Eigen::Matrix3d turningMoment(const Place& place, const Eigen::Vector3d& moments) const;
+
+  SixDirectionsLaws laws_;
+  bool framed_;  // the bush does not sit at the origins of the bodies, along their axes
+  std::array<std::optional<Component>, kDirections> directions_;  // nothing: free, or all of it is coupled
+  std::array<double, kDirections> damping_{};                     // of dashpots that answer to a twist [N s/m]
+  std::vector<std::shared_ptr<const RadialCoupling>> couplings_;
+  std::size_t coupled_size_ = 0;  // of their memory
+};
+
+}  // namespace rubber_suspension::component

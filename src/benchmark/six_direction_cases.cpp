@@ -1,0 +1,182 @@
+// Components of six directions against six components of one with the same elements, moved by the same coordinates.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "benchmark/bare_loop.h"
+#include "benchmark/cases.h"
+#include "benchmark/test_signal.h"
+#include "rubber_suspension/component/six_directions.h"
+
+namespace rubber_suspension::benchmark {
+namespace {
+
+using component::kDirections;
+
+// Five Maxwell elements and friction; of rotations 0.1 rad are what 2 mm are.
+std::vector<element::ElementDescription> directionElements(bool bank, bool turns) {
+  constexpr double kLength = 0.02;  // [m/rad]
+  BareParameters parameters = bareParameters(5);
+  if (turns) {
+    parameters.spring *= kLength * kLength;
+    for (double& stiffness : parameters.stiffness) {
+      stiffness *= kLength * kLength;
+    }
+    parameters.maximum_force *= kLength;
+    parameters.friction_displacement /= kLength;
+  }
+  std::vector<element::ElementDescription> elements = elementsOf(parameters);
+  for (element::ElementDescription& element : elements) {
+    element.type = bank && element.type == "friction" ? "iwan" : element.type;
+  }
+  return elements;
+}
+
+// Many components of either kind on one path.
+class SixDirectionBench {
+ public:
+  SixDirectionBench(std::size_t samples, std::size_t components, component::Coupling coupling)
+      : bush_(lawsOf(coupling)), coordinates_(samples), poses_(samples), expected_(samples), found_(samples) {
+    const std::vector<double> displacement = benchmarkDisplacement(samples + 100 * kDirections);
+    for (std::size_t i = 0; i < samples; ++i) {
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        coordinates_[i][static_cast<Eigen::Index>(k)] = displacement[i + 70 * k] * (k < 3 ? 1.0 : 50.0);
+      }
+      poses_[i] = bush_.pose(coordinates_[i]);
+    }
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      singles_.emplace_back(bush_.laws().elements[k]);
+    }
+    for (std::size_t n = 0; n < components; ++n) {
+      states_.push_back(bush_.makeState());
+      for (const component::Component& single : singles_) {
+        single_states_.push_back(single.makeState());
+      }
+    }
+  }
+
+  void stepSix() {
+    for (component::SixDirectionsState& state : states_) {
+      found_[0] = bush_.initialise(state, poses_[0]).direction;
+    }
+    for (std::size_t i = 1; i < poses_.size(); ++i) {
+      for (component::SixDirectionsState& state : states_) {
+        found_[i] = bush_.step(state, kStep, poses_[i]).direction;
+      }
+    }
+  }
+
+  void stepSingles() {
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      for (std::size_t n = 0; n < single_states_.size(); ++n) {
+        const std::size_t k = n % kDirections;
+        const double displacement = coordinates_[i][static_cast<Eigen::Index>(k)];
+        expected_[i][k] = i == 0 ? singles_[k].initialise(single_states_[n], displacement)
+                                 : singles_[k].step(single_states_[n], kStep, displacement);
+      }
+    }
+  }
+
+  void tangents() {
+    component::SixDirectionsState trial = bush_.makeState();
+    bush_.initialise(states_[0], poses_[0]);
+    for (std::size_t i = 1; i < poses_.size(); ++i) {
+      tangent_ = bush_.tangent(states_[0], kStep, poses_[i], trial);
+      found_[i] = bush_.step(states_[0], kStep, poses_[i]).direction;
+    }
+  }
+
+  // Of the forces by direction, each of its own largest. Poses are rounded, and so are coordinates found in them.
+  double error() {
+    double worst = 0.0;
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      std::vector<double> expected;
+      std::vector<double> found;
+      for (std::size_t i = 1; i < poses_.size(); ++i) {
+        expected.push_back(expected_[i][k].total);
+        found.push_back(found_[i][k].total);
+      }
+      worst = std::max(worst, relativeDifference(expected, found));
+    }
+    return worst;
+  }
+
+  // What a sliding friction of two directions at once takes from each is another force: that of a radius alone.
+  double finite() {
+    const auto state = static_cast<double>(std::isfinite(found_.back()[0].total));
+    return 1.0 - state;
+  }
+
+  double count() const { return static_cast<double>(poses_.size() * states_.size()); }
+
+ private:
+  static component::SixDirectionsLaws lawsOf(component::Coupling coupling) {
+    component::SixDirectionsLaws laws;
+    laws.translation = laws.rotation = coupling;
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      laws.elements[k] = directionElements(coupling != component::Coupling::rectangular, k >= 3);
+    }
+    return laws;
+  }
+
+  component::SixDirections bush_;
+  std::vector<component::Component> singles_;
+  std::vector<component::SixNumbers> coordinates_;
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<component::SixDirectionsState> states_;
+  std::vector<component::ComponentState> single_states_;
+  std::vector<std::array<element::ComponentForce, kDirections>> expected_;
+  std::vector<std::array<element::ComponentForce, kDirections>> found_;
+  component::SixTangent tangent_;
+};
+
+Case sixCase(const std::string& name, std::size_t samples, std::size_t components, component::Coupling coupling,
+             double most) {
+  const auto bench = std::make_shared<SixDirectionBench>(samples, components, coupling);
+  Case result;
+  result.name = name;
+  result.baseline = components == 1 ? "six components of one direction" : "six thousand of one direction";
+  result.unit = "step of six";
+  result.count = result.baseline_count = bench->count();
+  result.library = [bench] { bench->stepSix(); };
+  result.bare = [bench] { bench->stepSingles(); };
+  const bool same = coupling == component::Coupling::rectangular;
+  result.error = [bench, same] { return same ? bench->error() : bench->finite(); };
+  result.error_meaning = same ? "of the largest force of a direction" : "forces that are not finite";
+  result.tolerance = same ? 1e-9 : 0.0;
+  result.most = most;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Case> sixDirectionCases(const BenchmarkSize& size) {
+  const auto thousand = static_cast<std::size_t>(size.components);
+  const std::size_t ticks = std::max<std::size_t>(4, size.samples / 1000);
+  constexpr double kMostOfPoses = 1.5;
+  constexpr double kMostOfRadius = 2.5;
+  std::vector<Case> cases = {
+      sixCase("`SixDirections::step`, rectangular", size.samples, 1, component::Coupling::rectangular, kMostOfPoses),
+      sixCase("`SixDirections::step`, cylindrical, `iwan`", size.samples, 1, component::Coupling::cylindrical,
+              kMostOfRadius),
+      sixCase(fmt::format("`SixDirections::step`, rectangular, {} at a tick", thousand), ticks, thousand,
+              component::Coupling::rectangular, std::numeric_limits<double>::infinity())};
+  const auto bench = std::make_shared<SixDirectionBench>(size.samples / 10 + 4, 1, component::Coupling::rectangular);
+  Case tangent = cases.front();
+  tangent.name = "`SixDirections::tangent` and the step";
+  tangent.baseline = "the step alone";
+  tangent.count = tangent.baseline_count = bench->count();
+  tangent.library = [bench] { bench->tangents(); };
+  tangent.bare = [bench] { bench->stepSix(); };
+  tangent.error = [bench] { return bench->finite(); };
+  tangent.error_meaning = "forces that are not finite";
+  tangent.tolerance = 0.0;
+  tangent.most = std::numeric_limits<double>::infinity();
+  cases.push_back(tangent);
+  return cases;
+}
+
+}  // namespace rubber_suspension::benchmark

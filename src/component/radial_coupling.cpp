@@ -1,0 +1,422 @@
+// Laws by the radius of two or three directions.
+#include "component/radial_coupling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "rubber_suspension/element/along_curve.h"
+#include "rubber_suspension/element/berg_friction.h"
+#include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/iwan.h"
+#include "rubber_suspension/element/maxwell.h"
+#include "rubber_suspension/element/spring.h"
+#include "rubber_suspension/element/spring_table.h"
+#include "rubber_suspension/element/springpot.h"
+
+namespace rubber_suspension::component {
+namespace {
+
+constexpr double kSameToRounding = 1e-9;
+
+template <class... Laws>
+bool isOneOf(const element::ParallelElement* law) {
+  return ((dynamic_cast<const Laws*>(law) != nullptr) || ...);
+}
+
+bool equal(const std::vector<element::ElementDescription>& one, const std::vector<element::ElementDescription>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const auto& a, const auto& b) { return a.type == b.type && a.values == b.values; });
+}
+
+// Berg's friction has no form by the radius; the bank of the same numbers has, but is not the same friction.
+[[noreturn]] void refuseBerg(const element::BergFriction& berg) {
+  const double amplitude = berg.displacement();
+  double force = 0.0;
+  double loss = 0.0;
+  for (const element::JenkinsSlider& slider :
+       element::iwanSliders(berg.maximumForce(), berg.displacement(), 16 /* the default of iwan */)) {
+    const double beyond = std::max(amplitude - slider.yield_displacement, 0.0);
+    force += slider.stiffness * std::min(amplitude, slider.yield_displacement);
+    loss += 4.0 * slider.maximumForce() * beyond;
+  }
+  throw std::invalid_argument(fmt::format(
+      "friction (Berg) has no form by the radius; accepted: {{type: iwan, maximum_force: {:g}, displacement: {:g}}}, "
+      "of whose settled loop at an amplitude of {:g} the stiffness of friction is {:.3g} times and the loss {:.3g} "
+      "times as much",
+      berg.maximumForce(), berg.displacement(), amplitude, force / berg.settledForce(amplitude),
+      loss / berg.settledLoss(amplitude)));
+}
+
+constexpr const char* kStopType = "bump_stop";
+constexpr std::size_t kVector = 3;
+
+// Elements by how the radius takes them.
+struct SortedElements {
+  std::vector<element::ElementDescription> along;  // each direction by itself
+  std::vector<element::ElementDescription> elastic;
+  std::vector<element::ElementDescription> scaled;
+  std::vector<element::ElementDescription> friction;
+};
+
+const element::ParallelElement* parallelLaw(const element::ElementPointer& element) {
+  const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+  return law == nullptr ? nullptr : law->get();
+}
+
+std::vector<element::ElementDescription>& listFor(const element::ElementDescription& description,
+                                                  SortedElements& sorted) {
+  const element::ElementPointer element = element::makeElement(description);
+  const element::ParallelElement* law = parallelLaw(element);
+  if (isOneOf<element::Spring, element::Maxwell, element::Dashpot, element::SmoothDashpot, element::Springpot>(law)) {
+    return sorted.along;
+  }
+  if (isOneOf<element::SpringTable, element::BumpStop>(law)) {
+    return sorted.elastic;
+  }
+  if (isOneOf<element::MaxwellAlongCurve, element::DashpotAlongCurve>(law)) {
+    return sorted.scaled;
+  }
+  if (isOneOf<element::Iwan, element::IwanTable>(law)) {
+    return sorted.friction;
+  }
+  if (const auto* berg = dynamic_cast<const element::BergFriction*>(law)) {
+    refuseBerg(*berg);
+  }
+  throw std::invalid_argument(
+      fmt::format("{} has no form by the radius; accepted: spring, static_curve or spring_table, maxwell, dashpot, "
+                  "springpot, iwan, "
+                  "iwan_table, bump_stop; or coupling: rectangular",
+                  description.type));
+}
+
+SortedElements sort(const std::vector<element::ElementDescription>& elements) {
+  SortedElements sorted;
+  for (const element::ElementDescription& element : elements) {
+    const element::ElementDescription description = element::complete(element);
+    listFor(description, sorted).push_back(description);
+  }
+  return sorted;
+}
+
+std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription& friction) {
+  const element::ElementPointer element = element::makeElement(friction);
+  return dynamic_cast<const element::SliderBank&>(*parallelLaw(element)).sliders();
+}
+
+}  // namespace
+
+void RadialLaw::addCurve(const element::ElementDescription& table) {
+  if (hasCurve()) {
+    throw std::invalid_argument("a second static curve or spring_table; accepted: one by the radius");
+  }
+  const std::vector<double>& displacement = table.list("displacement");
+  const element::SpringTable law(displacement, table.list("force"), false);
+  double largest = 0.0;
+  for (const double force : table.list("force")) {
+    largest = std::max(largest, std::abs(force));
+  }
+  const bool both_sides = displacement.front() < 0.0;
+  for (const double z : displacement) {
+    if (both_sides && std::abs(law.force(z) + law.force(-z)) > kSameToRounding * largest) {
+      throw std::invalid_argument(fmt::format(
+          "the static curve has {:g} at {:g} and {:g} at {:g}, which no radius can tell apart; accepted: a curve that "
+          "is odd, or points at displacements from 0 on",
+          law.force(z), z, law.force(-z), -z));
+    }
+  }
+  if (std::abs(law.force(0.0)) > kSameToRounding * largest) {
+    throw std::invalid_argument(fmt::format(
+        "the static curve has {:g} at 0; accepted: 0 there, as a radius has no direction at 0", law.force(0.0)));
+  }
+  points_.push_back({0.0, 0.0, 0.0, 0.0});
+  for (const double z : displacement) {
+    if (z > 0.0) {
+      points_.push_back({z, law.force(z), 0.0, 0.0});
+    }
+  }
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    const double width = points_[i + 1].radius - points_[i].radius;
+    points_[i].slope = (points_[i + 1].force - points_[i].force) / width;
+    points_[i + 1].energy = points_[i].energy + 0.5 * (points_[i].force + points_[i + 1].force) * width;
+  }
+  // Beyond the last point as the table has it, also where that lies below 0.
+  const double beyond = points_.back().radius + std::max(points_.back().radius, 1.0);
+  points_.back().slope = (law.force(beyond) - points_.back().force) / (beyond - points_.back().radius);
+}
+
+void RadialLaw::addStop(const element::ElementDescription& stop) {
+  if (stop.value("side") < 0.0) {
+    throw std::invalid_argument("bump_stop.side: -1, which no radius reaches; accepted: 0 or 1");
+  }
+  stops_.push_back({element::BumpStop(stop.value("stiffness"), stop.value("gap"), stop.value("exponent"),
+                                      stop.value("reference_depth"), element::BumpStop::Side::both),
+                    stop.value("gap"), stop.value("exponent")});
+}
+
+const RadialLaw::Point& RadialLaw::pointBefore(double r) const {
+  const auto after = std::upper_bound(points_.begin() + 1, points_.end(), r,
+                                      [](double value, const Point& point) { return value < point.radius; });
+  return *(after - 1);
+}
+
+double RadialLaw::curve(double r) const {
+  if (points_.empty()) {
+    return 0.0;
+  }
+  const Point& point = pointBefore(r);
+  return point.force + point.slope * (r - point.radius);
+}
+
+double RadialLaw::curveEnergy(double r) const {
+  if (points_.empty()) {
+    return 0.0;
+  }
+  const Point& point = pointBefore(r);
+  const double beyond = r - point.radius;
+  return point.energy + beyond * (point.force + 0.5 * point.slope * beyond);
+}
+
+double RadialLaw::force(double r) const {
+  double sum = curve(r);
+  for (const Stop& stop : stops_) {
+    sum += stop.law.force(r);
+  }
+  return sum;
+}
+
+double RadialLaw::energy(double r) const {
+  double sum = curveEnergy(r);
+  for (const Stop& stop : stops_) {
+    sum += stop.law.force(r) * (r - stop.gap) / (stop.exponent + 1.0);
+  }
+  return sum;
+}
+
+double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::string& values) const {
+  const element::PositionTable table(entry.type, entry.list("displacement"), values, entry.list(values));
+  if (!hasCurve()) {
+    throw std::invalid_argument(fmt::format(
+        "{}.{} follows no curve; accepted: a static_curve or spring_table beside it, or maxwell and dashpot",
+        entry.type, values));
+  }
+  double ratio = 0.0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double end = i + 1 < points_.size() ? points_[i + 1].radius : 2.0 * points_[i].radius + 1.0;
+    for (const double share : {0.25, 0.75}) {
+      const double r = points_[i].radius + share * (end - points_[i].radius);
+      const double here = table.at(r) / points_[i].slope;
+      ratio = i == 0 && share == 0.25 ? here : ratio;
+      if (!(here > 0.0 && std::abs(here - ratio) <= kSameToRounding * ratio)) {
+        throw std::invalid_argument(
+            fmt::format("{}.{} is not in proportion to the slope of the static curve at {:g}; "
+                        "accepted: what scale_with: static_curve gives",
+                        entry.type, values, r));
+      }
+    }
+  }
+  return ratio;
+}
+
+void RadialLaw::appendRadii(std::vector<double>& radii) const {
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    radii.push_back(points_[i].radius);
+  }
+}
+
+RadialCoupling::RadialCoupling(std::vector<Direction> directions, SixElements& elements)
+    : directions_(std::move(directions)) {
+  SortedElements first;
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    const Direction direction = directions_[axis];
+    try {
+      SortedElements sorted = sort(elements[direction]);
+      first = axis == 0 ? sorted : first;
+      takeElastic(axis, sorted.elastic);
+      takeScaled(axis, sorted.scaled);
+      one_law_ = one_law_ && equal(sorted.elastic, first.elastic);
+      if (!equal(sorted.friction, first.friction)) {
+        throw std::invalid_argument(
+            fmt::format("its friction is not that of {}; accepted: one friction for both, as "
+                        "its limit is round",
+                        toString(directions_.front())));
+      }
+      elements[direction] = std::move(sorted.along);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: {}", toString(direction), error.what()));
+    }
+  }
+  for (const element::ElementDescription& friction : first.friction) {
+    const std::vector<element::JenkinsSlider> bank = slidersOf(friction);
+    sliders_.insert(sliders_.end(), bank.begin(), bank.end());
+  }
+  std::sort(radii_.begin(), radii_.end());
+  radii_.erase(std::unique(radii_.begin(), radii_.end()), radii_.end());
+}
+
+void RadialCoupling::takeElastic(std::size_t axis, const std::vector<element::ElementDescription>& elastic) {
+  for (const element::ElementDescription& element : elastic) {
+    element.type == kStopType ? laws_[axis].addStop(element) : laws_[axis].addCurve(element);
+  }
+  elastic_ = elastic_ || !laws_[axis].empty();
+  laws_[axis].appendRadii(radii_);
+}
+
+void RadialCoupling::takeScaled(std::size_t axis, const std::vector<element::ElementDescription>& scaled) {
+  for (const element::ElementDescription& element : scaled) {
+    follows_ = true;
+    if (element.values.count("damping") != 0) {
+      damping_ratio_[static_cast<Eigen::Index>(axis)] += laws_[axis].ratioOf(element, "damping");
+    } else {
+      const double rate = element::Maxwell(1.0, element.value("break_frequency")).rate();
+      branches_[axis].push_back({laws_[axis].ratioOf(element, "stiffness"), rate});
+      ++branch_count_;
+    }
+  }
+}
+
+Eigen::Vector3d RadialCoupling::vectorOf(const Coordinates& coordinates) const {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    vector[static_cast<Eigen::Index>(axis)] = coordinates[directions_[axis]];
+  }
+  return vector;
+}
+
+// The gradient of U = sum c_i^2 U_i(r), c = d/r: F_j = c_j (sum c_i^2 F_i + 2 (U_j - U)/r).
+Eigen::Vector3d RadialCoupling::elasticForce(const Eigen::Vector3d& d, bool with_stops) const {
+  const double r = d.norm();
+  if (r == 0.0) {
+    return Eigen::Vector3d::Zero();
+  }
+  const auto force = [&](const RadialLaw& law) { return with_stops ? law.force(r) : law.curve(r); };
+  if (one_law_) {
+    return force(laws_.front()) / r * d;
+  }
+  const Eigen::Vector3d c = d / r;
+  const Eigen::Vector3d share = c.cwiseAbs2();
+  Eigen::Vector3d forces = Eigen::Vector3d::Zero();
+  Eigen::Vector3d energies = Eigen::Vector3d::Zero();
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    forces[static_cast<Eigen::Index>(axis)] = force(laws_[axis]);
+    energies[static_cast<Eigen::Index>(axis)] = with_stops ? laws_[axis].energy(r) : laws_[axis].curveEnergy(r);
+  }
+  const Eigen::Vector3d tangential = 2.0 / r * (energies.array() - share.dot(energies));
+  return c.cwiseProduct((tangential.array() + share.dot(forces)).matrix());
+}
+
+void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const {
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    element::ComponentForce& direction = force.direction[directions_[axis]];
+    direction.*part += sum[static_cast<Eigen::Index>(axis)];
+    direction.total += sum[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+// Memory: the positions of the sliders, coordinate by coordinate; then the forces of the branches, axis by axis.
+void RadialCoupling::initialise(const Coordinates& coordinates, double* memory, BushForce& force) const {
+  const Eigen::Vector3d d = vectorOf(coordinates);
+  for (const double position : d) {
+    memory = std::fill_n(memory, sliders_.size(), position);
+  }
+  std::fill_n(memory, branch_count_, 0.0);
+  if (elastic_) {
+    add(elasticForce(d, true), &element::ComponentForce::elastic, force);
+  }
+}
+
+void RadialCoupling::step(double dt, const Coordinates& begin, const Coordinates& end, double* memory,
+                          BushForce& force) const {
+  const Eigen::Vector3d d = vectorOf(end);
+  if (elastic_) {
+    add(elasticForce(d, true), &element::ComponentForce::elastic, force);
+  }
+  if (!sliders_.empty()) {
+    add(stepSliders(d, memory), &element::ComponentForce::friction, force);
+  }
+  if (follows_) {
+    add(stepBranches(dt, vectorOf(begin), d, memory + kVector * sliders_.size()), &element::ComponentForce::viscous,
+        force);
+  }
+}
+
+// The stretch of a slider's spring, brought back along itself to the yield displacement: what is cut off moves it.
+Eigen::Vector3d RadialCoupling::stepSliders(const Eigen::Vector3d& d, double* memory) const {
+  const std::size_t count = sliders_.size();
+  double* const x = memory;
+  double* const y = memory + count;
+  double* const z = memory + 2 * count;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    const element::JenkinsSlider& slider = sliders_[i];
+    Eigen::Vector3d stretch(d.x() - x[i], d.y() - y[i], d.z() - z[i]);
+    const double square = stretch.squaredNorm();
+    if (square > slider.yield_displacement * slider.yield_displacement) {
+      stretch *= slider.yield_displacement / std::sqrt(square);
+      x[i] = d.x() - stretch.x();
+      y[i] = d.y() - stretch.y();
+      z[i] = d.z() - stretch.z();
+    }
+    force += slider.stiffness * stretch;
+  }
+  return force;
+}
+
+// Visits the pieces of a straight way between the radii at which a slope changes: the share of the way at their ends.
+// At a share s the radius is sqrt(least^2 + (length (s - nearest))^2).
+template <class Visit>
+void RadialCoupling::visitPieces(const Eigen::Vector3d& begin, const Eigen::Vector3d& end, Visit visit) const {
+  const Eigen::Vector3d way = end - begin;
+  const double square = way.squaredNorm();
+  const double nearest = square > 0.0 ? -begin.dot(way) / square : 0.0;
+  const double least_square = std::max(begin.squaredNorm() - nearest * nearest * square, 0.0);
+  double at = 0.0;
+  const auto advance = [&](double share) {
+    if (share > at && share < 1.0) {
+      visit(share - at, begin + share * way);
+      at = share;
+    }
+  };
+  const auto half_chord = [&](double radius) { return std::sqrt((radius * radius - least_square) / square); };
+  const auto inner = std::upper_bound(radii_.begin(), radii_.end(), std::sqrt(least_square));
+  for (auto radius = std::lower_bound(inner, radii_.end(), begin.norm()); nearest > 0.0 && radius != inner;) {
+    advance(nearest - half_chord(*--radius));
+  }
+  const double last = std::max(begin.norm(), end.norm());
+  for (auto radius = nearest > 0.0 ? inner : std::upper_bound(inner, radii_.end(), begin.norm());
+       square > 0.0 && radius != radii_.end() && *radius < last; ++radius) {
+    advance(nearest + half_chord(*radius));
+  }
+  visit(1.0 - at, end);
+}
+
+Eigen::Vector3d RadialCoupling::stepBranches(double dt, const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
+                                             double* memory) const {
+  const Eigen::Vector3d before = elasticForce(begin, false);
+  Eigen::Vector3d last = before;
+  visitPieces(begin, end, [&](double share, const Eigen::Vector3d& position) {
+    const Eigen::Vector3d force = elasticForce(position, false);
+    double* branch_force = memory;
+    for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      for (const Branch& branch : branches_[axis]) {
+        const element::MaxwellStep coefficients(branch.ratio, element::Relaxation::over(share * dt * branch.rate));
+        *branch_force = element::maxwellForce(coefficients.decay, coefficients.gain, *branch_force, force[i] - last[i]);
+        ++branch_force;
+      }
+    }
+    last = force;
+  });
+  Eigen::Vector3d sum = damping_ratio_.cwiseProduct(last - before) / dt;
+  for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
+    for (std::size_t i = 0; i < branches_[axis].size(); ++i) {
+      sum[static_cast<Eigen::Index>(axis)] += *memory++;
+    }
+  }
+  return sum;
+}
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,109 @@
+// Directions that act by their radius: what has no form along each of them alone.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "rubber_suspension/component/six_directions.h"
+#include "rubber_suspension/element/bump_stop.h"
+#include "rubber_suspension/element/slider_bank.h"
+
+namespace rubber_suspension::component {
+
+/// The static curve and the stops of one direction as functions of the radius r >= 0.
+class RadialLaw {
+ public:
+  /// Throws std::invalid_argument where a curve is not odd, or is a second one.
+  void addCurve(const element::ElementDescription& table);
+  void addStop(const element::ElementDescription& stop);
+
+  double curve(double r) const;  ///< force of the curve [N]
+  double force(double r) const;  ///< of curve and stops [N]
+  double curveEnergy(double r) const;
+  double energy(double r) const;  ///< of curve and stops [J]
+
+  /// Stiffness or damping in proportion to the slope of the curve: their ratio. Throws std::invalid_argument where the
+  /// entry's `values` do not follow the curve.
+  double ratioOf(const element::ElementDescription& entry, const std::string& values) const;
+
+  bool hasCurve() const { return !points_.empty(); }
+  bool empty() const { return points_.empty() && stops_.empty(); }
+  void appendRadii(std::vector<double>& radii) const;  ///< at which the slope changes
+
+ private:
+  struct Point {
+    double radius;
+    double force;
+    double slope;   // from here on
+    double energy;  // up to here
+  };
+  struct Stop {
+    element::BumpStop law;
+    double gap;
+    double exponent;
+  };
+
+  const Point& pointBefore(double r) const;
+
+  std::vector<Point> points_;
+  std::vector<Stop> stops_;
+};
+
+/// Two directions (cylindrical) or three (spherical) with coordinates d, r = |d|. Of these laws
+///   - spring, Maxwell element, dashpot and springpot act along each direction by itself, as vectors do anyhow;
+///   - static curve and stop have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of direction i: the radial
+///     force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential one makes it do no work over closed
+///     loops; F = F(r) c where the directions have one law;
+///   - a branch that is scaled along the curve follows the force F_s of the curves,
+///     dF_j/dt = (k_j/k_0) dF_s/dt - F_j/tau_j, a dashpot likewise, F_j = (c/k_0) dF_s/dt; F_s is linear in time
+///     between the radii at which the slope changes, which is exact for motion along a radius;
+///   - each slider of a bank has a force vector, brought back along itself to its limit.
+/// Any other law is refused. Source: elliptic interpolation as the bushing of Adams Car has it, there without the
+/// tangential force.
+class RadialCoupling {
+ public:
+  using Coordinates = std::array<double, kDirections>;  // [m, rad]
+
+  /// Takes those of the laws that are not along each direction out of their elements. Throws std::invalid_argument that
+  /// begins with the direction.
+  RadialCoupling(std::vector<Direction> directions, SixElements& elements);
+
+  std::size_t memorySize() const { return 3 * sliders_.size() + branch_count_; }
+
+  /// At rest at coordinates, relaxed; adds to the forces.
+  void initialise(const Coordinates& coordinates, double* memory, BushForce& force) const;
+
+  /// Advance over a step in which the coordinates are linear; adds the forces at its end.
+  void step(double dt, const Coordinates& begin, const Coordinates& end, double* memory, BushForce& force) const;
+
+ private:
+  struct Branch {
+    double ratio;  // k_j/k_0 [-]
+    double rate;   // 1/tau [1/s]
+  };
+
+  void takeElastic(std::size_t axis, const std::vector<element::ElementDescription>& elastic);
+  void takeScaled(std::size_t axis, const std::vector<element::ElementDescription>& scaled);
+
+  Eigen::Vector3d vectorOf(const Coordinates& coordinates) const;
+  Eigen::Vector3d elasticForce(const Eigen::Vector3d& d, bool with_stops) const;
+  void add(const Eigen::Vector3d& sum, double element::ComponentForce::*part, BushForce& force) const;
+  Eigen::Vector3d stepSliders(const Eigen::Vector3d& d, double* memory) const;
+  Eigen::Vector3d stepBranches(double dt, const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
+                               double* memory) const;
+  template <class Visit>
+  void visitPieces(const Eigen::Vector3d& begin, const Eigen::Vector3d& end, Visit visit) const;
+
+  std::vector<Direction> directions_;
+  std::array<RadialLaw, 3> laws_;
+  bool one_law_ = true;
+  bool elastic_ = false;
+  std::vector<element::JenkinsSlider> sliders_;
+  std::array<std::vector<Branch>, 3> branches_;
+  std::size_t branch_count_ = 0;
+  Eigen::Vector3d damping_ratio_ = Eigen::Vector3d::Zero();  // c/k_0 of dashpots along the curve [s]
+  bool follows_ = false;                                     // there are branches or dashpots along the curve
+  std::vector<double> radii_;                                // at which the slope of a curve changes, increasing
+};
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,409 @@
+// From the pose of two bodies to the coordinates of a bush, through its directions, and back to a wrench.
+#include "rubber_suspension/component/six_directions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "component/radial_coupling.h"
+#include "rubber_suspension/element/dashpot.h"
+#include "rubber_suspension/element/temperature_shift.h"
+
+namespace rubber_suspension::component {
+namespace {
+
+constexpr std::array<const char*, kDirections> kDirectionNames = {"x", "y", "z", "rx", "ry", "rz"};
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// Damping [N s/m] of the dashpots that see the coordinate itself, in real time: none where something lies between.
+double directDamping(const std::vector<element::ElementDescription>& elements) {
+  element::BasicLaws sum;
+  for (const element::ElementDescription& description : elements) {
+    const element::ElementPointer element = element::makeElement(description);
+    const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
+    if (law == nullptr) {
+      return 0.0;
+    }
+    if (dynamic_cast<const element::Dashpot*>(law->get()) != nullptr) {
+      (*law)->addTo(sum);
+    }
+  }
+  return sum.damping;
+}
+
+Eigen::Matrix3d crossing(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return matrix;
+}
+
+// Those of a triple that a coupling acts on.
+std::vector<Direction> coupledDirections(Direction first, Coupling coupling, std::size_t axis) {
+  std::vector<Direction> directions;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (coupling == Coupling::spherical || (coupling == Coupling::cylindrical && i != axis)) {
+      directions.push_back(static_cast<Direction>(first + i));
+    }
+  }
+  return directions;
+}
+
+SixNumbers totals(const BushForce& force) {
+  SixNumbers numbers;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    numbers[static_cast<Eigen::Index>(i)] = force.direction[i].total;
+  }
+  return numbers;
+}
+
+SixNumbers viscousParts(const BushForce& force) {
+  SixNumbers numbers;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    numbers[static_cast<Eigen::Index>(i)] = force.direction[i].viscous;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+const char* toString(Direction direction) { return kDirectionNames[direction]; }
+
+std::optional<Direction> directionFromString(const std::string& name) {
+  const auto* const found = std::find(kDirectionNames.begin(), kDirectionNames.end(), name);
+  return found == kDirectionNames.end() ? std::nullopt
+                                        : std::optional(static_cast<Direction>(found - kDirectionNames.begin()));
+}
+
+void SixDirectionsState::copyFrom(const SixDirectionsState& other) {
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    directions_[i].copyFrom(other.directions_[i]);
+  }
+  std::copy(other.coupled_.begin(), other.coupled_.end(), coupled_.begin());
+  coordinates_ = other.coordinates_;
+}
+
+std::vector<double> SixDirectionsState::numbers() const {
+  std::vector<double> numbers(coordinates_.begin(), coordinates_.end());
+  numbers.insert(numbers.end(), coupled_.begin(), coupled_.end());
+  for (const ComponentState& direction : directions_) {
+    numbers.insert(numbers.end(), direction.memory().begin(), direction.memory().end());
+  }
+  return numbers;
+}
+
+SixDirections::SixDirections(SixDirectionsLaws laws)
+    : laws_(std::move(laws)),
+      framed_(!laws_.on_a.isApprox(Eigen::Isometry3d::Identity(), 0.0) ||
+              !laws_.on_b.isApprox(Eigen::Isometry3d::Identity(), 0.0)) {
+  auto elements = laws_.elements;
+  couple(coupledDirections(kX, laws_.translation, laws_.axis), elements);
+  couple(coupledDirections(kRx, laws_.rotation, laws_.axis), elements);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const auto direction = static_cast<Direction>(i);
+    try {
+      damping_[i] = directDamping(elements[i]);
+      if (!elements[i].empty()) {
+        directions_[i].emplace(elements[i]);
+      }
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: {}", toString(direction), error.what()));
+    }
+  }
+}
+
+// What acts by the radius goes into a coupling, and the directions keep what acts along them.
+void SixDirections::couple(std::vector<Direction> directions, SixElements& elements) {
+  const auto given = std::count_if(directions.begin(), directions.end(),
+                                   [&](Direction direction) { return !elements[direction].empty(); });
+  if (given == 0) {
+    return;
+  }
+  const Direction first = *std::find_if(directions.begin(), directions.end(),
+                                        [&](Direction direction) { return !elements[direction].empty(); });
+  for (const Direction direction : directions) {
+    if (elements[direction].empty() && given > 1) {
+      throw std::invalid_argument(
+          fmt::format("{}: is missing beside others that it is coupled with; accepted: all of "
+                      "them, or one that stands for all",
+                      toString(direction)));
+    }
+    if (elements[direction].empty()) {
+      elements[direction] = elements[first];
+    }
+  }
+  couplings_.push_back(std::make_shared<const RadialCoupling>(std::move(directions), elements));
+  coupled_size_ += couplings_.back()->memorySize();
+}
+
+SixDirectionsState SixDirections::makeState() const {
+  SixDirectionsState state;
+  state.coupled_.resize(coupled_size_);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      state.directions_[i] = directions_[i]->makeState();
+    }
+  }
+  initialise(state, pose(SixNumbers::Zero()));
+  return state;
+}
+
+__attribute__((always_inline)) inline SixDirections::Place SixDirections::placeAt(const Eigen::Isometry3d& pose) const {
+  if (framed_) {
+    return framedPlaceAt(pose);
+  }
+  return {pose.translation(), coordinatesOf(laws_.measure, pose.linear()), Eigen::Vector3d::Zero()};
+}
+
+SixDirections::Place SixDirections::framedPlaceAt(const Eigen::Isometry3d& pose) const {
+  const Eigen::Vector3d arm = pose.linear() * laws_.on_b.translation();
+  const Eigen::Matrix3d rotation = laws_.on_a.linear().transpose() * pose.linear() * laws_.on_b.linear();
+  return {laws_.on_a.linear().transpose() * (pose.translation() + arm - laws_.on_a.translation()),
+          coordinatesOf(laws_.measure, rotation), arm};
+}
+
+SixNumbers SixDirections::coordinates(const Eigen::Isometry3d& pose) const {
+  return SixNumbers(placeAt(pose).coordinates().data());
+}
+
+Eigen::Isometry3d SixDirections::pose(const SixNumbers& coordinates) const {
+  Eigen::Isometry3d bush = Eigen::Isometry3d::Identity();
+  bush.translation() = coordinates.head<3>();
+  bush.linear() = rotationOf(laws_.measure, coordinates.tail<3>()).toRotationMatrix();
+  return framed_ ? laws_.on_a * bush * laws_.on_b.inverse() : bush;
+}
+
+// With q' = B (v, omega) the wrench is B^T Q.
+__attribute__((always_inline)) inline void SixDirections::complete(const Place& place, BushForce& force) const {
+  const auto& q = force.direction;
+  force.wrench.force = {q[kX].total, q[kY].total, q[kZ].total};
+  force.wrench.moment = place.rotation.momentOf({q[kRx].total, q[kRy].total, q[kRz].total});
+  if (framed_) {
+    force.wrench = carriedToB(force.wrench, place.arm);
+  }
+}
+
+Wrench SixDirections::carriedToB(const Wrench& wrench, const Eigen::Vector3d& arm) const {
+  const Eigen::Vector3d force = laws_.on_a.linear() * wrench.force;
+  return {force, laws_.on_a.linear() * wrench.moment + arm.cross(force)};
+}
+
+SixNumbers SixDirections::ratesOf(const Place& place, const Twist& twist) const {
+  const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
+  SixNumbers rates;
+  rates << to_bush * (twist.linear + twist.angular.cross(place.arm)),
+      place.rotation.rates() * (to_bush * twist.angular);
+  return rates;
+}
+
+// The force of the dashpots at rates that they have not answered to yet.
+void SixDirections::addDamping(const SixNumbers& rates, BushForce& force) const {
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double added = damping_[i] * rates[static_cast<Eigen::Index>(i)];
+    force.direction[i].viscous += added;
+    force.direction[i].total += added;
+  }
+}
+
+BushForce SixDirections::start(SixDirectionsState& state, const Place& place, bool as_new) const {
+  state.coordinates_ = place.coordinates();
+  BushForce force;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      force.direction[i] = as_new ? directions_[i]->initialise(state.directions_[i], state.coordinates_[i])
+                                  : directions_[i]->relax(state.directions_[i], state.coordinates_[i]);
+    }
+  }
+  double* memory = state.coupled_.data();
+  for (const auto& coupling : couplings_) {
+    coupling->initialise(state.coordinates_, memory, force);
+    memory += coupling->memorySize();
+  }
+  return force;
+}
+
+BushForce SixDirections::initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose,
+                                    const Twist& twist) const {
+  const Place place = placeAt(pose);
+  BushForce force = start(state, place, true);
+  addDamping(ratesOf(place, twist), force);
+  complete(place, force);
+  return force;
+}
+
+BushForce SixDirections::relax(SixDirectionsState& state, const Eigen::Isometry3d& pose) const {
+  const Place place = placeAt(pose);
+  BushForce force = start(state, place, false);
+  complete(place, force);
+  return force;
+}
+
+// By value: coordinates whose address is known could not stay in registers.
+void SixDirections::stepCoupled(SixDirectionsState& state, double dt, Coordinates at, BushForce& force) const {
+  double* memory = state.coupled_.data();
+  for (const auto& coupling : couplings_) {
+    coupling->step(dt, state.coordinates_, at, memory, force);
+    memory += coupling->memorySize();
+  }
+}
+
+// Each direction is written out, so that coordinates and forces stay in registers on their way.
+__attribute__((always_inline)) inline BushForce SixDirections::stepInline(SixDirectionsState& state, double dt,
+                                                                          const Coordinates& at) const {
+  const auto step = [&](std::size_t i) __attribute__((always_inline)) {
+    return directions_[i] ? directions_[i]->step(state.directions_[i], dt, at[i]) : element::ComponentForce();
+  };
+  BushForce force{{}, {step(kX), step(kY), step(kZ), step(kRx), step(kRy), step(kRz)}};
+  if (!couplings_.empty()) {
+    stepCoupled(state, dt, at, force);
+  }
+  state.coordinates_ = at;
+  return force;
+}
+
+BushForce SixDirections::stepDirections(SixDirectionsState& state, double dt, const Coordinates& at) const {
+  return stepInline(state, dt, at);
+}
+
+BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose) const {
+  const Place place = placeAt(pose);
+  BushForce force = stepInline(state, dt, place.coordinates());
+  complete(place, force);
+  return force;
+}
+
+BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
+                              const Twist& twist) const {
+  const Place place = placeAt(pose);
+  const Coordinates at = place.coordinates();
+  const SixNumbers mean_rates = (SixNumbers(at.data()) - state.coordinates()) / dt;
+  BushForce force = stepDirections(state, dt, at);
+  addDamping(ratesOf(place, twist) - mean_rates, force);
+  complete(place, force);
+  return force;
+}
+
+// B: the rates of the coordinates by the motion of B.
+Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place) const {
+  const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
+  Matrix6 jacobian;
+  jacobian << to_bush, -to_bush * crossing(place.arm), Eigen::Matrix3d::Zero(), place.rotation.rates() * to_bush;
+  return jacobian;
+}
+
+// How the moment of constant generalised moments [N m] turns as the bush does: the derivative of rates^T Q by the
+// coordinates.
+Eigen::Matrix3d SixDirections::turningMoment(const Place& place, const Eigen::Vector3d& moments) const {
+  constexpr double kDistance = 1e-5;  // [rad]; leaves 1e-10 of the moment
+  Eigen::Matrix3d derivative;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d step = kDistance * Eigen::Vector3d::Unit(i);
+    derivative.col(i) =
+        (ratesAt(laws_.measure, place.rotation.value + step) - ratesAt(laws_.measure, place.rotation.value - step))
+            .transpose() *
+        moments / (2.0 * kDistance);
+  }
+  return derivative;
+}
+
+SixTangent SixDirections::tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
+                                  SixDirectionsState& trial) const {
+  constexpr double kDistance = 1e-8;  // [m, rad], that of Component::tangent()
+  const Place place = placeAt(pose);
+  const Coordinates coordinates = place.coordinates();
+  const auto forces = [&](const Coordinates& at) {
+    trial.copyFrom(state);
+    return stepDirections(trial, dt, at);
+  };
+  Matrix6 retained;
+  Matrix6 viscous;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    Coordinates above = coordinates;
+    Coordinates below = coordinates;
+    above[i] += kDistance;
+    below[i] -= kDistance;
+    const BushForce upper = forces(above);
+    const BushForce lower = forces(below);
+    const double distance = above[i] - below[i];
+    const auto column = static_cast<Eigen::Index>(i);
+    viscous.col(column) = (viscousParts(upper) - viscousParts(lower)) / distance;
+    retained.col(column) = (totals(upper) - totals(lower)) / distance - viscous.col(column);
+  }
+  const SixNumbers held = totals(forces(coordinates));
+  const Matrix6 jacobian = coordinateJacobian(place);
+  SixTangent tangent{jacobian.transpose() * retained * jacobian, dt * jacobian.transpose() * viscous * jacobian};
+  const Eigen::Matrix3d& axes = laws_.on_a.linear();
+  tangent.stiffness.bottomRightCorner<3, 3>() +=
+      crossing(axes * held.head<3>()) * crossing(place.arm) +
+      axes * turningMoment(place, held.tail<3>()) * place.rotation.rates() * axes.transpose();
+  return tangent;
+}
+
+SixNumbers SixDirections::directionForces(const Eigen::Isometry3d& pose, const Wrench& wrench) const {
+  const Place place = placeAt(pose);
+  const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
+  const Eigen::Matrix3d rates = place.rotation.rates();
+  // Of rates^T Q = M by Cramer's rule.
+  const Eigen::Vector3d moment = to_bush * (wrench.moment - place.arm.cross(wrench.force));
+  const Eigen::Vector3d first = rates.row(0);
+  const Eigen::Vector3d second = rates.row(1);
+  const Eigen::Vector3d third = rates.row(2);
+  const double determinant = first.dot(second.cross(third));
+  SixNumbers forces;
+  forces << to_bush * wrench.force, moment.dot(second.cross(third)) / determinant,
+      moment.dot(third.cross(first)) / determinant, moment.dot(first.cross(second)) / determinant;
+  return forces;
+}
+
+Reactions SixDirections::reactions(const Eigen::Isometry3d& pose, const Wrench& wrench) {
+  return {{wrench.force, wrench.moment + pose.translation().cross(wrench.force)}, {-wrench.force, -wrench.moment}};
+}
+
+bool SixDirections::shiftsWithTemperature() const {
+  return std::any_of(directions_.begin(), directions_.end(),
+                     [](const auto& component) { return component && component->shiftsWithTemperature(); });
+}
+
+element::Range SixDirections::temperatures() const {
+  element::Range range;
+  for (const auto& component : directions_) {
+    range = component ? element::intersection(range, component->temperatures()) : range;
+  }
+  return range;
+}
+
+void SixDirections::setTemperature(SixDirectionsState& state, double temperature) const {
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      directions_[i]->setTemperature(state.directions_[i], temperature);
+    }
+  }
+}
+
+void SixDirections::restore(SixDirectionsState& state, const std::vector<double>& numbers) const {
+  SixDirectionsState restored = makeState();
+  const std::size_t size = restored.numbers().size();
+  if (numbers.size() != size) {
+    throw std::invalid_argument(fmt::format("state has {} numbers, this component needs {}", numbers.size(), size));
+  }
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); })) {
+    throw std::invalid_argument("state holds numbers that are not finite");
+  }
+  const double* next = numbers.data();
+  std::copy_n(next, kDirections, restored.coordinates_.begin());
+  next += kDirections;
+  std::copy_n(next, restored.coupled_.size(), restored.coupled_.begin());
+  next += restored.coupled_.size();
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (directions_[i]) {
+      const std::size_t count = restored.directions_[i].memory().size();
+      directions_[i]->restore(restored.directions_[i], restored.coordinates_[i], {next, next + count});
+      next += count;
+    }
+  }
+  state = std::move(restored);
+}
+
+}  // namespace rubber_suspension::component

@@ -1,0 +1,115 @@
+// Logs of six directions: each direction is a log of its own with the same stamps.
+#include "rubber_suspension/log/pose_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "log/log_columns.h"
+#include "log/new_file.h"
+#include "log/text.h"
+
+namespace rubber_suspension::log {
+namespace {
+
+constexpr std::array<const char*, 6> kCoordinates = {"x", "y", "z", "rx", "ry", "rz"};
+constexpr std::array<const char*, 6> kWrench = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+constexpr std::size_t kRotations = 3;  // from here on
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Log readDirection(const std::string& path, LogFormat format, std::size_t direction, bool with_wrench) {
+  format.turns = direction >= kRotations;
+  format.of[static_cast<std::size_t>(Quantity::displacement)].column = kCoordinates[direction];
+  // Without a wrench no other column is a force; the coordinate stands for none.
+  format.of[static_cast<std::size_t>(Quantity::force)].column = with_wrench ? kWrench[direction] : "";
+  return readLog(path, format);
+}
+
+[[noreturn]] void refuseColumns(const LogError& error) {
+  const std::string text = error.what();
+  for (const char* word : {"leg", "strut", "actuator", "bein"}) {
+    if (contains(text, "no column") && contains(lowerCase(text), word)) {
+      throw LogError(text + "; leg lengths of a hexapod are no pose; accepted: x, y, z, rx, ry, rz with their units");
+    }
+  }
+  throw LogError(text + "; accepted of six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
+}
+
+// The first direction tells whether the log has wrenches.
+Log readFirst(const std::string& path, const LogFormat& format, bool& with_wrench) {
+  try {
+    with_wrench = true;
+    return readDirection(path, format, 0, true);
+  } catch (const LogError& error) {
+    if (!contains(error.what(), "no column 'Fx'")) {
+      refuseColumns(error);
+    }
+  }
+  with_wrench = false;
+  return readDirection(path, format, 0, false);
+}
+
+}  // namespace
+
+PoseLog readPoseLog(const std::string& path, const LogFormat& format) {
+  PoseLog poses;
+  bool with_wrench = false;
+  for (std::size_t direction = 0; direction < kCoordinates.size(); ++direction) {
+    Log log = direction == 0 ? readFirst(path, format, with_wrench) : [&] {
+      try {
+        return readDirection(path, format, direction, with_wrench);
+      } catch (const LogError& error) {
+        refuseColumns(error);
+      }
+    }();
+    if (direction == 0) {
+      poses.name = log.name;
+      poses.stamp = std::move(log.stamp);
+      poses.temperature = std::move(log.temperature);
+      std::copy_if(log.notes.begin(), log.notes.end(), std::back_inserter(poses.notes), [](const std::string& note) {
+        return !contains(note, " is ignored") && !contains(note, " ignored");
+      });
+    } else if (log.stamp != poses.stamp) {
+      throw LogError(fmt::format("{}: rows lack some of {} and {} only; accepted: rows with all six directions", path,
+                                 kCoordinates[0], kCoordinates[direction]));
+    }
+    poses.coordinate[direction] = std::move(log.displacement);
+    poses.wrench[direction] = std::move(log.force);
+  }
+  return poses;
+}
+
+void writeWrenchCsv(const std::string& path, const PoseLog& log, const std::array<std::vector<double>, 6>& wrench) {
+  try {
+    NewFile file(path);
+    std::ofstream stream(file.writingPath(), std::ios::binary);
+    stream << "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm\n";
+    fmt::memory_buffer row;
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      row.clear();
+      fmt::format_to(std::back_inserter(row), "{}", formatStamp(log.stamp[i]));
+      for (const auto* columns : {&log.coordinate, &wrench}) {
+        for (const std::vector<double>& column : *columns) {
+          fmt::format_to(std::back_inserter(row), ",{:.17g}", column[i]);
+        }
+      }
+      row.push_back('\n');
+      stream.write(row.data(), static_cast<std::streamsize>(row.size()));
+    }
+    stream.close();
+    if (!stream) {
+      throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+    }
+    file.commit();
+  } catch (const LogError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw LogError(error.what());
+  }
+}
+
+}  // namespace rubber_suspension::log

@@ -1,0 +1,304 @@
+// Components of six directions in a multibody simulation: against Simbody's own bushing, against components of one
+// direction, and against closed forms.
+#include "vehicle/bushed_vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "rubber_suspension/element/constants.h"
+#include "rubber_suspension/io/component_file.h"
+#include "vehicle/components.h"
+#include "vehicle/simulation.h"
+
+namespace rubber_suspension::vehicle {
+namespace {
+
+using component::SixDirections;
+using component::SixNumbers;
+using SimTK::Vec3;
+using SimTK::Vec6;
+
+const std::string kFolder = TEST_DIR "/../config/";
+const std::array<double, 6> kStiffness = {4e6, 2e6, 1e6, 900.0, 700.0, 250.0};
+const std::array<double, 6> kDamping = {3e3, 2e3, 1e3, 5.0, 4.0, 3.0};
+
+component::SixDirectionsLaws lawsOf(component::RotationMeasure measure) {
+  component::SixDirectionsLaws laws;
+  for (std::size_t i = 0; i < 6; ++i) {
+    laws.elements[i] = {{"spring", {{"stiffness", {kStiffness[i]}}}}, {"dashpot", {{"damping", {kDamping[i]}}}}};
+  }
+  laws.measure = measure;
+  return laws;
+}
+
+Eigen::Vector3d toEigen(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Eigen::Matrix3d toEigen(const SimTK::Rotation& rotation) {
+  Eigen::Matrix3d result;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      result(row, column) = rotation.asMat33()(row, column);
+    }
+  }
+  return result;
+}
+
+Eigen::Isometry3d toEigen(const SimTK::Transform& transform) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.translation() = toEigen(transform.p());
+  result.linear() = toEigen(transform.R());
+  return result;
+}
+
+// Two bodies anywhere, B against A turned by no more than an angle in each cardan angle, and moving; Simbody's bushing
+// between them, off the centres of both.
+class TwoBodies {
+ public:
+  TwoBodies()
+      : matter_(system_),
+        forces_(system_),
+        on_a_(frame(1.0, 0.2)),
+        on_b_(frame(1.0, 0.2)),
+        a_(matter_.Ground(), SimTK::Transform(), solid(), SimTK::Transform()),
+        b_(matter_.Ground(), SimTK::Transform(), solid(), SimTK::Transform()),
+        bushing_(forces_, a_, on_a_, b_, on_b_, vec6(kStiffness), vec6(kDamping)) {
+    state_ = system_.realizeTopology();
+  }
+
+  void move(double angle) {
+    const SimTK::Transform of_a = frame(3.0, 1.0);
+    // The frames of the bushing differ by this pose.
+    const SimTK::Transform between(turn(angle), 0.02 * vec3());
+    a_.setQToFitTransform(state_, of_a);
+    b_.setQToFitTransform(state_, of_a * on_a_ * between * ~on_b_);
+    a_.setUToFitVelocity(state_, {vec3(), vec3()});
+    b_.setUToFitVelocity(state_, {vec3(), vec3()});
+    system_.realize(state_, SimTK::Stage::Dynamics);
+  }
+
+  SixDirections bush(component::RotationMeasure measure) const {
+    component::SixDirectionsLaws laws = lawsOf(measure);
+    laws.on_a = toEigen(on_a_);
+    laws.on_b = toEigen(on_b_);
+    return SixDirections(laws);
+  }
+
+  Eigen::Isometry3d pose() const { return toEigen(~a_.getBodyTransform(state_) * b_.getBodyTransform(state_)); }
+
+  component::Twist twist() const {
+    const SimTK::SpatialVec velocity = b_.findBodyVelocityInAnotherBody(state_, a_);
+    return {toEigen(velocity[1]), toEigen(velocity[0])};
+  }
+
+  // What Simbody's bushing exerts on A and B about their origins, in A's axes.
+  component::Reactions ofSimbody() const {
+    SimTK::Vector_<SimTK::SpatialVec> bodies;
+    SimTK::Vector_<Vec3> particles;
+    SimTK::Vector mobilities;
+    bushing_.calcForceContribution(state_, bodies, particles, mobilities);
+    const Eigen::Matrix3d axes = toEigen(a_.getBodyRotation(state_)).transpose();
+    const auto of = [&](const SimTK::MobilizedBody& body) {
+      const SimTK::SpatialVec& load = bodies[body.getMobilizedBodyIndex()];
+      return component::Wrench{axes * toEigen(load[1]), axes * toEigen(load[0])};
+    };
+    return {of(a_), of(b_)};
+  }
+
+ private:
+  static SimTK::Body solid() { return SimTK::Body::Rigid({5.0, Vec3(0.0), SimTK::Inertia(0.02, 0.02, 0.02)}); }
+  static Vec6 vec6(const std::array<double, 6>& by_direction) {  // Simbody has rotations first
+    const auto& v = by_direction;
+    return {v[3], v[4], v[5], v[0], v[1], v[2]};
+  }
+  double share() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+  Vec3 vec3() {
+    const double x = share();
+    const double y = share();
+    return {x, y, share()};
+  }
+  SimTK::Rotation turn(double angle) {
+    const Vec3 angles = angle * vec3();
+    return {SimTK::BodyRotationSequence, angles[0], SimTK::XAxis, angles[1], SimTK::YAxis, angles[2], SimTK::ZAxis};
+  }
+  SimTK::Transform frame(double angle, double length) {
+    const SimTK::Rotation rotation = turn(angle);
+    return {rotation, length * vec3()};
+  }
+
+  std::mt19937 random_{7};
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::GeneralForceSubsystem forces_;
+  SimTK::Transform on_a_;
+  SimTK::Transform on_b_;
+  SimTK::MobilizedBody::Free a_;
+  SimTK::MobilizedBody::Free b_;
+  SimTK::Force::LinearBushing bushing_;
+  SimTK::State state_;
+};
+
+double distance(const component::Wrench& a, const component::Wrench& b) {
+  return std::max((a.force - b.force).norm() / b.force.norm(), (a.moment - b.moment).norm() / b.moment.norm());
+}
+
+// Simbody's definition, in full: body-fixed x-y-z angles, forces along A's axes, at the bushing on B.
+TEST(SixDirectionsInSimbody, CardanAnglesEqualTheLinearBushing) {
+  TwoBodies bodies;
+  const SixDirections bush = bodies.bush(component::RotationMeasure::cardan);
+  component::SixDirectionsState state = bush.makeState();
+  for (int i = 0; i < 1000; ++i) {
+    bodies.move(80.0 * element::kPi / 180.0);
+    const component::BushForce force = bush.initialise(state, bodies.pose(), bodies.twist());
+    const component::Reactions reactions = SixDirections::reactions(bodies.pose(), force.wrench);
+    const component::Reactions expected = bodies.ofSimbody();
+    ASSERT_LT(distance(reactions.on_a, expected.on_a), 1e-9) << i;
+    ASSERT_LT(distance(reactions.on_b, expected.on_b), 1e-9) << i;
+  }
+}
+
+// The rotation vector is the same to first order: half the angle, half the relative difference.
+TEST(SixDirectionsInSimbody, RotationVectorComesToItInProportionToTheAngle) {
+  const auto difference = [](double angle) {
+    TwoBodies bodies;  // the same random numbers for every angle
+    const SixDirections vector = bodies.bush(component::RotationMeasure::vector);
+    component::SixDirectionsState state = vector.makeState();
+    double sum = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      bodies.move(angle);
+      const SixDirections cardan = bodies.bush(component::RotationMeasure::cardan);
+      component::SixDirectionsState other = cardan.makeState();
+      const Eigen::Vector3d expected = cardan.initialise(other, bodies.pose()).wrench.moment;
+      sum += (vector.initialise(state, bodies.pose()).wrench.moment - expected).norm();
+    }
+    return sum / angle;
+  };
+  const double coarse = difference(0.08);
+  const double fine = difference(0.04);
+  EXPECT_GT(fine, 0.0);
+  EXPECT_NEAR(coarse / fine, 2.0, 0.1);
+}
+
+// A track of some sines that starts softly.
+Scene someTrack() {
+  log::Log log;
+  log.name = "track";
+  for (int i = 0; i <= 1500; ++i) {
+    const double t = 1e-3 * i;
+    const double fade = t < 0.5 ? 0.5 - 0.5 * std::cos(2.0 * element::kPi * t) : 1.0;
+    log.stamp.push_back(i * 1000000LL);
+    log.displacement.push_back(fade * (2e-3 * std::sin(9.0 * t) + 1e-3 * std::sin(31.0 * t + 1.0)));
+  }
+  Scene scene;
+  scene.track = Track(log);
+  scene.duration = 1.0;
+  return scene;
+}
+
+// With vertical laws alone the half bogie is that of the struts. The secondary one's axes turn with the frame, and the
+// arms of the primary ones with it: of second order in the pitch of 1 mrad.
+TEST(BushedVehicle, HalfBogieWithVerticalLawsAloneIsThatOfTheStruts) {
+  const Scene scene = someTrack();
+  const auto struts = loadStruts(kFolder + "half_bogie.yaml");
+  PerBush<SixDirections> bushes;
+  for (std::size_t i = 0; i < kStruts; ++i) {
+    component::SixDirectionsLaws laws;
+    laws.elements[component::kZ] = struts[i].elements();
+    laws.on_a.translation().x() = laws.on_b.translation().x() = i == 0 ? 1.28 : i == 1 ? -1.28 : 0.0;
+    bushes.emplace_back(laws);
+  }
+  const History expected = runVariableStep(scene, struts, {});
+  const BushedHistory history = runVariableStep(scene, BushedKind::half_bogie, bushes, {});
+  ASSERT_EQ(history.size(), expected.size());
+  for (std::size_t i = 0; i < kStruts; ++i) {
+    double error = 0.0;
+    double size = 0.0;
+    for (std::size_t n = 0; n < history.size(); ++n) {
+      const double z = bushes[i].coordinates(history.pose[n][i])[component::kZ];
+      error = std::max(error, std::abs(z + expected.compression[n][i]));  // a strut is compressed, a bush extended
+      size = std::max(size, std::abs(z));
+    }
+    EXPECT_GT(size, 1e-3) << strutNames()[i];
+    EXPECT_LT(error, 1e-4 * size) << strutNames()[i];
+  }
+}
+
+// All four bushes at once on the same track: the body goes up and down as a mass on four springs, and does nothing
+// else.
+TEST(BushedVehicle, BodyOnSpringsIsAnOscillator) {
+  Scene scene = someTrack();
+  scene.parameters.speed = 1e9;  // no delay to the rear
+  PerBush<SixDirections> bushes;
+  for (const double x : {1.1, -1.1}) {
+    for (const double y : {0.6, -0.6}) {
+      component::SixDirectionsLaws laws;
+      for (std::size_t i = 0; i < 6; ++i) {
+        laws.elements[i] = {{"spring", {{"stiffness", {i < 3 ? 2e5 : 500.0}}}}};
+      }
+      laws.on_a.translation() = laws.on_b.translation() = Eigen::Vector3d(x, y, 0.0);
+      bushes.emplace_back(laws);
+    }
+  }
+  const BushedHistory history = runVariableStep(scene, BushedKind::body, bushes, {});
+  const double omega2 = 4.0 * 2e5 / scene.parameters.hung.mass;
+  double height = 0.0;
+  double speed = 0.0;
+  constexpr double kStep = 1e-5;
+  for (std::size_t n = 0; n < history.size(); ++n) {
+    const double track = scene.track.height(history.time[n]);
+    for (const Eigen::Isometry3d& pose : history.pose[n]) {
+      ASSERT_NEAR(pose.translation().z(), height - track, 1e-6);
+      ASSERT_LT(pose.translation().head<2>().norm() + (pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+    }
+    for (int i = 0; i < 100; ++i) {  // leapfrog, of second order: (w h)^2/24 of a cycle's phase
+      const double time = history.time[n] + kStep * i;
+      height += 0.5 * kStep * speed;
+      speed -= kStep * omega2 * (height - scene.track.height(time + 0.5 * kStep));
+      height += 0.5 * kStep * speed;
+    }
+  }
+}
+
+// Held wrenches are late by half a step: the difference to variable steps halves with the step.
+TEST(BushedVehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
+  for (const auto& [kind, file] :
+       {std::pair(BushedKind::body, "hung_body.yaml"), std::pair(BushedKind::half_bogie, "half_bogie_six.yaml")}) {
+    const auto bushes = loadBushes(kind, kFolder + file);
+    const auto difference = [&, which = kind](std::int64_t step) {
+      Scene scene = someTrack();
+      scene.step = step;
+      LibraryWrenchExchange exchange(bushes);
+      const BushedHistory loop = runExchange(scene, which, exchange, 0);
+      return displacementDifference(bushes, loop, runVariableStep(scene, which, bushes, {}));
+    };
+    const PerBush<double> coarse = difference(500000);
+    const PerBush<double> fine = difference(250000);
+    for (std::size_t i = 0; i < bushes.size(); ++i) {
+      EXPECT_LT(coarse[i], 0.5);
+      EXPECT_NEAR(coarse[i] / fine[i], 2.0, 0.4) << bushNames(kind)[i];
+    }
+  }
+}
+
+// A body on a track that comes later to the rear pitches and moves along; its bushes are loaded in all these
+// directions.
+TEST(BushedVehicle, ATrackLoadsSeveralDirections) {
+  const auto bushes = loadBushes(BushedKind::body, kFolder + "hung_body.yaml");
+  const BushedHistory history = runVariableStep(someTrack(), BushedKind::body, bushes, {});
+  SixNumbers largest = SixNumbers::Zero();
+  for (const auto& poses : history.pose) {
+    largest = largest.cwiseMax(bushes[0].coordinates(poses[0]).cwiseAbs());
+  }
+  EXPECT_GT(largest[component::kX], 1e-5);
+  EXPECT_GT(largest[component::kZ], 1e-4);
+  EXPECT_GT(largest[component::kRy], 1e-5);
+  EXPECT_LT(largest[component::kRx], 1e-9);  // both sides have the same track
+}
+
+TEST(BushedVehicle, ComponentsOfOneDirectionAreRefused) {
+  EXPECT_THROW(loadBushes(BushedKind::half_bogie, kFolder + "half_bogie.yaml"), io::ComponentFileError);
+}
+
+}  // namespace
+}  // namespace rubber_suspension::vehicle
